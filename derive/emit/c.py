@@ -1,0 +1,654 @@
+"""C99: kernels as one shared header of types and one header and source for each formulation.
+
+Takes shared blocks and hands back text. The code around the blocks (loop over legs, assembly, pivoted
+elimination, batches, status) is text in this file; all dynamics come from the blocks. Knows nothing of files.
+"""
+
+from .. import notation as n
+from ..block import Block, Output, Quantity, Step
+from ..formulation import UNIVERSAL
+from ..kernels import Kernel
+from ..operations import KernelOperations
+from .infix import infix, wrap
+
+STATUS = (
+    ("OK", 0, "solved"),
+    ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
+    ("SHORT_LEG", 2, "a leg has length zero"),
+    ("POLE", 3, "a leg lies along the fixed axis of its universal joint"),
+    ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
+    ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
+)
+FORCES = (
+    (Quantity("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"), "[6]"),
+    (Quantity("D", (6,), "N", "known part of the actuator forces, (24)"), "[6]"),
+    (Quantity("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"), "[6]"),
+    (Quantity("K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"), "[6][3]"),
+    (Quantity("H", (6, 6), "1, m", "row-major, from x to the wrench on the platform, (36)"), "[6][6]"),
+    (Quantity("c", (6,), "N, N m", "wrench that x must balance, base frame, (36)"), "[6]"),
+)
+REACTIONS = (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
+
+
+def size(quantity: Quantity) -> int:
+    """How many numbers a leg or motion quantity stores."""
+    return len(quantity.keys)
+
+
+def common_header(version: str) -> str:
+    """``stewart.h``: arithmetic, status codes and data types, the same for every kernel."""
+    return _COMMON.format(
+        version=version,
+        status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
+        leg="\n".join(_member(quantity) for quantity in n.LEG),
+        platform="\n".join(_member(quantity) for quantity in n.PLATFORM),
+        motion="\n".join(_member(quantity) for quantity in n.MOTION),
+        motion_arrays="\n".join(_pointer(q, f"[count][{size(q)}]", "const ") for q in n.MOTION),
+        forces="\n".join(_comment(f"    stewart_real {q.name}{dims};", q) for q, dims in FORCES),
+        force_arrays="\n".join(_pointer(q, f"[count]{dims}") for q, dims in FORCES),
+        reactions="\n".join(
+            _comment(f"    stewart_real {q.name}[6]{'[3]' if q.shape else ''};", q) for q in REACTIONS
+        ),
+        reaction_arrays="\n".join(_pointer(q, f"[count][6]{'[3]' if q.shape else ''}") for q in REACTIONS),
+    )
+
+
+def _comment(declaration: str, quantity: Quantity) -> str:
+    return f"{declaration} /* {quantity.unit}: {quantity.meaning} */"
+
+
+def _member(quantity: Quantity) -> str:
+    dims = f"[{size(quantity)}]" if quantity.shape else ""
+    order = {True: ", order xx xy xz yy yz zz", False: ", row-major" if len(quantity.shape) == 2 else ""}
+    return f"    stewart_real {quantity.name}{dims}; /* {quantity.unit}: {quantity.meaning}{order[quantity.symmetric]} */"
+
+
+def _pointer(quantity: Quantity, dims: str, const: str = "") -> str:
+    return f"    {const}stewart_real *{quantity.name}; /* {dims} */"
+
+
+def header(kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str) -> str:
+    """``stewart_<kernel>.h``: what the kernel computes, its cost, its functions."""
+    name = kernel.formulation.kernel_name
+    return _HEADER.format(
+        name=name,
+        guard=f"STEWART_{name.upper()}_H",
+        version=version,
+        about=_about(kernel),
+        operations=operations_table(with_friction, frictionless, " * "),
+    )
+
+
+def _about(kernel: Kernel) -> str:
+    form = kernel.formulation
+    first = {
+        "exact": "Formulation `exact`: the elimination with joint and inertias treated correctly.",
+        "paper": "Formulation `paper`: the equations as printed, with faults 1-3 (use `exact` for a real machine).",
+    }[form.name]
+    joint = {
+        True: "Base joint: universal, fixed axis k.",
+        False: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
+    }[form.base_joint == UNIVERSAL]
+    return f"{first}\n * {joint}"
+
+
+def operations_table(with_friction: KernelOperations, frictionless: KernelOperations, prefix: str) -> str:
+    """Operation counts part by part, with and without the friction terms."""
+    rows = ["Operations of one pose of inverse dynamics, six legs, solve included"]
+    rows.append(f"{'':10s} {'with friction':42s} without friction")
+    plain = frictionless.parts()
+    rows += [f"{part:10s} {count!s:42s} {plain[part]}" for part, count in with_friction.parts().items()]
+    return "\n".join((prefix + row).rstrip() for row in rows)
+
+
+def source(kernel: Kernel, version: str) -> str:
+    """``stewart_<kernel>.c``: the blocks and the code that runs them."""
+    name = kernel.formulation.kernel_name
+    has_pole = any(out.quantity == n.k3 for out in kernel.leg.outputs)
+    parts = [
+        _SOURCE_TOP.format(name=name, version=version),
+        _output_struct(kernel.leg, "leg_terms"),
+        _output_struct(kernel.platform, "platform_terms"),
+        _output_struct(kernel.reactions, "reaction_terms"),
+        block_function(kernel.leg, "leg_terms"),
+        block_function(kernel.platform, "platform_terms"),
+        block_function(kernel.reactions, "reaction_terms"),
+        _STATUS_CHECK.replace("@POLE@", _POLE_CHECK if has_pole else ""),
+        _SOLVE,
+        _POSE,
+        _PUBLIC.replace("@NAME@", name),
+    ]
+    return "\n".join(parts)
+
+
+def _output_struct(block: Block, struct: str) -> str:
+    members = "\n".join(
+        _comment(f"    stewart_real {out.quantity.name}{f'[{size(out.quantity)}]' if out.quantity.shape else ''};", out.quantity)
+        for out in block.outputs
+    )
+    return f"typedef struct {{\n{members}\n}} {struct};\n"
+
+
+def block_function(block: Block, struct: str) -> str:
+    """A block as a static function; each named step keeps its equation number and meaning."""
+    used = set().union(*(expr.free_symbols for expr in block.expressions()))
+    names = {symbol.name for symbol in used}
+    loads = [line for quantity in block.inputs for line in _load(quantity, names)]
+    arguments = _arguments(block)
+    lines = [
+        f"/* {block.meaning}: {block.operations()} operations. */",
+        f"static void {block.name}({arguments}, {struct} *out)",
+        "{",
+        *loads,
+        *(line for step, before in zip(block.steps, (None, *block.steps), strict=False) for line in _step(step, before)),
+        *(line for out in block.outputs for line in _store(out)),
+        "}",
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def _arguments(block: Block) -> str:
+    owners = []
+    if any(quantity in n.PLATFORM for quantity in block.inputs):
+        owners.append("const stewart_robot *robot")
+    if any(quantity in n.LEG for quantity in block.inputs):
+        owners.append("const stewart_leg *leg")
+    owners.append("const stewart_motions *at")
+    owners += [f"stewart_real {quantity.name}" for quantity in block.inputs if quantity in (n.x, n.bearing)]
+    return ", ".join(owners)
+
+
+def _load(quantity: Quantity, used: set[str]) -> list[str]:
+    owner = next(
+        (
+            owner
+            for owner, group in (("robot", n.PLATFORM), ("leg", n.LEG), ("at", n.MOTION))
+            if quantity in group
+        ),
+        None,
+    )
+    if owner is None:
+        return []
+    if not quantity.shape:
+        return [f"    const stewart_real {quantity.name} = {owner}->{quantity.name};"]
+    loads = [
+        f"{name} = {owner}->{quantity.name}[{i}]" for i, name in enumerate(quantity.names) if name in used
+    ]
+    return [wrap_list(f"    const stewart_real {', '.join(loads)};")]
+
+
+def wrap_list(text: str) -> str:
+    """Break a long list of declarations after a comma."""
+    lines, line = [], ""
+    for word in text.split(", "):
+        if line and len(line) + len(word) > 100:
+            lines.append(line + ",")
+            line = " " * 8 + word
+        else:
+            line = f"{line}, {word}" if line else word
+    return "\n".join([*lines, line])
+
+
+def _step(step: Step, before: Step | None) -> list[str]:
+    text = f"    const stewart_real {step.name} = {infix(step.expr, 'STEWART_SQRT')};"
+    lines = [wrap(text, " " * 8)]
+    said = (step.equation, step.meaning)
+    if any(said) and (before is None or said != (before.equation, before.meaning)):
+        lines.insert(0, f"    /* {' '.join(part for part in said if part)} */")
+    return lines
+
+
+def _store(out: Output) -> list[str]:
+    name = out.quantity.name
+    if not out.quantity.shape:
+        return [wrap(f"    out->{name} = {infix(out.exprs[0], 'STEWART_SQRT')};", " " * 8)]
+    return [
+        wrap(f"    out->{name}[{i}] = {infix(expr, 'STEWART_SQRT')};", " " * 8)
+        for i, expr in enumerate(out.exprs)
+    ]
+
+
+_COMMON = """\
+/* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ *
+ * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
+ * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
+ * Theory 33 (1998) 1135-1152.
+ */
+#ifndef STEWART_H
+#define STEWART_H
+
+#include <stddef.h>
+
+/* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
+ * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
+#if defined(STEWART_REAL)
+typedef STEWART_REAL stewart_real;
+#elif defined(STEWART_FLOAT)
+typedef float stewart_real;
+#else
+typedef double stewart_real;
+#endif
+
+/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were. */
+{status}
+
+/* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
+ * leg and y along the rotating axis of the universal joint. */
+typedef struct {{
+{leg}
+}} stewart_leg;
+
+/* The machine. */
+typedef struct {{
+    stewart_leg leg[6];
+{platform}
+}} stewart_robot;
+
+/* Motion of the platform and its load at one instant. */
+typedef struct {{
+{motion}
+}} stewart_motion;
+
+/* Motions of `count` poses. F_ext and M_ext may be null: no load. */
+typedef struct {{
+{motion_arrays}
+}} stewart_motions;
+
+/* Inverse dynamics of one pose. */
+typedef struct {{
+{forces}
+}} stewart_forces;
+
+/* Inverse dynamics of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {{
+{force_arrays}
+}} stewart_forces_arrays;
+
+/* Joint reactions of one pose. */
+typedef struct {{
+{reactions}
+}} stewart_reactions;
+
+/* Joint reactions of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {{
+{reaction_arrays}
+}} stewart_reactions_arrays;
+
+#endif
+"""
+
+_HEADER = """\
+/* stewart_{name}.h: inverse dynamics and joint reactions of the Stewart platform.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ *
+ * {about}
+ * Inputs, outputs, units and shapes: stewart.h.
+ *
+{operations}
+ */
+#ifndef {guard}
+#define {guard}
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* Actuator forces of one pose. Returns a status. */
+int stewart_{name}_inverse_dynamics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
+
+/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point to
+ * where M_p is taken, m; null: at the base point. Returns a status. */
+int stewart_{name}_joint_reactions(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
+    stewart_forces *forces, stewart_reactions *reactions);
+
+/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first code
+ * other than STEWART_OK, or STEWART_OK. */
+int stewart_{name}_inverse_dynamics_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_forces_arrays *forces, int *status);
+int stewart_{name}_joint_reactions_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
+    const stewart_reactions_arrays *reactions, int *status);
+
+#ifdef __cplusplus
+}}
+#endif
+
+#endif
+"""
+
+_SOURCE_TOP = """\
+/* stewart_{name}.c: see stewart_{name}.h.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ */
+#include "stewart_{name}.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (8 * STEWART_EPSILON)
+"""
+
+_POLE_CHECK = """\
+    if (!(terms->k3 > STEWART_ROUNDING)) {
+        return STEWART_POLE;
+    }
+"""
+
+_STATUS_CHECK = """\
+static stewart_real largest(const stewart_real *values, int count)
+{
+    stewart_real result = 0;
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (STEWART_FABS(values[i]) > result) {
+            result = STEWART_FABS(values[i]);
+        }
+    }
+    return result;
+}
+
+static int is_finite(const stewart_real *values, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int leg_status(const leg_terms *terms)
+{
+    if (!is_finite(&terms->L, 1)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(terms->L > STEWART_ROUNDING * largest(terms->q, 3))) {
+        return STEWART_SHORT_LEG;
+    }
+@POLE@    return STEWART_OK;
+}
+"""
+
+_SOLVE = """\
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). `moment` is the size
+ * of the moment rows; a pivot that is rounding error beside its row means that H is singular. */
+static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
+{
+    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
+    stewart_real inverse[6];
+    int i, j, k;
+    for (i = 3; i < 6; ++i) {
+        scale[i] = moment;
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real row_scale;
+        for (i = k + 1; i < 6; ++i) {
+            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+                pivot = i;
+            }
+        }
+        row_scale = scale[pivot];
+        scale[pivot] = scale[k];
+        for (j = k; j < 7; ++j) {
+            const stewart_real moved = A[k][j];
+            A[k][j] = A[pivot][j];
+            A[pivot][j] = moved;
+        }
+        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
+            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+        inverse[k] = 1 / A[k][k];
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real factor = A[i][k] * inverse[k];
+            for (j = k + 1; j < 7; ++j) {
+                A[i][j] = A[i][j] - factor * A[k][j];
+            }
+        }
+    }
+    for (i = 5; i >= 0; --i) {
+        stewart_real sum = A[i][6];
+        for (j = i + 1; j < 6; ++j) {
+            sum = sum - A[i][j] * x[j];
+        }
+        x[i] = sum * inverse[i];
+    }
+    return STEWART_OK;
+}
+"""
+
+_POSE = """\
+static const stewart_real no_load[3] = {0, 0, 0};
+
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
+{
+    stewart_motions at;
+    at.R = motions->R + 9 * pose;
+    at.t = motions->t + 3 * pose;
+    at.omega = motions->omega + 3 * pose;
+    at.v = motions->v + 3 * pose;
+    at.alpha = motions->alpha + 3 * pose;
+    at.a = motions->a + 3 * pose;
+    at.F_ext = motions->F_ext ? motions->F_ext + 3 * pose : no_load;
+    at.M_ext = motions->M_ext ? motions->M_ext + 3 * pose : no_load;
+    return at;
+}
+
+static stewart_motions motion_as_arrays(const stewart_motion *motion)
+{
+    stewart_motions at;
+    at.R = motion->R;
+    at.t = motion->t;
+    at.omega = motion->omega;
+    at.v = motion->v;
+    at.alpha = motion->alpha;
+    at.a = motion->a;
+    at.F_ext = motion->F_ext;
+    at.M_ext = motion->M_ext;
+    return at;
+}
+
+static int motions_given(const stewart_motions *motions)
+{
+    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha && motions->a;
+}
+
+/* Inverse dynamics of one pose, (1)-(37). */
+static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
+{
+    leg_terms terms;
+    platform_terms own;
+    stewart_real A[6][7];
+    int i, j, status;
+    platform_wrench(robot, at, &own);
+    for (j = 0; j < 3; ++j) {
+        out->c[j] = own.c_force[j];
+        out->c[j + 3] = own.c_moment[j];
+    }
+    for (i = 0; i < 6; ++i) {
+        leg_dynamics(robot, &robot->leg[i], at, &terms);
+        status = leg_status(&terms);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        out->D[i] = terms.D;
+        for (j = 0; j < 3; ++j) {
+            out->K[i][j] = terms.K[j];
+            out->H[j][i] = terms.H_force[j];
+            out->H[j + 3][i] = terms.H_moment[j];
+            out->c[j] = out->c[j] + terms.c_force[j];
+            out->c[j + 3] = out->c[j + 3] + terms.c_moment[j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[i][j] = out->H[i][j];
+        }
+        A[i][6] = out->c[i];
+    }
+    status = solve(A, largest(out->H[3], 18), out->x);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        out->F[i] = out->D[i] - out->x[i];
+    }
+    return is_finite(out->F, 6) ? STEWART_OK : STEWART_NOT_FINITE;
+}
+
+/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). */
+static void pose_reactions(
+    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing, const stewart_real x[6],
+    stewart_reactions *out)
+{
+    reaction_terms terms;
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        leg_reactions(robot, &robot->leg[i], at, x[i], bearing ? bearing[i] : 0, &terms);
+        for (j = 0; j < 3; ++j) {
+            out->F_s[i][j] = terms.F_s[j];
+            out->F_u[i][j] = terms.F_u[j];
+            out->F_p[i][j] = terms.F_p[j];
+            out->F_c[i][j] = terms.F_c[j];
+            out->M_p[i][j] = terms.M_p[j];
+        }
+        out->M_u[i] = terms.M_u;
+    }
+}
+
+static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
+{
+    size_t i;
+    if (to) {
+        for (i = 0; i < count; ++i) {
+            to[pose * count + i] = from[i];
+        }
+    }
+}
+"""
+
+_PUBLIC = """\
+int stewart_@NAME@_inverse_dynamics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces)
+{
+    stewart_forces result;
+    stewart_motions at;
+    int status;
+    if (!robot || !motion || !forces) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    at = motion_as_arrays(motion);
+    status = pose_forces(robot, &at, &result);
+    if (status == STEWART_OK) {
+        *forces = result;
+    }
+    return status;
+}
+
+int stewart_@NAME@_joint_reactions(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
+    stewart_forces *forces, stewart_reactions *reactions)
+{
+    stewart_forces result;
+    stewart_motions at;
+    int status;
+    if (!robot || !motion || !forces || !reactions) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    at = motion_as_arrays(motion);
+    status = pose_forces(robot, &at, &result);
+    if (status == STEWART_OK) {
+        *forces = result;
+        pose_reactions(robot, &at, bearing, result.x, reactions);
+    }
+    return status;
+}
+
+int stewart_@NAME@_inverse_dynamics_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_forces_arrays *forces, int *status)
+{
+    stewart_forces result;
+    size_t pose;
+    int first = STEWART_OK;
+    if (!robot || !motions_given(motions) || !forces) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose);
+        const int code = pose_forces(robot, &at, &result);
+        if (code == STEWART_OK) {
+            copy(forces->F, pose, result.F, 6);
+            copy(forces->D, pose, result.D, 6);
+            copy(forces->x, pose, result.x, 6);
+            copy(forces->K, pose, result.K[0], 18);
+            copy(forces->H, pose, result.H[0], 36);
+            copy(forces->c, pose, result.c, 6);
+        } else if (first == STEWART_OK) {
+            first = code;
+        }
+        if (status) {
+            status[pose] = code;
+        }
+    }
+    return first;
+}
+
+int stewart_@NAME@_joint_reactions_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
+    const stewart_reactions_arrays *reactions, int *status)
+{
+    stewart_forces forces;
+    stewart_reactions result;
+    size_t pose;
+    int first = STEWART_OK;
+    if (!robot || !motions_given(motions) || !reactions) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose);
+        const int code = pose_forces(robot, &at, &forces);
+        if (code == STEWART_OK) {
+            pose_reactions(robot, &at, bearing, forces.x, &result);
+            copy(reactions->F_s, pose, result.F_s[0], 18);
+            copy(reactions->F_u, pose, result.F_u[0], 18);
+            copy(reactions->F_p, pose, result.F_p[0], 18);
+            copy(reactions->F_c, pose, result.F_c[0], 18);
+            copy(reactions->M_p, pose, result.M_p[0], 18);
+            copy(reactions->M_u, pose, result.M_u, 6);
+        } else if (first == STEWART_OK) {
+            first = code;
+        }
+        if (status) {
+            status[pose] = code;
+        }
+    }
+    return first;
+}
+"""

@@ -1,0 +1,76 @@
+"""Expressions as text that C and Python read alike; shared by the emitters.
+
+Only sums, products, integer powers, reciprocals and square roots occur; anything else is an error here and not
+a surprise in a compiler. The order of the terms fixes the order of the rounding errors, so C and NumPy agree.
+"""
+
+import sympy as sp
+
+WIDTH = 100
+
+
+def infix(expr: sp.Expr, sqrt: str) -> str:
+    """``expr`` as text; ``sqrt`` is the name of the square root function. ValueError for other functions."""
+    expr = sp.sympify(expr)
+    if expr.is_Symbol:
+        return str(expr.name)
+    if expr.is_Integer:
+        return str(int(expr))
+    if expr.is_Add:
+        return _sum(expr, sqrt)
+    if expr.is_Mul:
+        return _product(expr, sqrt)
+    if expr.is_Pow:
+        return _power(expr, sqrt)
+    raise ValueError(f"cannot print {type(expr).__name__}: {expr}")
+
+
+def _sum(expr: sp.Add, sqrt: str) -> str:
+    terms = expr.as_ordered_terms()
+    positive = [term for term in terms if not term.could_extract_minus_sign()]
+    negative = [term for term in terms if term.could_extract_minus_sign()]
+    text = " + ".join(infix(term, sqrt) for term in positive)
+    for term in negative:
+        text = f"{text} - {_factor(-term, sqrt)}" if text else f"-{_factor(-term, sqrt)}"
+    return text
+
+
+def _product(expr: sp.Mul, sqrt: str) -> str:
+    coefficient, rest = expr.as_coeff_Mul()
+    if coefficient.is_negative:
+        return "-" + _factor(-expr, sqrt)
+    factors = ([coefficient] if coefficient != 1 else []) + list(sp.Mul.make_args(rest))
+    over = [f.base for f in factors if f.is_Pow and f.exp == -1]
+    upper = [f for f in factors if not (f.is_Pow and f.exp == -1)]
+    text = "*".join(_factor(f, sqrt) for f in upper) or "1"
+    if not over:
+        return text
+    under = "*".join(_factor(f, sqrt) for f in over)
+    return f"{text}/{under}" if len(over) == 1 else f"{text}/({under})"
+
+
+def _factor(expr: sp.Expr, sqrt: str) -> str:
+    text = infix(expr, sqrt)
+    return f"({text})" if expr.is_Add or text.startswith("-") else text
+
+
+def _power(expr: sp.Pow, sqrt: str) -> str:
+    if expr.exp == sp.Rational(1, 2):
+        return f"{sqrt}({infix(expr.base, sqrt)})"
+    if expr.exp == -1:
+        return f"1/{_factor(expr.base, sqrt)}"
+    if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
+        return "*".join([expr.base.name] * int(expr.exp))
+    raise ValueError(f"cannot print the power {expr}: its base needs a name")
+
+
+def wrap(text: str, indent: str) -> str:
+    """Break a long sum before a ``+`` or ``-`` between terms; continuation lines get ``indent``."""
+    lines, line = [], ""
+    for word in text.split(" "):
+        if line and len(line) + 1 + len(word) > WIDTH and word in "+-":
+            lines.append(line)
+            line = indent + word
+        else:
+            line = f"{line} {word}" if line else word
+    return "\n".join([*lines, line])

@@ -1,0 +1,227 @@
+"""NumPy Python: kernels vectorised over poses and legs, one module for each formulation.
+
+The same blocks and the same order of operations as the C; the leg index is the last axis of every leg scalar,
+so one straight-line program serves all six legs of all poses. Knows nothing of files.
+"""
+
+from .. import notation as n
+from ..block import Block, Output, Quantity, Step
+from ..kernels import Kernel
+from ..operations import KernelOperations
+from .c import operations_table
+from .infix import infix, wrap
+
+
+def module(kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str) -> str:
+    """``<kernel>.py``: the blocks as functions, and inverse dynamics and joint reactions made of them."""
+    name = kernel.formulation.kernel_name
+    return _MODULE.format(
+        name=name,
+        version=version,
+        operations=operations_table(with_friction, frictionless, ""),
+        table=_operations_literal(with_friction, frictionless),
+        leg=block_function(kernel.leg, legs=True),
+        platform=block_function(kernel.platform, legs=False),
+        reactions=block_function(kernel.reactions, legs=True),
+    )
+
+
+def _operations_literal(with_friction: KernelOperations, frictionless: KernelOperations) -> str:
+    lines = ["OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {"]
+    for label, counts in (("friction", with_friction), ("frictionless", frictionless)):
+        lines.append(f'    "{label}": {{')
+        for part, count in counts.parts().items():
+            lines.append(f'        "{part}": ({count.mul}, {count.add}, {count.div}, {count.sqrt}),')
+        lines.append("    },")
+    return "\n".join([*lines, "}"])
+
+
+def block_function(block: Block, legs: bool) -> str:
+    """A block as a function of arrays; ``legs``: its scalars carry the leg index as last axis."""
+    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    extra = "".join(f", {q.name}: Array" for q in block.inputs if q in (n.x, n.bearing))
+    owners = [("robot", n.LEG + n.PLATFORM), ("motion", n.MOTION)]
+    loads = [
+        line
+        for quantity in block.inputs
+        for owner, group in owners
+        if quantity in group
+        for line in _load(quantity, owner, used, legs)
+    ]
+    steps = [line for step, before in zip(block.steps, (None, *block.steps), strict=False) for line in _step(step, before)]
+    outputs = [f'        "{out.quantity.name}": {_output(out)},' for out in block.outputs]
+    shape = "(*motion.t.shape[:-1], 6)" if legs else "motion.t.shape[:-1]"
+    return "\n".join(
+        [
+            f"def {block.name}(robot: Any, motion: Any{extra}) -> dict[str, Array]:",
+            f'    """{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()} operations."""',
+            *loads,
+            *steps,
+            f"    shape = {shape}",
+            "    return {",
+            *outputs,
+            "    }",
+        ]
+    )
+
+
+def _load(quantity: Quantity, owner: str, used: set[str], legs: bool) -> list[str]:
+    per_leg = quantity in n.LEG
+    lines = []
+    for key, name in zip(quantity.keys, quantity.names, strict=True):
+        if name not in used:
+            continue
+        index = [":"] if per_leg else ["..."] if owner == "motion" else []
+        index += [str(i) for i in key]
+        if owner == "motion" and legs:
+            index.append("None")
+        where = f"[{', '.join(index)}]" if quantity.shape else ""
+        lines.append(f"    {name} = {owner}.{quantity.name}{where}")
+    return lines
+
+
+def _step(step: Step, before: Step | None) -> list[str]:
+    lines = [wrapped(f"    {step.name} = ", infix(step.expr, "np.sqrt"))]
+    said = (step.equation, step.meaning)
+    if any(said) and (before is None or said != (before.equation, before.meaning)):
+        lines.insert(0, f"    # {' '.join(part for part in said if part)}")
+    return lines
+
+
+def wrapped(left: str, text: str) -> str:
+    """An assignment, in parentheses when it needs more than one line."""
+    if len(left) + len(text) <= 108:
+        return left + text
+    return f"{left}(\n{wrap(' ' * 8 + text, ' ' * 8)}\n    )"
+
+
+def _output(out: Output) -> str:
+    parts = [infix(expr, "np.sqrt") for expr in out.exprs]
+    if not out.quantity.shape:
+        return f"np.broadcast_to({parts[0]}, shape)"
+    return f"stack(shape, {', '.join(parts)})"
+
+
+_MODULE = '''\
+"""Inverse dynamics and joint reactions of the Stewart platform, formulation and joint `{name}`.
+
+Written by stewart-sym {version}; do not edit.
+
+``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3), ...
+``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
+
+{operations}
+"""
+
+from typing import Any
+
+import numpy as np
+
+from .assembly import Array, solve, stack
+
+# (mul, add, div, sqrt) of each part of one pose, and of all.
+{table}
+
+
+def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
+    """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""
+    with np.errstate(all="ignore"):
+        return solve(leg_dynamics(robot, motion), platform_wrench(robot, motion))
+
+
+def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
+    """F_s, F_u, F_p, F_c, M_p (..., 6, 3) and M_u (..., 6) from x (..., 6); bearing (6,), m."""
+    with np.errstate(all="ignore"):
+        return leg_reactions(robot, motion, x, bearing)
+
+
+{leg}
+
+
+{platform}
+
+
+{reactions}
+'''
+
+ASSEMBLY = '''\
+"""What every NumPy kernel shares: stacking components, assembling H x = c, solving it, status.
+
+Written by stewart-sym {version}; do not edit.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[Any]
+
+OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR = range(5)
+
+# A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else.
+ROUNDING = 8 * np.finfo(np.float64).eps
+
+
+def stack(shape: tuple[int, ...], *components: Any) -> Array:
+    """Components side by side in a new last axis."""
+    return np.stack([np.broadcast_to(component, shape) for component in components], axis=-1)
+
+
+def solve(leg: dict[str, Array], platform: dict[str, Array]) -> dict[str, Array]:
+    """H x = c and F = D - x, (35)-(37); poses with a status other than 0 are NaN."""
+    H = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).swapaxes(-1, -2)
+    c = np.concatenate([platform["c_force"], platform["c_moment"]], axis=-1)
+    of_legs = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
+    for i in range(6):
+        c = c + of_legs[..., i, :]
+    x, status = eliminate(H, c)
+    F = leg["D"] - x
+    status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
+    fault = leg_status(leg)
+    status = np.where(fault == OK, status, fault).astype(np.int32)
+    found = {{"F": F, "D": leg["D"], "x": x, "K": leg["K"], "H": H, "c": c}}
+    return {{**{{name: only_good(value, status) for name, value in found.items()}}, "status": status}}
+
+
+def only_good(values: Array, status: Array) -> Array:
+    """``values`` (..., more axes) with NaN where ``status`` (...) is not 0."""
+    return np.where((status == OK)[(..., *(None,) * (values.ndim - status.ndim))], values, np.nan)
+
+
+def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
+    """x (..., 6) of H x = c by elimination with partial pivoting, pose by pose, and the status (...)."""
+    A = np.concatenate([H, c[..., None]], axis=-1)
+    moment = np.abs(H[..., 3:, :]).max(axis=(-1, -2))
+    scale = np.where(np.arange(6) < 3, 1.0, moment[..., None])
+    status = np.zeros(moment.shape, dtype=np.int32)
+    for k in range(6):
+        pivot = k + np.argmax(np.abs(A[..., k:, k]), axis=-1)[..., None]
+        order = np.broadcast_to(np.arange(6), scale.shape).copy()
+        np.put_along_axis(order, pivot, k, axis=-1)
+        order[..., k] = pivot[..., 0]
+        A = np.take_along_axis(A, order[..., None], axis=-2)
+        scale = np.take_along_axis(scale, order, axis=-1)
+        small = ~(np.abs(A[..., k, k]) > ROUNDING * scale[..., k])
+        fault = np.where(np.isfinite(A[..., k, k]), SINGULAR, NOT_FINITE)
+        status = np.where((status == OK) & small, fault, status)
+        factor = A[..., k + 1 :, k] * (1 / A[..., k, k])[..., None]
+        A[..., k + 1 :, k + 1 :] -= factor[..., None] * A[..., k, None, k + 1 :]
+    x = np.empty_like(c)
+    for i in range(5, -1, -1):
+        total = A[..., i, 6]
+        for j in range(i + 1, 6):
+            total = total - A[..., i, j] * x[..., j]
+        x[..., i] = total * (1 / A[..., i, i])
+    return x, status
+
+
+def leg_status(leg: dict[str, Array]) -> Array:
+    """The first leg's fault of each pose: not finite, too short, along its universal axis."""
+    L, reach = leg["L"], np.abs(leg["q"]).max(axis=-1)
+    fault = np.where(leg.get("k3", np.ones(())) > ROUNDING, OK, POLE)
+    fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
+    fault = np.where(np.isfinite(L), fault, NOT_FINITE)
+    first = np.argmax(fault != OK, axis=-1)
+    return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]
+'''

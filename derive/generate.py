@@ -1,0 +1,64 @@
+"""Generation: derive every formulation, share, emit, and write the files of ``generated/``.
+
+The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date, no
+path, no order of a set. Knows nothing of the runtime.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from importlib.metadata import version as installed_version
+from pathlib import Path
+
+import sympy as sp
+
+from .emit import c, numpy
+from .formulation import FORMULATIONS, Formulation
+from .kernels import Kernel, kernel
+from .operations import kernel_operations
+from .reduce import share
+
+
+def generator_version() -> str:
+    """Version that goes into every emitted header: this package's and SymPy's minor one."""
+    return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
+
+
+def reduced(form: Formulation, friction: bool = True) -> Kernel:
+    """The kernel as it is emitted: derived, then shared."""
+    raw = kernel(form, friction)
+    return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
+
+
+def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+    """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
+    version = generator_version()
+    files = {
+        "c/stewart.h": c.common_header(version),
+        "assembly.py": numpy.ASSEMBLY.format(version=version),
+        "__init__.py": _PACKAGE.format(version=version),
+    }
+    for form in FORMULATIONS:
+        progress(f"deriving {form.kernel_name}")
+        built = reduced(form)
+        counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
+        files[f"c/stewart_{form.kernel_name}.h"] = c.header(built, *counts, version)
+        files[f"c/stewart_{form.kernel_name}.c"] = c.source(built, version)
+        files[f"{form.kernel_name}.py"] = numpy.module(built, *counts, version)
+    return files
+
+
+def write(directory: Path, progress: Callable[[str], None] = lambda _: None) -> list[Path]:
+    """Write ``generated_files`` below ``directory``; nothing is written unless everything was derived."""
+    files = generated_files(progress)
+    (directory / "c").mkdir(parents=True, exist_ok=True)
+    for name, text in files.items():
+        (directory / name).write_text(text, encoding="utf-8", newline="\n")
+    return [directory / name for name in files]
+
+
+_PACKAGE = '''\
+"""Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.
+
+Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+"""
+'''

@@ -1,0 +1,79 @@
+"""What every NumPy kernel shares: stacking components, assembling H x = c, solving it, status.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[Any]
+
+OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR = range(5)
+
+# A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else.
+ROUNDING = 8 * np.finfo(np.float64).eps
+
+
+def stack(shape: tuple[int, ...], *components: Any) -> Array:
+    """Components side by side in a new last axis."""
+    return np.stack([np.broadcast_to(component, shape) for component in components], axis=-1)
+
+
+def solve(leg: dict[str, Array], platform: dict[str, Array]) -> dict[str, Array]:
+    """H x = c and F = D - x, (35)-(37); poses with a status other than 0 are NaN."""
+    H = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).swapaxes(-1, -2)
+    c = np.concatenate([platform["c_force"], platform["c_moment"]], axis=-1)
+    of_legs = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
+    for i in range(6):
+        c = c + of_legs[..., i, :]
+    x, status = eliminate(H, c)
+    F = leg["D"] - x
+    status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
+    fault = leg_status(leg)
+    status = np.where(fault == OK, status, fault).astype(np.int32)
+    found = {"F": F, "D": leg["D"], "x": x, "K": leg["K"], "H": H, "c": c}
+    return {**{name: only_good(value, status) for name, value in found.items()}, "status": status}
+
+
+def only_good(values: Array, status: Array) -> Array:
+    """``values`` (..., more axes) with NaN where ``status`` (...) is not 0."""
+    return np.where((status == OK)[(..., *(None,) * (values.ndim - status.ndim))], values, np.nan)
+
+
+def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
+    """x (..., 6) of H x = c by elimination with partial pivoting, pose by pose, and the status (...)."""
+    A = np.concatenate([H, c[..., None]], axis=-1)
+    moment = np.abs(H[..., 3:, :]).max(axis=(-1, -2))
+    scale = np.where(np.arange(6) < 3, 1.0, moment[..., None])
+    status = np.zeros(moment.shape, dtype=np.int32)
+    for k in range(6):
+        pivot = k + np.argmax(np.abs(A[..., k:, k]), axis=-1)[..., None]
+        order = np.broadcast_to(np.arange(6), scale.shape).copy()
+        np.put_along_axis(order, pivot, k, axis=-1)
+        order[..., k] = pivot[..., 0]
+        A = np.take_along_axis(A, order[..., None], axis=-2)
+        scale = np.take_along_axis(scale, order, axis=-1)
+        small = ~(np.abs(A[..., k, k]) > ROUNDING * scale[..., k])
+        fault = np.where(np.isfinite(A[..., k, k]), SINGULAR, NOT_FINITE)
+        status = np.where((status == OK) & small, fault, status)
+        factor = A[..., k + 1 :, k] * (1 / A[..., k, k])[..., None]
+        A[..., k + 1 :, k + 1 :] -= factor[..., None] * A[..., k, None, k + 1 :]
+    x = np.empty_like(c)
+    for i in range(5, -1, -1):
+        total = A[..., i, 6]
+        for j in range(i + 1, 6):
+            total = total - A[..., i, j] * x[..., j]
+        x[..., i] = total * (1 / A[..., i, i])
+    return x, status
+
+
+def leg_status(leg: dict[str, Array]) -> Array:
+    """The first leg's fault of each pose: not finite, too short, along its universal axis."""
+    L, reach = leg["L"], np.abs(leg["q"]).max(axis=-1)
+    fault = np.where(leg.get("k3", np.ones(())) > ROUNDING, OK, POLE)
+    fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
+    fault = np.where(np.isfinite(L), fault, NOT_FINITE)
+    first = np.argmax(fault != OK, axis=-1)
+    return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]

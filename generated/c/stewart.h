@@ -1,0 +1,122 @@
+/* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ *
+ * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
+ * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
+ * Theory 33 (1998) 1135-1152.
+ */
+#ifndef STEWART_H
+#define STEWART_H
+
+#include <stddef.h>
+
+/* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
+ * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
+#if defined(STEWART_REAL)
+typedef STEWART_REAL stewart_real;
+#elif defined(STEWART_FLOAT)
+typedef float stewart_real;
+#else
+typedef double stewart_real;
+#endif
+
+/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were. */
+#define STEWART_OK 0 /* solved */
+#define STEWART_NOT_FINITE 1 /* an input is not finite, or a result overflows */
+#define STEWART_SHORT_LEG 2 /* a leg has length zero */
+#define STEWART_POLE 3 /* a leg lies along the fixed axis of its universal joint */
+#define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
+#define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
+
+/* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
+ * leg and y along the rotating axis of the universal joint. */
+typedef struct {
+    stewart_real b[3]; /* m: base point, base frame */
+    stewart_real p[3]; /* m: platform point, platform frame */
+    stewart_real k[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real m_d; /* kg: mass of the lower part */
+    stewart_real r_d0[3]; /* m: centre of mass of the lower part, frame D */
+    stewart_real I_d0[6]; /* kg m^2: inertia of the lower part about its centre of mass, frame D, order xx xy xz yy yz zz */
+    stewart_real m_u; /* kg: mass of the upper part */
+    stewart_real r_u0[3]; /* m: centre of mass of the upper part, frame U */
+    stewart_real I_u0[6]; /* kg m^2: inertia of the upper part about its centre of mass, frame U, order xx xy xz yy yz zz */
+    stewart_real C_u; /* N m s: viscous friction of the universal joint */
+    stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
+    stewart_real C_s; /* N m s: viscous friction of the spherical joint */
+} stewart_leg;
+
+/* The machine. */
+typedef struct {
+    stewart_leg leg[6];
+    stewart_real M; /* kg: mass of the platform with its payload */
+    stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
+    stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame, order xx xy xz yy yz zz */
+    stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+} stewart_robot;
+
+/* Motion of the platform and its load at one instant. */
+typedef struct {
+    stewart_real R[9]; /* 1: orientation of the platform, platform frame to base frame, row-major */
+    stewart_real t[3]; /* m: position of the platform's reference point, base frame */
+    stewart_real omega[3]; /* rad/s: angular velocity of the platform, base frame */
+    stewart_real v[3]; /* m/s: velocity of the reference point, base frame */
+    stewart_real alpha[3]; /* rad/s^2: angular acceleration of the platform, base frame */
+    stewart_real a[3]; /* m/s^2: acceleration of the reference point, base frame */
+    stewart_real F_ext[3]; /* N: external force at the reference point, platform frame */
+    stewart_real M_ext[3]; /* N m: external moment about the reference point, platform frame */
+} stewart_motion;
+
+/* Motions of `count` poses. F_ext and M_ext may be null: no load. */
+typedef struct {
+    const stewart_real *R; /* [count][9] */
+    const stewart_real *t; /* [count][3] */
+    const stewart_real *omega; /* [count][3] */
+    const stewart_real *v; /* [count][3] */
+    const stewart_real *alpha; /* [count][3] */
+    const stewart_real *a; /* [count][3] */
+    const stewart_real *F_ext; /* [count][3] */
+    const stewart_real *M_ext; /* [count][3] */
+} stewart_motions;
+
+/* Inverse dynamics of one pose. */
+typedef struct {
+    stewart_real F[6]; /* N: actuator forces, positive when they extend the leg, (37) */
+    stewart_real D[6]; /* N: known part of the actuator forces, (24) */
+    stewart_real x[6]; /* N: axial forces on the legs at their spherical joints, (22) */
+    stewart_real K[6][3]; /* N: transverse forces on the legs at their spherical joints, base frame, (21) */
+    stewart_real H[6][6]; /* 1, m: row-major, from x to the wrench on the platform, (36) */
+    stewart_real c[6]; /* N, N m: wrench that x must balance, base frame, (36) */
+} stewart_forces;
+
+/* Inverse dynamics of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {
+    stewart_real *F; /* [count][6] */
+    stewart_real *D; /* [count][6] */
+    stewart_real *x; /* [count][6] */
+    stewart_real *K; /* [count][6][3] */
+    stewart_real *H; /* [count][6][6] */
+    stewart_real *c; /* [count][6] */
+} stewart_forces_arrays;
+
+/* Joint reactions of one pose. */
+typedef struct {
+    stewart_real F_s[6][3]; /* N: force on the leg at the spherical joint, base frame */
+    stewart_real F_u[6][3]; /* N: force on the leg at the universal joint, base frame */
+    stewart_real F_p[6][3]; /* N: force of the lower part on the upper at the prismatic joint, base frame */
+    stewart_real F_c[6][3]; /* N: constraint part of F_p, base frame */
+    stewart_real M_p[6][3]; /* N m: moment of the lower part on the upper at the prismatic joint, base frame */
+    stewart_real M_u[6]; /* N m: constraint moment on the leg at the universal joint */
+} stewart_reactions;
+
+/* Joint reactions of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {
+    stewart_real *F_s; /* [count][6][3] */
+    stewart_real *F_u; /* [count][6][3] */
+    stewart_real *F_p; /* [count][6][3] */
+    stewart_real *F_c; /* [count][6][3] */
+    stewart_real *M_p; /* [count][6][3] */
+    stewart_real *M_u; /* [count][6] */
+} stewart_reactions_arrays;
+
+#endif

@@ -1,0 +1,814 @@
+/* stewart_exact.c: see stewart_exact.h.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ */
+#include "stewart_exact.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (8 * STEWART_EPSILON)
+
+typedef struct {
+    stewart_real q[3]; /* m: platform point from the reference point, base frame */
+    stewart_real L; /* m: length of the leg */
+    stewart_real k3; /* 1: |k x s|, sine of the angle between the leg and the fixed axis */
+    stewart_real D; /* N: known part of the actuator force */
+    stewart_real K[3]; /* N: transverse force on the leg at its spherical joint, base frame */
+    stewart_real H_force[3]; /* 1: the leg's column of H, force rows */
+    stewart_real H_moment[3]; /* m: the leg's column of H, moment rows */
+    stewart_real c_force[3]; /* N: part of c, force rows, base frame */
+    stewart_real c_moment[3]; /* N m: part of c, moment rows, base frame */
+} leg_terms;
+
+typedef struct {
+    stewart_real c_force[3]; /* N: part of c, force rows, base frame */
+    stewart_real c_moment[3]; /* N m: part of c, moment rows, base frame */
+} platform_terms;
+
+typedef struct {
+    stewart_real F_s[3]; /* N: force on the leg at the spherical joint, base frame */
+    stewart_real F_u[3]; /* N: force on the leg at the universal joint, base frame */
+    stewart_real F_p[3]; /* N: force of the lower part on the upper at the prismatic joint, base frame */
+    stewart_real F_c[3]; /* N: constraint part of F_p, base frame */
+    stewart_real M_p[3]; /* N m: moment of the lower part on the upper at the prismatic joint, base frame */
+    stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
+} reaction_terms;
+
+/* one leg: D, K, its column of H and its part of c, (1)-(24), (35): 399 (222 mul, 173 add, 2 div, 2 sqrt) operations. */
+static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, leg_terms *out)
+{
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
+    const stewart_real m_d = leg->m_d;
+    const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2],
+        I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
+    const stewart_real m_u = leg->m_u;
+    const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2],
+        I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
+    const stewart_real C_u = leg->C_u;
+    const stewart_real C_p = leg->C_p;
+    const stewart_real C_s = leg->C_s;
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    /* (1) platform point from the reference point */
+const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    /* (1) leg vector */
+const stewart_real S_x = q_x + t_x - b_x;
+const stewart_real S_y = q_y + t_y - b_y;
+const stewart_real S_z = q_z + t_z - b_z;
+    /* (2) leg length */
+const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+const stewart_real inv_L = 1/L;
+    /* (3) unit vector along the leg */
+const stewart_real s_x = S_x*inv_L;
+const stewart_real s_y = S_y*inv_L;
+const stewart_real s_z = S_z*inv_L;
+    /* (4) omega x q */
+const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    /* (4) velocity of the platform point */
+const stewart_real S_dot_x = v_x + w_q_x;
+const stewart_real S_dot_y = v_y + w_q_y;
+const stewart_real S_dot_z = v_z + w_q_z;
+    /* (7) acceleration of the platform point */
+const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    /* (10) normal to the fixed axis and the leg */
+const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    /* (10) k = (k1, 0, k3) in the leg frame */
+const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
+const stewart_real k1 = k_x*s_x + k_y*s_y + k_z*s_z;
+const stewart_real inv_k3 = 1/k3;
+    /* spin of the leg about s for each turn about z */
+const stewart_real kappa = inv_k3*k1;
+    /* (10) rotating axis of the universal joint */
+const stewart_real y_x = inv_k3*k_cross_s_x;
+const stewart_real y_y = inv_k3*k_cross_s_y;
+const stewart_real y_z = inv_k3*k_cross_s_z;
+    /* (10) third axis of the leg frame */
+const stewart_real z_x = s_y*y_z - s_z*y_y;
+const stewart_real z_y = s_z*y_x - s_x*y_z;
+const stewart_real z_z = s_x*y_y - s_y*y_x;
+    /* (4) velocity of the platform point, leg frame */
+const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    /* (7) acceleration of the platform point, leg frame */
+const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    /* gravity, leg frame */
+const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    /* angular velocity of the platform, leg frame */
+const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    /* (6) angular velocity of the leg, leg frame */
+const stewart_real W_z = inv_L*u_y;
+const stewart_real W_y = -inv_L*u_z;
+const stewart_real W_x = W_z*kappa;
+    /* (8) sliding acceleration */
+const stewart_real L_ddot = L*W_y*W_y + L*W_z*W_z + e_x;
+const stewart_real c1 = W_x*W_y;
+const stewart_real c2 = 2*u_x;
+const stewart_real c3 = W_z*c2;
+    /* (9) angular acceleration of the leg, leg frame */
+const stewart_real A_z = inv_L*(e_y - c3) - c1;
+const stewart_real c4 = W_y*c2;
+    /* (9) angular acceleration of the leg, leg frame */
+const stewart_real A_y = W_x*W_z + inv_L*(-c4 - e_z);
+const stewart_real A_x = kappa*(A_z - c1) - W_y*W_z;
+    /* (12) centre of mass of the upper part from the base point */
+const stewart_real r_u_x = L + r_u0_x;
+const stewart_real c5 = W_x*r_d0_y - W_y*r_d0_x;
+const stewart_real c6 = W_z*r_d0_x - W_x*r_d0_z;
+    /* (13) acceleration of the lower centre of mass */
+const stewart_real a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6;
+const stewart_real c7 = W_y*r_d0_z - W_z*r_d0_y;
+    /* (13) acceleration of the lower centre of mass */
+const stewart_real a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5;
+const stewart_real a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7;
+const stewart_real c8 = W_x*r_u0_y - W_y*r_u_x;
+const stewart_real c9 = W_z*r_u_x - W_x*r_u0_z;
+    /* (14) acceleration of the upper centre of mass */
+const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9;
+const stewart_real c10 = W_y*r_u0_z - W_z*r_u0_y;
+    /* (14) acceleration of the upper centre of mass */
+const stewart_real a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8;
+const stewart_real a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4;
+const stewart_real c11 = -gamma_x;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_x = m_d*(a_d_x + c11);
+const stewart_real c12 = -gamma_y;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_y = m_d*(a_d_y + c12);
+const stewart_real c13 = -gamma_z;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_z = m_d*(a_d_z + c13);
+    /* (23) m_u (a_u - g) */
+const stewart_real N_u_x = m_u*(a_u_x + c11);
+const stewart_real N_u_y = m_u*(a_u_y + c12);
+const stewart_real N_u_z = m_u*(a_u_z + c13);
+    /* (18) friction moment at the spherical joint, leg frame */
+const stewart_real f_leg_x = C_s*(W_x - w_x);
+const stewart_real f_leg_y = C_s*(W_y - w_y);
+const stewart_real f_leg_z = C_s*(W_z - w_z);
+    /* (19) inertia of both parts about their own centres of mass */
+const stewart_real I_xx = I_d0_xx + I_u0_xx;
+const stewart_real I_xy = I_d0_xy + I_u0_xy;
+const stewart_real I_xz = I_d0_xz + I_u0_xz;
+const stewart_real I_yy = I_d0_yy + I_u0_yy;
+const stewart_real I_yz = I_d0_yz + I_u0_yz;
+const stewart_real I_zz = I_d0_zz + I_u0_zz;
+const stewart_real c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
+const stewart_real c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
+    /* (19) I A + W x I W */
+const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15;
+const stewart_real c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
+    /* (19) I A + W x I W */
+const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14;
+const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16;
+    /* (20) moment that the joints' forces must make */
+const stewart_real C_x = C_u*W_x + E_x + N_d_z*r_d0_y + N_u_z*r_u0_y + f_leg_x - N_d_y*r_d0_z - N_u_y*r_u0_z;
+const stewart_real C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x - N_u_z*r_u_x;
+const stewart_real C_z = C_u*W_z + E_z + N_d_y*r_d0_x + N_u_y*r_u_x + f_leg_z - N_d_x*r_d0_y - N_u_x*r_u0_y;
+    /* (24) known part of the actuator force */
+const stewart_real D = C_p*u_x + N_u_x;
+    /* (21) transverse force at the spherical joint, leg frame */
+const stewart_real K_leg_y = inv_L*(C_x*kappa + C_z);
+const stewart_real K_leg_z = -C_y*inv_L;
+    /* (21) transverse force at the spherical joint, base frame */
+const stewart_real K_x = K_leg_y*y_x + K_leg_z*z_x;
+const stewart_real K_y = K_leg_y*y_y + K_leg_z*z_y;
+const stewart_real K_z = K_leg_y*y_z + K_leg_z*z_z;
+    /* (18) friction moment at the spherical joint, base frame */
+const stewart_real f_x = f_leg_x*s_x + f_leg_y*y_x + f_leg_z*z_x;
+const stewart_real f_y = f_leg_x*s_y + f_leg_y*y_y + f_leg_z*z_y;
+const stewart_real f_z = f_leg_x*s_z + f_leg_y*y_z + f_leg_z*z_z;
+out->q[0] = q_x;
+out->q[1] = q_y;
+out->q[2] = q_z;
+out->L = L;
+out->k3 = k3;
+out->D = D;
+out->K[0] = K_x;
+out->K[1] = K_y;
+out->K[2] = K_z;
+out->H_force[0] = s_x;
+out->H_force[1] = s_y;
+out->H_force[2] = s_z;
+out->H_moment[0] = q_y*s_z - q_z*s_y;
+out->H_moment[1] = q_z*s_x - q_x*s_z;
+out->H_moment[2] = q_x*s_y - q_y*s_x;
+out->c_force[0] = -K_x;
+out->c_force[1] = -K_y;
+out->c_force[2] = -K_z;
+out->c_moment[0] = K_y*q_z + f_x - K_z*q_y;
+out->c_moment[1] = K_z*q_x + f_y - K_x*q_z;
+out->c_moment[2] = K_x*q_y + f_z - K_y*q_x;
+}
+
+/* the platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt) operations. */
+static void platform_wrench(const stewart_robot *robot, const stewart_motions *at, platform_terms *out)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M = robot->M;
+    const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
+        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    /* (30) centre of mass from the reference point, base frame */
+const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
+const stewart_real R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz;
+const stewart_real R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz;
+const stewart_real c1 = R_G_y*omega_x - R_G_x*omega_y;
+const stewart_real c2 = R_G_x*omega_z - R_G_z*omega_x;
+    /* (31) acceleration of the centre of mass */
+const stewart_real a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z;
+const stewart_real c3 = R_G_z*omega_y - R_G_y*omega_z;
+    /* (31) acceleration of the centre of mass */
+const stewart_real a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x;
+const stewart_real a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y;
+const stewart_real c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz;
+const stewart_real c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz;
+const stewart_real c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz;
+    /* (32) inertia of the platform, base frame */
+const stewart_real I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6;
+const stewart_real I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+const stewart_real c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz;
+const stewart_real c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz;
+const stewart_real c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
+const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
+const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
+        + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
+    /* (33) M (g - a_G) */
+const stewart_real N_x = M*(g_x - a_G_x);
+const stewart_real N_y = M*(g_y - a_G_y);
+const stewart_real N_z = M*(g_z - a_G_z);
+const stewart_real c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z;
+const stewart_real c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z;
+    /* (34) I alpha + omega x I omega */
+const stewart_real E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z;
+const stewart_real c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z;
+    /* (34) I alpha + omega x I omega */
+const stewart_real E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x;
+const stewart_real E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y;
+    /* (33) external force, base frame */
+const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
+const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
+const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    /* (34) external moment, base frame */
+const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
+const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
+const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+out->c_force[0] = F_load_x + N_x;
+out->c_force[1] = F_load_y + N_y;
+out->c_force[2] = F_load_z + N_z;
+out->c_moment[0] = M_load_x + N_z*R_G_y - E_x - N_y*R_G_z;
+out->c_moment[1] = M_load_y + N_x*R_G_z - E_y - N_z*R_G_x;
+out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
+}
+
+/* one leg: joint reactions, (21), (26)-(29), (17): 490 (270 mul, 216 add, 2 div, 2 sqrt) operations. */
+static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
+{
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
+    const stewart_real m_d = leg->m_d;
+    const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2],
+        I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
+    const stewart_real m_u = leg->m_u;
+    const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2],
+        I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
+    const stewart_real C_u = leg->C_u;
+    const stewart_real C_p = leg->C_p;
+    const stewart_real C_s = leg->C_s;
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    /* (1) platform point from the reference point */
+const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    /* (1) leg vector */
+const stewart_real S_x = q_x + t_x - b_x;
+const stewart_real S_y = q_y + t_y - b_y;
+const stewart_real S_z = q_z + t_z - b_z;
+    /* (2) leg length */
+const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+const stewart_real inv_L = 1/L;
+    /* (3) unit vector along the leg */
+const stewart_real s_x = S_x*inv_L;
+const stewart_real s_y = S_y*inv_L;
+const stewart_real s_z = S_z*inv_L;
+    /* (4) omega x q */
+const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    /* (4) velocity of the platform point */
+const stewart_real S_dot_x = v_x + w_q_x;
+const stewart_real S_dot_y = v_y + w_q_y;
+const stewart_real S_dot_z = v_z + w_q_z;
+    /* (7) acceleration of the platform point */
+const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    /* (10) normal to the fixed axis and the leg */
+const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    /* (10) k = (k1, 0, k3) in the leg frame */
+const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
+const stewart_real k1 = k_x*s_x + k_y*s_y + k_z*s_z;
+const stewart_real c1 = 1/k3;
+const stewart_real inv_k3 = c1;
+    /* spin of the leg about s for each turn about z */
+const stewart_real kappa = inv_k3*k1;
+    /* (10) rotating axis of the universal joint */
+const stewart_real y_x = inv_k3*k_cross_s_x;
+const stewart_real y_y = inv_k3*k_cross_s_y;
+const stewart_real y_z = inv_k3*k_cross_s_z;
+    /* (10) third axis of the leg frame */
+const stewart_real z_x = s_y*y_z - s_z*y_y;
+const stewart_real z_y = s_z*y_x - s_x*y_z;
+const stewart_real z_z = s_x*y_y - s_y*y_x;
+    /* (4) velocity of the platform point, leg frame */
+const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    /* (7) acceleration of the platform point, leg frame */
+const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    /* gravity, leg frame */
+const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    /* angular velocity of the platform, leg frame */
+const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    /* (6) angular velocity of the leg, leg frame */
+const stewart_real W_z = inv_L*u_y;
+const stewart_real W_y = -inv_L*u_z;
+const stewart_real W_x = W_z*kappa;
+    /* (8) sliding acceleration */
+const stewart_real L_ddot = L*W_y*W_y + L*W_z*W_z + e_x;
+const stewart_real c2 = W_x*W_y;
+const stewart_real c3 = 2*u_x;
+const stewart_real c4 = W_z*c3;
+    /* (9) angular acceleration of the leg, leg frame */
+const stewart_real A_z = inv_L*(e_y - c4) - c2;
+const stewart_real c5 = W_y*c3;
+    /* (9) angular acceleration of the leg, leg frame */
+const stewart_real A_y = W_x*W_z + inv_L*(-c5 - e_z);
+const stewart_real A_x = kappa*(A_z - c2) - W_y*W_z;
+    /* (12) centre of mass of the upper part from the base point */
+const stewart_real r_u_x = L + r_u0_x;
+const stewart_real c6 = W_x*r_d0_y - W_y*r_d0_x;
+const stewart_real c7 = W_z*r_d0_x - W_x*r_d0_z;
+    /* (13) acceleration of the lower centre of mass */
+const stewart_real a_d_x = A_y*r_d0_z + W_y*c6 - A_z*r_d0_y - W_z*c7;
+const stewart_real c8 = W_y*r_d0_z - W_z*r_d0_y;
+    /* (13) acceleration of the lower centre of mass */
+const stewart_real a_d_y = A_z*r_d0_x + W_z*c8 - A_x*r_d0_z - W_x*c6;
+const stewart_real a_d_z = A_x*r_d0_y + W_x*c7 - A_y*r_d0_x - W_y*c8;
+const stewart_real c9 = W_x*r_u0_y - W_y*r_u_x;
+const stewart_real c10 = W_z*r_u_x - W_x*r_u0_z;
+    /* (14) acceleration of the upper centre of mass */
+const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c9 - A_z*r_u0_y - W_z*c10;
+const stewart_real c11 = W_y*r_u0_z - W_z*r_u0_y;
+    /* (14) acceleration of the upper centre of mass */
+const stewart_real a_u_y = A_z*r_u_x + W_z*c11 + c4 - A_x*r_u0_z - W_x*c9;
+const stewart_real a_u_z = A_x*r_u0_y + W_x*c10 - A_y*r_u_x - W_y*c11 - c5;
+const stewart_real c12 = -gamma_x;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_x = m_d*(a_d_x + c12);
+const stewart_real c13 = -gamma_y;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_y = m_d*(a_d_y + c13);
+const stewart_real c14 = -gamma_z;
+    /* (25) m_d (a_d - g) */
+const stewart_real N_d_z = m_d*(a_d_z + c14);
+    /* (23) m_u (a_u - g) */
+const stewart_real N_u_x = m_u*(a_u_x + c12);
+const stewart_real N_u_y = m_u*(a_u_y + c13);
+const stewart_real N_u_z = m_u*(a_u_z + c14);
+    /* (18) friction moment at the spherical joint, leg frame */
+const stewart_real f_leg_x = C_s*(W_x - w_x);
+const stewart_real f_leg_y = C_s*(W_y - w_y);
+const stewart_real f_leg_z = C_s*(W_z - w_z);
+    /* (19) inertia of both parts about their own centres of mass */
+const stewart_real I_xx = I_d0_xx + I_u0_xx;
+const stewart_real I_xy = I_d0_xy + I_u0_xy;
+const stewart_real I_xz = I_d0_xz + I_u0_xz;
+const stewart_real I_yy = I_d0_yy + I_u0_yy;
+const stewart_real I_yz = I_d0_yz + I_u0_yz;
+const stewart_real I_zz = I_d0_zz + I_u0_zz;
+const stewart_real c15 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
+const stewart_real c16 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
+    /* (19) I A + W x I W */
+const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c15 - W_z*c16;
+const stewart_real c17 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
+    /* (19) I A + W x I W */
+const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c17 - W_x*c15;
+const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c16 - W_y*c17;
+const stewart_real c18 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z;
+const stewart_real c19 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z;
+    /* (17) I_d A + W x I_d W */
+const stewart_real E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c18 - W_z*c19;
+const stewart_real c20 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z;
+    /* (17) I_d A + W x I_d W */
+const stewart_real E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c20 - W_x*c18;
+const stewart_real E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c19 - W_y*c20;
+const stewart_real c21 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
+    /* (20) moment that the joints' forces must make */
+const stewart_real C_x = E_x + N_u_z*r_u0_y + c21 + f_leg_x - N_u_y*r_u0_z;
+const stewart_real c22 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
+    /* (20) moment that the joints' forces must make */
+const stewart_real C_y = E_y + N_u_x*r_u0_z + c22 + f_leg_y - N_u_z*r_u_x;
+const stewart_real c23 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
+    /* (20) moment that the joints' forces must make */
+const stewart_real C_z = E_z + N_u_y*r_u_x + c23 + f_leg_z - N_u_x*r_u0_y;
+const stewart_real c24 = C_x*kappa;
+const stewart_real c25 = C_z + c24;
+    /* (21) transverse force at the spherical joint, leg frame */
+const stewart_real K_leg_y = c25*inv_L;
+const stewart_real c26 = C_y*inv_L;
+    /* (21) transverse force at the spherical joint, leg frame */
+const stewart_real K_leg_z = -c26;
+const stewart_real c27 = N_u_x - x;
+    /* F_u, leg frame */
+const stewart_real F_u_leg_x = N_d_x + c27;
+const stewart_real c28 = N_u_y - c25*inv_L;
+    /* F_u, leg frame */
+const stewart_real F_u_leg_y = N_d_y + c28;
+const stewart_real c29 = N_u_z + c26;
+    /* F_u, leg frame */
+const stewart_real F_u_leg_z = N_d_z + c29;
+    /* F_p, leg frame */
+const stewart_real F_p_leg_x = C_p*u_x + c27;
+const stewart_real F_p_leg_y = c28;
+const stewart_real F_p_leg_z = c29;
+    /* F_c, leg frame */
+const stewart_real F_c_leg_y = c28;
+const stewart_real F_c_leg_z = c29;
+    /* M_p, leg frame */
+const stewart_real M_p_leg_x = C_x - E_d_x - c21;
+const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c22;
+const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c24) - E_d_z - N_u_y*bearing - c23 - c24;
+out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
+out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
+out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
+out->F_u[0] = F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x;
+out->F_u[1] = F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y;
+out->F_u[2] = F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z;
+out->F_p[0] = F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x;
+out->F_p[1] = F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y;
+out->F_p[2] = F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z;
+out->F_c[0] = F_c_leg_y*y_x + F_c_leg_z*z_x;
+out->F_c[1] = F_c_leg_y*y_y + F_c_leg_z*z_y;
+out->F_c[2] = F_c_leg_y*y_z + F_c_leg_z*z_z;
+out->M_p[0] = M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x;
+out->M_p[1] = M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y;
+out->M_p[2] = M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z;
+out->M_u = -C_x*c1;
+}
+
+static stewart_real largest(const stewart_real *values, int count)
+{
+    stewart_real result = 0;
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (STEWART_FABS(values[i]) > result) {
+            result = STEWART_FABS(values[i]);
+        }
+    }
+    return result;
+}
+
+static int is_finite(const stewart_real *values, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int leg_status(const leg_terms *terms)
+{
+    if (!is_finite(&terms->L, 1)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(terms->L > STEWART_ROUNDING * largest(terms->q, 3))) {
+        return STEWART_SHORT_LEG;
+    }
+    if (!(terms->k3 > STEWART_ROUNDING)) {
+        return STEWART_POLE;
+    }
+    return STEWART_OK;
+}
+
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). `moment` is the size
+ * of the moment rows; a pivot that is rounding error beside its row means that H is singular. */
+static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
+{
+    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
+    stewart_real inverse[6];
+    int i, j, k;
+    for (i = 3; i < 6; ++i) {
+        scale[i] = moment;
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real row_scale;
+        for (i = k + 1; i < 6; ++i) {
+            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+                pivot = i;
+            }
+        }
+        row_scale = scale[pivot];
+        scale[pivot] = scale[k];
+        for (j = k; j < 7; ++j) {
+            const stewart_real moved = A[k][j];
+            A[k][j] = A[pivot][j];
+            A[pivot][j] = moved;
+        }
+        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
+            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+        inverse[k] = 1 / A[k][k];
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real factor = A[i][k] * inverse[k];
+            for (j = k + 1; j < 7; ++j) {
+                A[i][j] = A[i][j] - factor * A[k][j];
+            }
+        }
+    }
+    for (i = 5; i >= 0; --i) {
+        stewart_real sum = A[i][6];
+        for (j = i + 1; j < 6; ++j) {
+            sum = sum - A[i][j] * x[j];
+        }
+        x[i] = sum * inverse[i];
+    }
+    return STEWART_OK;
+}
+
+static const stewart_real no_load[3] = {0, 0, 0};
+
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
+{
+    stewart_motions at;
+    at.R = motions->R + 9 * pose;
+    at.t = motions->t + 3 * pose;
+    at.omega = motions->omega + 3 * pose;
+    at.v = motions->v + 3 * pose;
+    at.alpha = motions->alpha + 3 * pose;
+    at.a = motions->a + 3 * pose;
+    at.F_ext = motions->F_ext ? motions->F_ext + 3 * pose : no_load;
+    at.M_ext = motions->M_ext ? motions->M_ext + 3 * pose : no_load;
+    return at;
+}
+
+static stewart_motions motion_as_arrays(const stewart_motion *motion)
+{
+    stewart_motions at;
+    at.R = motion->R;
+    at.t = motion->t;
+    at.omega = motion->omega;
+    at.v = motion->v;
+    at.alpha = motion->alpha;
+    at.a = motion->a;
+    at.F_ext = motion->F_ext;
+    at.M_ext = motion->M_ext;
+    return at;
+}
+
+static int motions_given(const stewart_motions *motions)
+{
+    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha && motions->a;
+}
+
+/* Inverse dynamics of one pose, (1)-(37). */
+static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
+{
+    leg_terms terms;
+    platform_terms own;
+    stewart_real A[6][7];
+    int i, j, status;
+    platform_wrench(robot, at, &own);
+    for (j = 0; j < 3; ++j) {
+        out->c[j] = own.c_force[j];
+        out->c[j + 3] = own.c_moment[j];
+    }
+    for (i = 0; i < 6; ++i) {
+        leg_dynamics(robot, &robot->leg[i], at, &terms);
+        status = leg_status(&terms);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        out->D[i] = terms.D;
+        for (j = 0; j < 3; ++j) {
+            out->K[i][j] = terms.K[j];
+            out->H[j][i] = terms.H_force[j];
+            out->H[j + 3][i] = terms.H_moment[j];
+            out->c[j] = out->c[j] + terms.c_force[j];
+            out->c[j + 3] = out->c[j + 3] + terms.c_moment[j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[i][j] = out->H[i][j];
+        }
+        A[i][6] = out->c[i];
+    }
+    status = solve(A, largest(out->H[3], 18), out->x);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        out->F[i] = out->D[i] - out->x[i];
+    }
+    return is_finite(out->F, 6) ? STEWART_OK : STEWART_NOT_FINITE;
+}
+
+/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). */
+static void pose_reactions(
+    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing, const stewart_real x[6],
+    stewart_reactions *out)
+{
+    reaction_terms terms;
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        leg_reactions(robot, &robot->leg[i], at, x[i], bearing ? bearing[i] : 0, &terms);
+        for (j = 0; j < 3; ++j) {
+            out->F_s[i][j] = terms.F_s[j];
+            out->F_u[i][j] = terms.F_u[j];
+            out->F_p[i][j] = terms.F_p[j];
+            out->F_c[i][j] = terms.F_c[j];
+            out->M_p[i][j] = terms.M_p[j];
+        }
+        out->M_u[i] = terms.M_u;
+    }
+}
+
+static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
+{
+    size_t i;
+    if (to) {
+        for (i = 0; i < count; ++i) {
+            to[pose * count + i] = from[i];
+        }
+    }
+}
+
+int stewart_exact_inverse_dynamics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces)
+{
+    stewart_forces result;
+    stewart_motions at;
+    int status;
+    if (!robot || !motion || !forces) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    at = motion_as_arrays(motion);
+    status = pose_forces(robot, &at, &result);
+    if (status == STEWART_OK) {
+        *forces = result;
+    }
+    return status;
+}
+
+int stewart_exact_joint_reactions(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
+    stewart_forces *forces, stewart_reactions *reactions)
+{
+    stewart_forces result;
+    stewart_motions at;
+    int status;
+    if (!robot || !motion || !forces || !reactions) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    at = motion_as_arrays(motion);
+    status = pose_forces(robot, &at, &result);
+    if (status == STEWART_OK) {
+        *forces = result;
+        pose_reactions(robot, &at, bearing, result.x, reactions);
+    }
+    return status;
+}
+
+int stewart_exact_inverse_dynamics_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_forces_arrays *forces, int *status)
+{
+    stewart_forces result;
+    size_t pose;
+    int first = STEWART_OK;
+    if (!robot || !motions_given(motions) || !forces) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose);
+        const int code = pose_forces(robot, &at, &result);
+        if (code == STEWART_OK) {
+            copy(forces->F, pose, result.F, 6);
+            copy(forces->D, pose, result.D, 6);
+            copy(forces->x, pose, result.x, 6);
+            copy(forces->K, pose, result.K[0], 18);
+            copy(forces->H, pose, result.H[0], 36);
+            copy(forces->c, pose, result.c, 6);
+        } else if (first == STEWART_OK) {
+            first = code;
+        }
+        if (status) {
+            status[pose] = code;
+        }
+    }
+    return first;
+}
+
+int stewart_exact_joint_reactions_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
+    const stewart_reactions_arrays *reactions, int *status)
+{
+    stewart_forces forces;
+    stewart_reactions result;
+    size_t pose;
+    int first = STEWART_OK;
+    if (!robot || !motions_given(motions) || !reactions) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose);
+        const int code = pose_forces(robot, &at, &forces);
+        if (code == STEWART_OK) {
+            pose_reactions(robot, &at, bearing, forces.x, &result);
+            copy(reactions->F_s, pose, result.F_s[0], 18);
+            copy(reactions->F_u, pose, result.F_u[0], 18);
+            copy(reactions->F_p, pose, result.F_p[0], 18);
+            copy(reactions->F_c, pose, result.F_c[0], 18);
+            copy(reactions->M_p, pose, result.M_p[0], 18);
+            copy(reactions->M_u, pose, result.M_u, 6);
+        } else if (first == STEWART_OK) {
+            first = code;
+        }
+        if (status) {
+            status[pose] = code;
+        }
+    }
+    return first;
+}

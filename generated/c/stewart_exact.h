@@ -1,0 +1,50 @@
+/* stewart_exact.h: inverse dynamics and joint reactions of the Stewart platform.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ *
+ * Formulation `exact`: the elimination with joint and inertias treated correctly.
+ * Base joint: universal, fixed axis k.
+ * Inputs, outputs, units and shapes: stewart.h.
+ *
+ * Operations of one pose of inverse dynamics, six legs, solve included
+ *            with friction                              without friction
+ * leg        399 (222 mul, 173 add, 2 div, 2 sqrt)      349 (197 mul, 148 add, 2 div, 2 sqrt)
+ * platform   219 (123 mul, 96 add, 0 div, 0 sqrt)       219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c   36 (0 mul, 36 add, 0 div, 0 sqrt)          36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve      197 (106 mul, 85 add, 6 div, 0 sqrt)       197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces     6 (0 mul, 6 add, 0 div, 0 sqrt)            6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total      2852 (1561 mul, 1261 add, 18 div, 12 sqrt) 2552 (1411 mul, 1111 add, 18 div, 12 sqrt)
+ */
+#ifndef STEWART_EXACT_H
+#define STEWART_EXACT_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Actuator forces of one pose. Returns a status. */
+int stewart_exact_inverse_dynamics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
+
+/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point to
+ * where M_p is taken, m; null: at the base point. Returns a status. */
+int stewart_exact_joint_reactions(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
+    stewart_forces *forces, stewart_reactions *reactions);
+
+/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first code
+ * other than STEWART_OK, or STEWART_OK. */
+int stewart_exact_inverse_dynamics_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_forces_arrays *forces, int *status);
+int stewart_exact_joint_reactions_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
+    const stewart_reactions_arrays *reactions, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+"""Dynamics of the Stewart platform: derived by SymPy, emitted as C and NumPy, checked.
+
+    import stewart_sym as ss
+    robot = ss.Robot.from_toml("hexapod.toml")
+    motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+    forces = ss.inverse_dynamics(robot, motion).F
+"""
+
+from . import robots
+from .conditioning import characteristic_length, condition_number, scaled_condition_number
+from .dynamics import (
+    SingularPoseWarning,
+    dynamic_fraction,
+    inverse_dynamics,
+    joint_reactions,
+    massless_forces,
+)
+from .kinematics import inverse_kinematics
+from .motion import Motion
+from .results import Forces, Reactions
+from .robot import PhysicalityWarning, Robot
+from .trajectory import PATHS, StraightLinePath
+
+__all__ = [
+    "PATHS",
+    "Forces",
+    "Motion",
+    "PhysicalityWarning",
+    "Reactions",
+    "Robot",
+    "SingularPoseWarning",
+    "StraightLinePath",
+    "characteristic_length",
+    "condition_number",
+    "dynamic_fraction",
+    "inverse_dynamics",
+    "inverse_kinematics",
+    "joint_reactions",
+    "massless_forces",
+    "robots",
+    "scaled_condition_number",
+]

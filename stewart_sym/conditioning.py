@@ -1,0 +1,51 @@
+"""Condition number of H: how near the platform is to a singular pose, section 4.2.
+
+Stands beside the kernels that make H; knows nothing of how H came about.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stewart_sym.robot import Robot
+
+Array = NDArray[np.float64]
+
+
+def condition_number(H: ArrayLike) -> Array:
+    """Return the ratio of the largest to the smallest singular value, (...), of H, (..., 6, 6).
+
+    This is the paper's number; it mixes unitless rows with rows in metres, so it changes with the unit of
+    length.  inf where H is singular to rounding (smallest <= 6 eps largest), nan where H is not finite.
+    """
+    H = _matrices(H)
+    finite = np.all(np.isfinite(H), axis=(-2, -1))
+    values = np.linalg.svd(np.where(finite[..., None, None], H, 0.0), compute_uv=False)
+    largest, smallest = values[..., 0], values[..., -1]
+    singular = smallest <= 6.0 * np.finfo(np.float64).eps * largest
+    ratio = largest / np.where(singular, 1.0, smallest)
+    return np.asarray(np.where(finite, np.where(singular, math.inf, ratio), math.nan))
+
+
+def scaled_condition_number(H: ArrayLike, length: float) -> Array:
+    """Return the condition number, (...), of H with its moment rows divided by a length, m.
+
+    It has no units.  H: (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.  length: see
+    ``characteristic_length``; must be > 0.
+    """
+    if not (math.isfinite(length) and length > 0.0):
+        raise ValueError(f"length: expected a finite length > 0 m, got {length:g}")
+    return condition_number(_matrices(H) / np.array([1.0, 1.0, 1.0, length, length, length])[:, None])
+
+
+def characteristic_length(robot: Robot) -> float:
+    """Return the root mean square distance of the platform points from the reference point, m."""
+    return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
+
+
+def _matrices(H: ArrayLike) -> Array:
+    H = np.asarray(H, dtype=np.float64)
+    if H.shape[-2:] != (6, 6):
+        raise ValueError(f"H: expected shape (..., 6, 6), got {H.shape}")
+    return H

@@ -1,0 +1,164 @@
+"""The generated kernels, bound to a robot: C through ctypes, and NumPy.
+
+Takes a checked Robot and Motion, hands arrays to the generated code and its results back. Knows the layout of
+stewart.h and nothing of the equations.
+"""
+
+import ctypes
+import functools
+import importlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.resources import files
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import native
+from .motion import Motion
+from .results import Forces, Reactions
+from .robot import Robot
+
+Array = NDArray[np.float64]
+
+FORMULATIONS = ("exact", "paper")
+_MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+_LEG = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
+_PLATFORM = ("M", "R_0", "I_p", "g")
+_FORCES: Mapping[str, tuple[int, ...]] = {"F": (6,), "D": (6,), "x": (6,), "K": (6, 3), "H": (6, 6), "c": (6,)}
+_REACTIONS: Mapping[str, tuple[int, ...]] = {
+    **dict.fromkeys(("F_s", "F_u", "F_p", "F_c", "M_p"), (6, 3)),
+    "M_u": (6,),
+}
+_UPPER = np.triu_indices(3)
+
+
+def kernel_name(formulation: str, base_joint: str) -> str:
+    """Name of the generated kernel. Raises ValueError for an unknown formulation."""
+    if formulation not in FORMULATIONS:
+        raise ValueError(f'formulation: expected "exact" or "paper", got {formulation!r}')
+    return formulation if base_joint == "universal" else f"{formulation}_{base_joint}"
+
+
+def c_sources(name: str) -> dict[str, str]:
+    """File name -> text of the generated C of one kernel."""
+    folder = files("stewart_sym.generated") / "c"
+    return {
+        file: (folder / file).read_text(encoding="utf-8")
+        for file in ("stewart.h", f"stewart_{name}.h", f"stewart_{name}.c")
+    }
+
+
+def module(name: str) -> ModuleType:
+    """The generated NumPy module of one kernel."""
+    return importlib.import_module(f"stewart_sym.generated.{name}")
+
+
+@functools.cache
+def library(name: str) -> ctypes.CDLL:
+    """The compiled C of one kernel. Raises native.CompilerError where there is no working compiler."""
+    return native.load(f"stewart_{name}", c_sources(name))
+
+
+def robot_numbers(robot: Robot) -> Array:
+    """The robot as the numbers of ``struct stewart_robot``, in its order."""
+    legs = np.concatenate([_columns(getattr(robot, name)) for name in _LEG], axis=1)
+    platform = [np.ravel(_stored(np.asarray(getattr(robot, name)))) for name in _PLATFORM]
+    return np.concatenate([legs.ravel(), *platform])
+
+
+def _columns(values: Array) -> Array:
+    return _stored(values).reshape(6, -1)
+
+
+def _stored(values: Array) -> Array:
+    """A symmetric tensor as its six stored components; anything else unchanged."""
+    return values[..., *_UPPER] if values.shape[-2:] == (3, 3) else values
+
+
+@dataclass(frozen=True, eq=False)
+class CKernel:
+    """The C kernel of one formulation with one robot's numbers. Calls release the interpreter lock."""
+
+    name: str
+    numbers: Array
+
+    @classmethod
+    def prepare(cls, robot: Robot, formulation: str) -> "CKernel":
+        """Compile or find the kernel and lay out the robot."""
+        name = kernel_name(formulation, robot.base_joint)
+        library(name)
+        return cls(name, robot_numbers(robot))
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        outputs, status = self._run("inverse_dynamics", motion, _FORCES, None)
+        return Forces(**outputs, status=status)
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        outputs, status = self._run("joint_reactions", motion, _REACTIONS, np.ascontiguousarray(bearing))
+        return Reactions(**outputs, status=status)
+
+    def _run(
+        self, function: str, motion: Motion, shapes: Mapping[str, tuple[int, ...]], bearing: Array | None
+    ) -> tuple[dict[str, Array], NDArray[np.int32]]:
+        inputs = [_contiguous(getattr(motion, name)) for name in _MOTION]
+        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in shapes.items()}
+        status = np.zeros(motion.shape, dtype=np.int32)
+        call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
+        call(
+            _address(self.numbers),
+            ctypes.c_size_t(status.size),
+            (ctypes.c_void_p * len(inputs))(*[_address(array) for array in inputs]),
+            *([] if bearing is None else [_address(bearing)]),
+            (ctypes.c_void_p * len(outputs))(*[_address(array) for array in outputs.values()]),
+            _address(status),
+        )
+        return outputs, status
+
+
+def _contiguous(array: Array | None) -> Array | None:
+    return None if array is None else np.ascontiguousarray(array)
+
+
+def _address(array: NDArray[Any] | None) -> ctypes.c_void_p:
+    return ctypes.c_void_p(None if array is None else array.ctypes.data)
+
+
+@dataclass(frozen=True, eq=False)
+class NumpyKernel:
+    """The NumPy kernel of one formulation with one robot."""
+
+    name: str
+    robot: Robot
+
+    @classmethod
+    def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
+        """Choose the module."""
+        return cls(kernel_name(formulation, robot.base_joint), robot)
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        return Forces(**module(self.name).inverse_dynamics(self.robot, _loaded(motion)))
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        forces = self.forces(motion)
+        found = module(self.name).joint_reactions(self.robot, _loaded(motion), forces.x, bearing)
+        bad = forces.status != 0
+        blank = {
+            name: np.where(bad[(..., *(None,) * (value.ndim - bad.ndim))], np.nan, value)
+            for name, value in found.items()
+        }
+        return Reactions(**blank, status=forces.status)
+
+
+def _loaded(motion: Motion) -> SimpleNamespace:
+    """The motion with zeros for a load that is not given."""
+    given = {name: getattr(motion, name) for name in _MOTION}
+    return SimpleNamespace(
+        **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}
+    )

@@ -1,0 +1,67 @@
+"""Inverse kinematics of the legs: lengths, rates and directions from the platform's motion, (1)-(5) and (8).
+
+Stands beside ``reference`` and above ``Robot`` and ``Motion``; knows nothing of forces.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class LegKinematics:
+    """Kinematics of the six legs; a leading shape ``(...)`` is that of the motion.
+
+    L: lengths, m, (..., 6), (2).
+    L_dot: rates, m/s, (..., 6), positive when the leg extends, (5).
+    L_ddot: accelerations, m/s^2, (..., 6), (8); None when the motion has no accelerations.
+    s: unit vectors from base point to platform point, base frame, (..., 6, 3), (3).
+    S: leg vectors, m, base frame, (..., 6, 3), (1).
+    """
+
+    L: Array
+    L_dot: Array
+    L_ddot: Array | None
+    s: Array
+    S: Array
+
+
+def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
+    """Return lengths, rates and directions of the legs.
+
+    The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
+    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero.
+    """
+    q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
+    S = q + motion.t[..., None, :] - robot.b
+    L = np.linalg.norm(S, axis=-1)
+    if np.any(L == 0.0):
+        *pose, leg = (int(i) for i in np.argwhere(L == 0.0)[0])
+        at = f" at motion[{', '.join(map(str, pose))}]" if pose else ""
+        raise ValueError(f"motion: leg {leg + 1} has length zero{at}")
+    s = S / L[..., None]
+    omega = motion.omega[..., None, :]
+    S_dot = np.cross(omega, q) + motion.v[..., None, :]
+    L_dot = _dot(s, S_dot)
+    return LegKinematics(L=L, L_dot=L_dot, L_ddot=_second_rate(motion, q, s, S_dot, L, L_dot), s=s, S=S)
+
+
+def _second_rate(motion: Motion, q: Array, s: Array, S_dot: Array, L: Array, L_dot: Array) -> Array | None:
+    if motion.alpha is None or motion.a is None:
+        return None
+    omega = motion.omega[..., None, :]
+    S_ddot = np.cross(motion.alpha[..., None, :], q) + np.cross(omega, np.cross(omega, q))
+    S_ddot = S_ddot + motion.a[..., None, :]
+    # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
+    across = S_dot - L_dot[..., None] * s
+    return _dot(s, S_ddot) + _dot(across, across) / L
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray(np.einsum("...i,...i->...", x, y))

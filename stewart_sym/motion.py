@@ -1,0 +1,182 @@
+"""Motion of the platform at one or many instants: pose, velocities, accelerations and external load.
+
+Stands beside ``Robot`` at the start of the flow; whoever receives a ``Motion`` may trust its shapes and its
+rotations.  Knows nothing of robots, of time or of how the motion came about.
+"""
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stewart_sym.rotation import (
+    angular_acceleration_from_rpy,
+    angular_velocity_from_rpy,
+    rotation_from_rpy,
+    rpy_from_rotation,
+)
+
+__all__ = [
+    "Motion",
+    "angular_acceleration_from_rpy",
+    "angular_velocity_from_rpy",
+    "rotation_from_rpy",
+    "rpy_from_rotation",
+]
+
+Array = NDArray[np.float64]
+
+ROTATION_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
+
+    R: orientation, platform to base, (..., 3, 3).
+    t: position of the reference point, m, (..., 3).
+    omega, v: angular velocity, rad/s, and velocity of the reference point, m/s, (..., 3).
+    alpha, a: angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, (..., 3);
+        both None when the motion has no accelerations, as for forward dynamics.
+    F_ext, M_ext: external force, N, and moment, N m, at the reference point, in the platform frame,
+        (..., 3); None for no load.
+
+    Leading shapes broadcast, as in NumPy, to one ``shape``; every array is a read-only private copy of that
+    shape.  ``motion[index]`` slices it.
+
+    Raises ``ValueError`` naming the argument: shapes that do not fit, entries that are no finite numbers,
+    R that is no rotation (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
+    """
+
+    R: Array
+    t: Array
+    omega: Array
+    v: Array
+    alpha: Array | None = None
+    a: Array | None = None
+    F_ext: Array | None = None
+    M_ext: Array | None = None
+
+    def __post_init__(self) -> None:
+        """Check every array and broadcast it."""
+        if (self.alpha is None) != (self.a is None):
+            missing = "alpha" if self.alpha is None else "a"
+            raise ValueError(f"{missing}: expected both accelerations, alpha and a, or neither")
+        arrays: dict[str, Array] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None or field.name in ("R", "t", "omega", "v"):
+                arrays[field.name] = _finite(value, (3, 3) if field.name == "R" else (3,), field.name)
+        _check_rotation(arrays["R"])
+        shape = _leading_shape(arrays)
+        for name, array in arrays.items():
+            core = array.shape[-2:] if name == "R" else array.shape[-1:]
+            object.__setattr__(self, name, np.broadcast_to(array, (*shape, *core)))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The leading shape: () for one instant."""
+        return self.t.shape[:-1]
+
+    def __getitem__(self, index: Any) -> "Motion":
+        """Slice the leading shape, as a NumPy array of ``shape`` would be sliced."""
+        index = index if isinstance(index, tuple) else (index,)
+        # The vectors' own axes are spelt out, so that no index can reach them.
+        rest = () if any(item is Ellipsis for item in index) else (Ellipsis,)
+        picked: dict[str, Any] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            own = (slice(None),) * (2 if field.name == "R" else 1)
+            picked[field.name] = None if value is None else value[(*index, *rest, *own)]
+        return Motion(**picked)
+
+    @classmethod
+    def from_rpy(
+        cls,
+        t: ArrayLike,
+        theta: ArrayLike,
+        v: ArrayLike,
+        theta_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        theta_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> "Motion":
+        """Make a motion from roll-pitch-yaw angles, (38), and their rates.
+
+        t, v, a: position, velocity and acceleration of the reference point, m, m/s, m/s^2, (..., 3).
+        theta, theta_dot, theta_ddot: (theta_x, theta_y, theta_z) and rates, rad, rad/s, rad/s^2, (..., 3).
+        a and theta_ddot are given together or not at all.  F_ext, M_ext as in ``Motion``.
+        """
+        if (a is None) != (theta_ddot is None):
+            missing = "a" if a is None else "theta_ddot"
+            raise ValueError(f"{missing}: expected both accelerations, a and theta_ddot, or neither")
+        angles = {"theta": _finite(theta, (3,), "theta"), "theta_dot": _finite(theta_dot, (3,), "theta_dot")}
+        if theta_ddot is not None:
+            angles["theta_ddot"] = _finite(theta_ddot, (3,), "theta_ddot")
+        _leading_shape(angles)
+        alpha = None if theta_ddot is None else angular_acceleration_from_rpy(*angles.values())
+        load = {"F_ext": F_ext, "M_ext": M_ext}
+        return cls(
+            R=rotation_from_rpy(angles["theta"]),
+            t=_finite(t, (3,), "t"),
+            omega=angular_velocity_from_rpy(angles["theta"], angles["theta_dot"]),
+            v=_finite(v, (3,), "v"),
+            alpha=alpha,
+            a=None if a is None else _finite(a, (3,), "a"),
+            **{name: None if value is None else _finite(value, (3,), name) for name, value in load.items()},
+        )
+
+
+def _finite(value: object, core: tuple[int, ...], name: str) -> Array:
+    """Return a float64 copy of shape (..., *core) with finite entries."""
+    expected = f"(..., {', '.join(str(n) for n in core)})"
+    try:
+        given = np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: expected numbers of shape {expected}, got a ragged sequence") from None
+    if given.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: expected real numbers of shape {expected}, got {given.dtype} entries")
+    if given.shape[-len(core) :] != core:
+        raise ValueError(f"{name}: expected shape {expected}, got {given.shape}")
+    array = np.array(given, dtype=np.float64)
+    finite = np.isfinite(array)
+    if not np.all(finite):
+        where = tuple(int(i) for i in np.argwhere(~finite)[0])
+        raise ValueError(f"{name}: expected finite numbers, entry {where} is {array[where]}")
+    return array
+
+
+def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
+    leading = {name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()}
+    shape: tuple[int, ...] = ()
+    for name, lead in leading.items():
+        try:
+            shape = np.broadcast_shapes(shape, lead)
+        except ValueError:
+            raise ValueError(
+                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
+            ) from None
+    return shape
+
+
+def _check_rotation(R: Array) -> None:
+    if R.size == 0:
+        return
+    with np.errstate(over="ignore", invalid="ignore"):
+        off = np.max(np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)), axis=(-2, -1))
+        bad = ~(off <= ROTATION_TOLERANCE)
+    if np.any(bad):
+        where = tuple(int(i) for i in np.argwhere(bad)[0])
+        raise ValueError(
+            f"R{_at(where)}: expected a rotation matrix, R^T R differs from E by {off[where]:.2g}"
+        )
+    mirrored = np.linalg.det(R) < 0.0
+    if np.any(mirrored):
+        where = tuple(int(i) for i in np.argwhere(mirrored)[0])
+        raise ValueError(f"R{_at(where)}: expected a rotation matrix, this one mirrors (det R = -1)")
+
+
+def _at(where: tuple[int, ...]) -> str:
+    return f"[{', '.join(str(i) for i in where)}]" if where else ""

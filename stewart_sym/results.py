@@ -1,0 +1,70 @@
+"""What the dynamics functions return: plain records of arrays, the same for every backend.
+
+Stands between the kernels and the user; knows nothing of how the numbers were computed.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+OK = 0
+NOT_FINITE = 1
+SHORT_LEG = 2
+POLE = 3
+SINGULAR = 4
+BAD_ARGUMENT = 5
+
+STATUS_TEXT = {
+    OK: "ok",
+    NOT_FINITE: "an input is not finite, or a result overflows",
+    SHORT_LEG: "a leg has length zero",
+    POLE: "a leg lies along the fixed axis of its universal joint",
+    SINGULAR: "H is singular: no leg forces can hold the platform",
+    BAD_ARGUMENT: "a required argument is missing",
+}
+"""One line for each status code of the kernels."""
+
+
+@dataclass(frozen=True, eq=False)
+class Forces:
+    """Inverse dynamics of one or many poses; a leading shape ``(...)`` is that of the motion.
+
+    F: actuator forces, N, (..., 6), positive when they extend the leg, (37).
+    D: known part of the actuator force, N, (..., 6), (24).
+    x: axial force on the leg at its spherical joint, N, (..., 6), (22).
+    K: transverse force on the leg at its spherical joint, N, base frame, (..., 6, 3), (21).
+    H: maps x to the wrench on the platform, (..., 6, 6); rows 0-2 unitless, rows 3-5 m, (36).
+    c: wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
+    status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
+    """
+
+    F: NDArray[np.float64]
+    D: NDArray[np.float64]
+    x: NDArray[np.float64]
+    K: NDArray[np.float64]
+    H: NDArray[np.float64]
+    c: NDArray[np.float64]
+    status: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Reactions:
+    """Joint reactions of one or many poses, base frame; a leading shape ``(...)`` is that of the motion.
+
+    F_s: force on the leg at the spherical joint, N, (..., 6, 3), (21).
+    F_u: force on the leg at the universal joint, N, (..., 6, 3), (27).
+    F_p: force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26).
+    F_c: its constraint part F_p - s F, N, (..., 6, 3), (28).
+    M_p: moment of the lower part on the upper at the prismatic joint, N m, (..., 6, 3), (17).
+    M_u: size of the constraint moment on the leg at the universal joint, N m, (..., 6), (29).
+    status: as in ``Forces``.
+    """
+
+    F_s: NDArray[np.float64]
+    F_u: NDArray[np.float64]
+    F_p: NDArray[np.float64]
+    F_c: NDArray[np.float64]
+    M_p: NDArray[np.float64]
+    M_u: NDArray[np.float64]
+    status: NDArray[np.int32]

@@ -1,0 +1,14 @@
+"""Robots that come with the package; each is a robot file in this folder and a function that loads it."""
+
+from importlib import resources
+
+from stewart_sym.robot import Robot
+
+
+def dasgupta1998() -> Robot:
+    """Load the paper's test manipulator (appendix), as printed.
+
+    Warns with ``PhysicalityWarning``: none of its three printed inertia tensors belongs to a rigid body.
+    """
+    with resources.as_file(resources.files(__name__) / "dasgupta1998.toml") as path:
+        return Robot.from_toml(path)

@@ -1,0 +1,1 @@
+"""Studies: commands that run the kernels over many cases and write tables and pictures."""

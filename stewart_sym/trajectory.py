@@ -1,0 +1,384 @@
+"""Motions as functions of time: the paper's straight-line paths, (39), (40), and trajectories read from CSV.
+
+Stands above ``Motion``, which it makes, and below the studies and the command line.  Knows nothing of robots,
+forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
+"""
+
+import csv
+import io
+import math
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from stewart_sym.motion import Motion
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float, float]
+
+# Times that differ by rounding only are the same time: share of tau_f.
+_ROUNDING = 1e-12
+
+
+# Straight lines with parabolic blends
+
+
+@dataclass(frozen=True)
+class StraightLinePath:
+    """A straight line in position and in roll-pitch-yaw angles, linear in time with parabolic blends.
+
+    Position and angles each speed up with constant acceleration, go at constant speed and slow down; both
+    start at 0 and end at tau_f, (39), (40).
+
+    t0, t1: first and last position of the reference point, m, base frame.
+    theta0, theta1: first and last angles (theta_x, theta_y, theta_z), rad.
+    tau_f: duration, s.
+    V, Omega: top speed of position, m/s, and of the vector of angles, rad/s.  Each must lie in
+        (d/tau_f, 2 d/tau_f] for its distance d; where d = 0 that part rests and its speed is not used.
+
+    Raises ``ValueError`` naming the argument; for V and Omega it says which range works.
+    """
+
+    t0: Vector
+    theta0: Vector
+    t1: Vector
+    theta1: Vector
+    tau_f: float
+    V: float
+    Omega: float
+
+    def __post_init__(self) -> None:
+        """Check every argument."""
+        for field in fields(self):
+            value = getattr(self, field.name)
+            vector = field.name in ("t0", "theta0", "t1", "theta1")
+            object.__setattr__(
+                self, field.name, _triple(value, field.name) if vector else _real(value, field.name)
+            )
+        if self.tau_f <= 0.0:
+            raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")
+        _check_speed("V", self.V, self.distance, self.tau_f, "m/s")
+        _check_speed("Omega", self.Omega, self.angle, self.tau_f, "rad/s")
+
+    @property
+    def distance(self) -> float:
+        """Length of the line of positions, m."""
+        return math.dist(self.t0, self.t1)
+
+    @property
+    def angle(self) -> float:
+        """Length of the line of angles, rad."""
+        return math.dist(self.theta0, self.theta1)
+
+    @property
+    def tau_t(self) -> float:
+        """Duration of each blend of the position, s, (39); 0 when the position rests."""
+        return _blend(self.distance, self.V, self.tau_f)
+
+    @property
+    def tau_theta(self) -> float:
+        """Duration of each blend of the angles, s, as (39); 0 when the angles rest."""
+        return _blend(self.angle, self.Omega, self.tau_f)
+
+    def breaks(self) -> Array:
+        """Return the sorted times, s, at which an acceleration jumps, with 0 and tau_f."""
+        times = {0.0, self.tau_f}
+        for distance, blend in ((self.distance, self.tau_t), (self.angle, self.tau_theta)):
+            if distance > 0.0:
+                times |= {blend, self.tau_f - blend}
+        distinct: list[float] = []
+        for time in sorted(times):
+            if not distinct or time - distinct[-1] > _ROUNDING * self.tau_f:
+                distinct.append(time)
+        return np.array([*distinct[:-1], self.tau_f])
+
+    def times(self, dtau: float) -> Array:
+        """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last."""
+        dtau = _real(dtau, "dtau")
+        if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
+            raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
+        steps = round(self.tau_f / dtau)
+        if math.isclose(steps * dtau, self.tau_f, rel_tol=1e-9):
+            return np.arange(steps + 1) * self.tau_f / steps
+        return np.append(np.arange(math.floor(self.tau_f / dtau) + 1) * dtau, self.tau_f)
+
+    def sample(self, tau: ArrayLike) -> Motion:
+        """Return the motion at times tau, s, of any shape; no external load.
+
+        Where an acceleration jumps, the value is the one that follows, at tau_f the one before.  Raises
+        ``ValueError`` when a time lies outside [0, tau_f].
+        """
+        time = self._checked(tau)
+        t, v, a = _line(self.t0, self.t1, self.distance, self.V, self.tau_t, self.tau_f, time)
+        theta, theta_dot, theta_ddot = _line(
+            self.theta0, self.theta1, self.angle, self.Omega, self.tau_theta, self.tau_f, time
+        )
+        return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+
+    def _checked(self, tau: ArrayLike) -> Array:
+        time = np.asarray(tau, dtype=np.float64)
+        slack = _ROUNDING * self.tau_f
+        outside = ~((time >= -slack) & (time <= self.tau_f + slack))
+        if np.any(outside):
+            raise ValueError(f"tau: expected times in [0, {self.tau_f:g}] s, got {time[outside][0]:g}")
+        return np.clip(time, 0.0, self.tau_f)
+
+
+def _check_speed(name: str, speed: float, distance: float, tau_f: float, unit: str) -> None:
+    if distance == 0.0:
+        return
+    low, high = distance / tau_f, 2.0 * distance / tau_f
+    if not low * (1.0 + _ROUNDING) < speed <= high * (1.0 + _ROUNDING):
+        kind = "small" if speed <= high else "large"
+        raise ValueError(
+            f"{name}: {speed:g} {unit} is too {kind} for tau_f = {tau_f:g} s, "
+            f"expected more than {low:.6g} and at most {high:.6g} {unit}"
+        )
+
+
+def _blend(distance: float, speed: float, tau_f: float) -> float:
+    return min(tau_f - distance / speed, 0.5 * tau_f) if distance > 0.0 else 0.0
+
+
+def _line(
+    start: Vector, end: Vector, distance: float, speed: float, blend: float, tau_f: float, time: Array
+) -> tuple[Array, Array, Array]:
+    """Return the coordinates and their first and second derivatives, each (..., 3)."""
+    origin = np.array(start)
+    if distance == 0.0:
+        zero = np.zeros((*time.shape, 3))
+        return origin + zero, zero, zero
+    direction = (np.array(end) - origin) / distance
+    acceleration = speed / blend
+    left = tau_f - time
+    rounding = _ROUNDING * tau_f
+    ending = left <= blend + rounding
+    starting = ~ending & (time < blend - rounding)
+    phases = [starting, ending]
+    x = np.select(
+        phases,
+        [0.5 * acceleration * time**2, -0.5 * acceleration * left**2],
+        speed * (time - 0.5 * blend),
+    )
+    x_dot = np.select(phases, [acceleration * time, acceleration * left], speed)
+    x_ddot = np.select(phases, [acceleration, -acceleration], 0.0)
+    # Measured from the end that is near, both end values come out exact.
+    from_end = x[..., None] * direction
+    coordinates = np.where(ending[..., None], np.array(end), origin) + from_end
+    return coordinates, x_dot[..., None] * direction, x_ddot[..., None] * direction
+
+
+def _triple(value: object, name: str) -> Vector:
+    if not isinstance(value, list | tuple | np.ndarray) or np.ndim(value) == 0 or len(value) != 3:
+        raise ValueError(f"{name}: expected three numbers, got {value!r}")
+    x, y, z = (_real(item, name) for item in value)
+    return x, y, z
+
+
+def _real(value: object, name: str) -> float:
+    number = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+    if not number or not math.isfinite(value):  # type: ignore[arg-type]
+        raise ValueError(f"{name}: expected a finite number, got {value!r}")
+    return float(value)  # type: ignore[arg-type]
+
+
+class PaperPath(NamedTuple):
+    """A path of the paper's section 5 and its time step dtau, s."""
+
+    path: StraightLinePath
+    dtau: float
+
+
+PATHS: Mapping[str, PaperPath] = MappingProxyType(
+    {
+        "I": PaperPath(
+            StraightLinePath(
+                (0.1, 0.0, 0.4),
+                (0.0, 0.0, -0.2),
+                (0.3, 0.0, 0.6),
+                (0.0, 0.0, 0.2),
+                tau_f=6.0,
+                V=0.08,
+                Omega=0.08,
+            ),
+            dtau=0.1,
+        ),
+        "II": PaperPath(
+            StraightLinePath(
+                (0.1, 0.0, 0.4),
+                (0.0, 0.0, -0.2),
+                (0.3, 0.0, 0.6),
+                (0.0, 0.0, 0.2),
+                tau_f=0.6,
+                V=0.8,
+                Omega=0.8,
+            ),
+            dtau=0.01,
+        ),
+        "III": PaperPath(
+            StraightLinePath(
+                (0.4, 1.4, 1.2),
+                (0.1, 0.2, 0.0),
+                (0.8, 1.8, 1.8),
+                (0.3, 0.4, 0.0),
+                tau_f=6.0,
+                V=0.2,
+                Omega=0.08,
+            ),
+            dtau=0.1,
+        ),
+    }
+)
+"""Paths I, II and III of section 5."""
+
+
+# Trajectories from CSV
+
+_POSE = ("t", "theta")
+_DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
+_LOADS = ("F_ext", "M_ext")
+_MIN_SPLINE_POINTS = 4
+
+
+def read_csv(path: str | os.PathLike[str]) -> tuple[Array, Motion]:
+    """Read a trajectory: a header line that names the columns, then one row for each instant, in time's order.
+
+    Columns, in any order: ``time`` (s); ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad, (38));
+    optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and ``theta_ddot_*``; optionally ``F_ext_*`` (N) and
+    ``M_ext_*`` (N m), platform frame.  Derivatives that are not given are those of an interpolating spline
+    of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+
+    Returns time, (n,), and the motion, of shape (n,).  Raises ``ValueError`` of one line that names the
+    file and the row (the header is row 1) or column, and ``ImportError`` when a spline is needed and SciPy is
+    missing.
+    """
+    source = os.fspath(path)
+    columns = _columns(_read_text(source), source)
+    time = columns["time"]
+    pose = {name: _stack(columns, name) for name in _POSE}
+    loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
+    if "v_x" in columns:
+        derivatives = {name: _stack(columns, name) for name in _DERIVATIVES}
+    else:
+        v, a = _differentiate(time, pose["t"], source)
+        theta_dot, theta_ddot = _differentiate(time, np.unwrap(pose["theta"], axis=0), source)
+        derivatives = {"v": v, "theta_dot": theta_dot, "a": a, "theta_ddot": theta_ddot}
+    try:
+        return time, Motion.from_rpy(**pose, **derivatives, **loads)
+    except ValueError as error:
+        raise ValueError(f"{source}: {error}") from None
+
+
+def _read_text(source: str) -> str:
+    try:
+        return Path(source).read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ValueError(f"{source}: cannot read the trajectory: {reason}") from None
+
+
+def _columns(text: str, source: str) -> dict[str, Array]:
+    """Return the checked columns of a CSV text by name."""
+    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    try:
+        rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise ValueError(f"{source}: row {reader.line_num}: not valid CSV: {error}") from None
+    if not rows:
+        raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
+    header = [cell.strip() for cell in rows[0][1]]
+    _check_header(header, source)
+    if len(rows) == 1:
+        raise ValueError(f"{source}: expected rows of numbers below the header, got none")
+    table = np.array([_row(cells, header, f"{source}: row {number}: ") for number, cells in rows[1:]])
+    columns = dict(zip(header, table.T, strict=True))
+    late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
+    if late.size:
+        i = int(late[0])
+        before, after = columns["time"][i], columns["time"][i + 1]
+        raise ValueError(
+            f"{source}: row {rows[i + 2][0]}: time: expected increasing times, got {after:g} after {before:g}"
+        )
+    return columns
+
+
+def _row(cells: list[str], header: list[str], where: str) -> list[float]:
+    if len(cells) != len(header):
+        raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}")
+    return [_cell(cell.strip(), where + name) for cell, name in zip(cells, header, strict=True)]
+
+
+def _cell(text: str, where: str) -> float:
+    try:
+        number = float(text) if "_" not in text else math.nan
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}")
+    return number
+
+
+def _components(name: str) -> list[str]:
+    return [f"{name}_{axis}" for axis in "xyz"]
+
+
+def _check_header(header: list[str], source: str) -> None:
+    known = ["time", *(c for name in (*_POSE, *_DERIVATIVES, *_LOADS) for c in _components(name))]
+    for column in header:
+        if column not in known:
+            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
+        if header.count(column) > 1:
+            raise ValueError(f"{source}: column {column} is given twice")
+    required = ["time", *_components("t"), *_components("theta")]
+    derivatives = [c for name in _DERIVATIVES for c in _components(name)]
+    if any(c in header for c in derivatives):
+        missing = [c for c in derivatives if c not in header]
+        if missing:
+            raise ValueError(
+                f"{source}: missing column {missing[0]}: "
+                "expected velocities and accelerations (v, theta_dot, a, theta_ddot) all, or none of them"
+            )
+    for name in _LOADS:
+        if any(c in header for c in _components(name)):
+            required += _components(name)
+    for column in required:
+        if column not in header:
+            raise ValueError(f"{source}: missing column {column}")
+
+
+def _stack(columns: Mapping[str, Array], name: str) -> Array:
+    return np.stack([columns[c] for c in _components(name)], axis=-1)
+
+
+def _differentiate(time: Array, values: Array, source: str) -> tuple[Array, Array]:
+    """Return first and second derivatives of the interpolating spline at its own points."""
+    if len(time) < _MIN_SPLINE_POINTS:
+        raise ValueError(
+            f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(time)}; "
+            "add rows, or columns with velocities and accelerations"
+        )
+    degree = 5 if len(time) > 5 else 3
+    since = time - time[0]
+    try:
+        spline = _spline_maker()(since, values, k=degree)
+    except (ValueError, np.linalg.LinAlgError) as error:
+        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None
+    return np.asarray(spline(since, 1)), np.asarray(spline(since, 2))
+
+
+def _spline_maker() -> Callable[..., Callable[..., Array]]:
+    try:
+        from scipy.interpolate import make_interp_spline
+    except ImportError:
+        raise ImportError(
+            'a trajectory without derivatives needs SciPy: pip install "stewart-sym[sim]"'
+        ) from None
+    return make_interp_spline  # type: ignore[no-any-return]

@@ -1,0 +1,111 @@
+"""Work and energy: what the actuators and the load put in is what the bodies gain and friction takes."""
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from machines import dasgupta, path_period, random_path, random_robot
+from numpy.typing import NDArray
+
+from stewart_sym import reference
+from stewart_sym.motion import Motion
+from stewart_sym.reference import EXACT, PAPER
+from stewart_sym.robot import Robot
+from stewart_sym.trajectory import PATHS
+
+Array = NDArray[np.float64]
+Path = Callable[[Array], Motion]
+
+RELATIVE = 1e-12
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+@dataclasses.dataclass(frozen=True)
+class Balance:
+    """One path's work and energy, J; a turnover is the integral of a power's magnitude, or of all three's."""
+
+    actuators: float
+    load: float
+    friction: float
+    gain: float
+    turnover_load: float
+    turnover: float
+
+    @property
+    def mismatch(self) -> float:
+        return self.actuators + self.load - self.friction - self.gain
+
+
+@pytest.mark.parametrize("friction", [True, False], ids=["friction", "frictionless"])
+@pytest.mark.parametrize("path", ["I", "II"])
+def test_exact_balances_on_the_papers_paths(path: str, friction: bool) -> None:
+    balance = _balance(dasgupta(friction), *_paper_path(path), EXACT)
+    assert abs(balance.mismatch) < RELATIVE * balance.turnover
+    assert (balance.friction > 0) == friction
+
+
+@pytest.mark.parametrize("friction", [True, False], ids=["friction", "frictionless"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@pytest.mark.parametrize("seed", range(6))
+def test_exact_balances_on_random_machines_and_smooth_paths(
+    seed: int, base_joint: str, friction: bool
+) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, base_joint=base_joint, friction=friction)
+    breaks = np.linspace(0, 0.7 * path_period(robot), 9)
+    balance = _balance(robot, random_path(rng, robot), breaks, EXACT)
+    assert abs(balance.mismatch) < RELATIVE * balance.turnover
+    assert balance.turnover_load > 1e-2 * balance.turnover
+    assert balance.friction > 1e-3 * balance.turnover if friction else balance.friction == 0
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("fault", [1, 2, 3, 4])
+def test_every_fault_breaks_the_balance(fault: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    breaks = np.linspace(0, 0.7 * path_period(robot), 9)
+    balance = _balance(robot, random_path(rng, robot), breaks, frozenset({fault}))
+    assert abs(balance.mismatch) > 1e-5 * balance.turnover
+
+
+@pytest.mark.parametrize(("path", "percent"), [("I", -0.713), ("II", -1.129)])
+def test_paper_misses_the_gain_of_energy_by_about_one_percent(path: str, percent: float) -> None:
+    balance = _balance(dasgupta(friction=False), *_paper_path(path), PAPER)
+    assert 100 * balance.mismatch / balance.gain == pytest.approx(percent, abs=0.001)
+
+
+def test_power_of_a_load_is_taken_in_the_platform_frame() -> None:
+    quarter_turn = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    x, y, z = np.eye(3)
+    motion = Motion(quarter_turn, 0 * x, 2 * z, 3 * y, 0 * x, 0 * x, F_ext=5 * x, M_ext=7 * z)
+    robot = random_robot(np.random.default_rng(0))
+    assert reference.external_power(robot, motion) == 3 * 5 + 2 * 7
+
+
+def _balance(robot: Robot, path: Path, breaks: Array, faults: frozenset[int]) -> Balance:
+    """Gauss-Legendre over each smooth stretch between two breaks."""
+    half = np.diff(breaks)[:, None] / 2
+    time = (breaks[:-1, None] + half * (NODES + 1)).ravel()
+    weights = (half * WEIGHTS).ravel()
+    motion = path(time)
+    forces = reference.inverse_dynamics(robot, motion, faults)
+    assert np.all(forces.status == 0)
+    actuators = reference.actuator_power(robot, motion, forces.F)
+    load = reference.external_power(robot, motion)
+    friction = reference.friction_power(robot, motion)
+    ends = reference.energy(robot, path(breaks[[0, -1]]))
+    return Balance(
+        actuators=float(weights @ actuators),
+        load=float(weights @ load),
+        friction=float(weights @ friction),
+        gain=float(ends[1] - ends[0]),
+        turnover_load=float(weights @ np.abs(load)),
+        turnover=float(weights @ (np.abs(actuators) + np.abs(load) + friction)),
+    )
+
+
+def _paper_path(name: str) -> tuple[Path, Array]:
+    path = PATHS[name].path
+    return path.sample, path.breaks()

@@ -1,0 +1,256 @@
+"""Motion: angles and rates agree with each other, shapes broadcast, and what is no motion is refused by name."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from stewart_sym.motion import Motion
+from stewart_sym.rotation import (
+    angular_acceleration_from_rpy,
+    angular_velocity_from_rpy,
+    rotation_from_rpy,
+    rpy_from_rotation,
+)
+
+Array = NDArray[np.float64]
+ZERO = np.zeros(3)
+E = np.eye(3)
+
+angles = st.tuples(*[st.floats(-7.0, 7.0)] * 3)
+
+
+def error_of(call: Callable[[], object]) -> str:
+    with pytest.raises(ValueError, match=r".") as caught:
+        call()
+    message = str(caught.value)
+    assert "\n" not in message
+    return message
+
+
+def turn(axis: int, angle: float) -> Array:
+    """Rotation about one axis by Rodrigues' formula."""
+    k = np.cross(E, E[axis])
+    return np.asarray(E - np.sin(angle) * k + (1.0 - np.cos(angle)) * k @ k)
+
+
+def skew_part(matrix: Array) -> Array:
+    return (
+        np.stack(
+            [
+                matrix[..., 2, 1] - matrix[..., 1, 2],
+                matrix[..., 0, 2] - matrix[..., 2, 0],
+                matrix[..., 1, 0] - matrix[..., 0, 1],
+            ],
+            axis=-1,
+        )
+        * 0.5
+    )
+
+
+def test_rodrigues_turns_the_right_way() -> None:
+    np.testing.assert_allclose(turn(2, np.pi / 2) @ E[0], E[1], atol=1e-15)
+
+
+@settings(deadline=None)
+@given(theta=angles)
+def test_rotation_is_the_product_of_three_turns(theta: tuple[float, float, float]) -> None:
+    product = turn(2, theta[2]) @ turn(1, theta[1]) @ turn(0, theta[0])
+    np.testing.assert_allclose(rotation_from_rpy(theta), product, atol=1e-15)
+
+
+@settings(deadline=None)
+@given(theta=angles)
+def test_angles_give_the_rotation_back(theta: tuple[float, float, float]) -> None:
+    R = rotation_from_rpy(theta)
+    np.testing.assert_allclose(rotation_from_rpy(rpy_from_rotation(R)), R, atol=1e-14)
+
+
+@settings(deadline=None)
+@given(x=st.floats(-3.14, 3.14), y=st.floats(-1.57, 1.57), z=st.floats(-3.14, 3.14))
+def test_angles_in_their_range_come_back(x: float, y: float, z: float) -> None:
+    back = rpy_from_rotation(rotation_from_rpy([x, y, z]))
+    # Near theta_y = +-pi/2 theta_x and theta_z are known less and less well apart.
+    np.testing.assert_allclose(back, [x, y, z], atol=1e-14 / np.cos(y) ** 2)
+
+
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_angles_at_the_pole_give_the_rotation_back(sign: float) -> None:
+    R = turn(2, 0.7) @ np.array([[0.0, 0.0, sign], [0.0, 1.0, 0.0], [-sign, 0.0, 0.0]]) @ turn(0, -1.9)
+    np.testing.assert_allclose(rotation_from_rpy(rpy_from_rotation(R)), R, atol=1e-15)
+
+
+@settings(deadline=None)
+@given(theta=angles, rate=angles)
+def test_omega_is_the_skew_part_of_R_dot_R_transposed(
+    theta: tuple[float, float, float], rate: tuple[float, float, float]
+) -> None:
+    h = 1e-5
+    ahead, behind = np.add(theta, h * np.array(rate)), np.subtract(theta, h * np.array(rate))
+    R_dot = (rotation_from_rpy(ahead) - rotation_from_rpy(behind)) / (2.0 * h)
+    omega = angular_velocity_from_rpy(theta, rate)
+    np.testing.assert_allclose(omega, skew_part(R_dot @ rotation_from_rpy(theta).T), atol=3e-7)
+
+
+@settings(deadline=None)
+@given(theta=angles, rate=angles, second=angles)
+def test_alpha_is_the_derivative_of_omega(
+    theta: tuple[float, float, float], rate: tuple[float, float, float], second: tuple[float, float, float]
+) -> None:
+    h = 1e-5
+    x, v, a = np.array(theta), np.array(rate), np.array(second)
+
+    def omega(time: float) -> Array:
+        return angular_velocity_from_rpy(x + v * time + 0.5 * a * time**2, v + a * time)
+
+    difference = (omega(h) - omega(-h)) / (2.0 * h)
+    np.testing.assert_allclose(angular_acceleration_from_rpy(x, v, a), difference, atol=3e-6)
+
+
+def test_from_rpy_fills_every_field() -> None:
+    rng = np.random.default_rng(1)
+    t, theta, v, theta_dot, a, theta_ddot, F, M = rng.normal(size=(8, 5, 3))
+    motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, F_ext=F, M_ext=M)
+    assert motion.shape == (5,)
+    for held, given_array in (
+        (motion.t, t),
+        (motion.v, v),
+        (motion.a, a),
+        (motion.F_ext, F),
+        (motion.M_ext, M),
+    ):
+        assert held is not None
+        np.testing.assert_array_equal(held, given_array)
+    np.testing.assert_array_equal(motion.R, rotation_from_rpy(theta))
+    np.testing.assert_array_equal(motion.omega, angular_velocity_from_rpy(theta, theta_dot))
+    assert motion.alpha is not None
+    np.testing.assert_array_equal(motion.alpha, angular_acceleration_from_rpy(theta, theta_dot, theta_ddot))
+
+
+def test_absent_parts_stay_none() -> None:
+    motion = Motion(E, ZERO, ZERO, ZERO)
+    assert motion.alpha is motion.a is motion.F_ext is motion.M_ext is None
+    assert motion.shape == ()
+    assert Motion.from_rpy(ZERO, ZERO, ZERO, ZERO)[...].alpha is None
+    one_load = Motion(E, ZERO, ZERO, ZERO, F_ext=np.ones((4, 3)))
+    assert one_load.M_ext is None
+    assert one_load.shape == (4,)
+
+
+def test_leading_shapes_broadcast() -> None:
+    motion = Motion(E, np.zeros((5, 3)), np.zeros((4, 1, 3)), [1, 2, 3])
+    assert motion.shape == (4, 5)
+    assert motion.R.shape == (4, 5, 3, 3)
+    np.testing.assert_array_equal(motion.v[3, 4], [1.0, 2.0, 3.0])
+    assert Motion.from_rpy(np.zeros((5, 3)), ZERO, ZERO, np.zeros((4, 1, 3))).shape == (4, 5)
+
+
+@pytest.mark.parametrize(
+    "index",
+    [
+        2,
+        -1,
+        slice(1, 3),
+        (slice(None), 1),
+        (1, 2),
+        (..., 1),
+        None,
+        ([0, 2, 2],),
+        np.array([True, False, True, False]),
+        (slice(None), None),
+    ],
+)
+def test_slices_are_those_of_the_leading_shape(index: Any) -> None:
+    rng = np.random.default_rng(2)
+    t, theta, v, theta_dot = rng.normal(size=(4, 4, 5, 3))
+    motion = Motion.from_rpy(t, theta, v, theta_dot)
+    places = np.arange(20).reshape(4, 5)[index]
+    part = motion[index]
+    assert part.shape == places.shape
+    np.testing.assert_array_equal(part.t, t.reshape(20, 3)[places])
+    np.testing.assert_array_equal(part.R, motion.R.reshape(20, 3, 3)[places])
+
+
+def test_no_index_reaches_the_vectors() -> None:
+    motion = Motion(E, np.zeros((5, 3)), ZERO, ZERO)
+    with pytest.raises(IndexError):
+        motion[0, 0]
+    with pytest.raises(IndexError):
+        motion[5]
+    assert len(list(motion)) == 5  # type: ignore[call-overload]
+
+
+def test_empty_batch() -> None:
+    motion = Motion(np.zeros((0, 3, 3)), np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3)))
+    assert motion.shape == motion[:0].shape == (0,)
+
+
+def test_arrays_are_private_and_read_only() -> None:
+    t = np.zeros((5, 3))
+    motion = Motion(E, t, ZERO, ZERO)
+    t[0, 0] = 9.0
+    assert motion.t[0, 0] == 0.0
+    for array in (motion.R, motion.t, motion.omega, motion.v):
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 1.0
+
+
+NAN = np.array([0.0, np.nan, 0.0])
+BAD: list[tuple[dict[str, Any], str]] = [
+    ({"t": np.zeros(4)}, "t: expected shape (..., 3), got (4,)"),
+    ({"t": 1.0}, "t: expected shape (..., 3), got ()"),
+    ({"R": ZERO}, "R: expected shape (..., 3, 3), got (3,)"),
+    ({"v": NAN}, "v: expected finite numbers, entry (1,) is nan"),
+    ({"a": np.array([[0, 0, 0], [0, 0, np.inf]])}, "a: expected finite numbers, entry (1, 2) is inf"),
+    ({"omega": ["1", "2", "3"]}, "omega: expected real numbers"),
+    ({"omega": [1j, 0, 0]}, "omega: expected real numbers"),
+    ({"omega": [True, False, True]}, "omega: expected real numbers"),
+    ({"omega": [[1, 2, 3], [1]]}, "omega: expected numbers of shape (..., 3), got a ragged sequence"),
+    ({"omega": None}, "omega: expected real numbers"),
+    ({"F_ext": np.zeros(2)}, "F_ext: expected shape (..., 3), got (2,)"),
+    ({"M_ext": NAN}, "M_ext: expected finite numbers"),
+    ({"alpha": None}, "alpha: expected both accelerations"),
+    ({"a": None}, "a: expected both accelerations"),
+    ({"R": 1.00001 * E}, "R: expected a rotation matrix, R^T R differs from E by 2e-05"),
+    ({"R": -E}, "R: expected a rotation matrix, this one mirrors"),
+    ({"R": 1e300 * E}, "R: expected a rotation matrix"),
+    ({"R": np.stack([E, np.zeros((3, 3))])}, "R[1]: expected a rotation matrix, R^T R differs from E by 1"),
+    ({"R": np.stack([E, E, np.diag([1, 1, -1])])}, "R[2]: expected a rotation matrix, this one mirrors"),
+    (
+        {"t": np.zeros((2, 3)), "v": np.zeros((3, 3))},
+        "v: expected a leading shape that broadcasts with (2,), got (3,)",
+    ),
+]
+
+
+@pytest.mark.parametrize(("wrong", "expected"), BAD)
+def test_what_is_no_motion_is_named(wrong: dict[str, Any], expected: str) -> None:
+    good = {"R": E, "t": ZERO, "omega": ZERO, "v": ZERO, "alpha": ZERO, "a": ZERO}
+    assert error_of(lambda: Motion(**(good | wrong))).startswith(expected)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "expected"),
+    [
+        ({"theta": NAN}, "theta: expected finite numbers"),
+        ({"theta_dot": np.zeros(2)}, "theta_dot: expected shape (..., 3)"),
+        ({"theta_ddot": None}, "theta_ddot: expected both accelerations"),
+        ({"a": None}, "a: expected both accelerations"),
+        ({"a": NAN}, "a: expected finite numbers"),
+        ({"theta": np.zeros((2, 3)), "theta_dot": np.zeros((3, 3))}, "theta_dot: expected a leading shape"),
+        ({"t": np.zeros((2, 3)), "theta": np.zeros((3, 3))}, "t: expected a leading shape"),
+    ],
+)
+def test_from_rpy_names_the_wrong_argument(wrong: dict[str, Any], expected: str) -> None:
+    good = dict.fromkeys(("t", "theta", "v", "theta_dot", "a", "theta_ddot"), ZERO)
+    assert error_of(lambda: Motion.from_rpy(**(good | wrong))).startswith(expected)
+
+
+def test_rotation_functions_name_the_wrong_shape() -> None:
+    assert error_of(lambda: rotation_from_rpy(np.zeros(4))).startswith("theta: expected shape (..., 3)")
+    assert error_of(lambda: rpy_from_rotation(ZERO)).startswith("R: expected shape (..., 3, 3)")
+    assert error_of(lambda: angular_velocity_from_rpy(ZERO, 1.0)).startswith("theta_dot: expected")

@@ -1,0 +1,612 @@
+"""Compiling, caching and loading C: on any machine, a sound library or one line that says why not."""
+
+import ctypes
+import os
+import shlex
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+from stewart_sym import native
+
+ADD = {
+    "adder.c": '#include "adder.h"\nint add(int a, int b) { return a + b; }\n',
+    "adder.h": "int add(int a, int b);\n",
+}
+
+CHILD = f"""
+from stewart_sym import native
+library = native.load("adder", {ADD!r})
+assert library.add(2, 3) == 5
+print(library._name)
+"""
+
+# Found before any test changes the environment.
+COMPILER = native.find_compiler()
+
+# Drops what lets root ignore permissions; for others there is nothing to drop.
+CAP_DAC_OVERRIDE = 1
+PR_CAPBSET_DROP = 24
+
+
+class LoggedCompiler:
+    """The machine's compiler behind a script that writes down each compilation."""
+
+    def __init__(self, folder: Path, before: str = "", name: str = "logged-cc") -> None:
+        assert COMPILER is not None
+        self.path = folder / name
+        self._log = folder / f"{name}.log"
+        log = f'case "$*" in *--version*) ;; *) echo "$*" >> {shlex.quote(str(self._log))} ;; esac'
+        self.path.write_text(f'#!/bin/sh\n{before}\n{log}\nexec {shlex.join(COMPILER.command)} "$@"\n')
+        self.path.chmod(0o755)
+
+    @property
+    def calls(self) -> list[str]:
+        return self._log.read_text().splitlines() if self._log.exists() else []
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "cache"
+    monkeypatch.setenv("STEWART_SYM_CACHE", str(folder))
+    return folder
+
+
+@pytest.fixture
+def compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> LoggedCompiler:
+    logged = LoggedCompiler(tmp_path)
+    monkeypatch.setenv("CC", shlex.quote(str(logged.path)))
+    return logged
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where child processes make their temporary folders."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setenv("TMPDIR", str(folder))
+    return folder
+
+
+@pytest.fixture
+def no_compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    monkeypatch.setenv("PATH", str(empty))
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setitem(sys.modules, "ziglang", None)
+
+
+def run_child(code: str = CHILD, setup: Callable[[], None] | None = None) -> Path:
+    """Load the adder in a new process; the file that it was loaded from."""
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=120,
+        preexec_fn=setup,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    return Path(done.stdout.strip())
+
+
+def obey_permissions() -> None:
+    if os.geteuid() == 0:
+        ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0)
+
+
+def load_adder(flags: tuple[str, ...] = (), sources: Mapping[str, str] = ADD) -> ctypes.CDLL:
+    library = native.load("adder", sources, flags)
+    assert library.add(2, 3) == 5
+    return library
+
+
+# --- cache
+
+
+def test_second_process_does_not_compile(cache: Path, compiler: LoggedCompiler) -> None:
+    first = run_child()
+    second = run_child()
+    assert first == second
+    assert first.parent == cache.resolve()
+    assert len(compiler.calls) == 1
+
+
+def test_same_key_is_the_same_object(cache: Path, compiler: LoggedCompiler) -> None:
+    assert load_adder() is load_adder()
+    assert len(compiler.calls) == 1
+
+
+def test_threads_share_one_compilation(cache: Path, compiler: LoggedCompiler) -> None:
+    libraries: list[ctypes.CDLL] = []
+    threads = [threading.Thread(target=lambda: libraries.append(load_adder())) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(libraries) == 8
+    assert len(set(map(id, libraries))) == 1
+    assert len(compiler.calls) == 1
+
+
+def test_change_of_source_header_flag_or_macro_compiles_again(cache: Path, compiler: LoggedCompiler) -> None:
+    libraries = [
+        load_adder(),
+        load_adder(sources=ADD | {"adder.c": ADD["adder.c"] + "\n"}),
+        load_adder(sources=ADD | {"adder.h": ADD["adder.h"] + "\n"}),
+        load_adder(flags=("-O1",)),
+        native.load("adder", ADD, defines={"N": 1}),
+        native.load("adder", ADD, defines={"N": 2}),
+    ]
+    assert len(set(map(id, libraries))) == 6
+    assert len({library._name for library in libraries}) == 6
+    assert len(compiler.calls) == 6
+
+
+def test_macros_reach_the_source(cache: Path) -> None:
+    library = native.load("macro", {"macro.c": "int value(void) { return N; }\n"}, defines={"N": 41})
+    assert library.value() == 41
+
+
+def test_change_of_processor_compiles_again(
+    cache: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = load_adder()
+    monkeypatch.setattr(native, "_processor", lambda: "another processor")
+    assert load_adder() is not here
+    assert len(compiler.calls) == 2
+
+
+def test_processor_key_is_steady_and_names_the_instruction_sets() -> None:
+    first = native._processor()
+    native._processor.cache_clear()
+    assert native._processor() == first
+    if sys.platform == "linux":
+        assert any(line.startswith(("flags", "Features", "isa", "cpu")) for line in first.splitlines())
+        assert "MHz" not in first
+
+
+def test_change_of_compiler_or_its_version_compiles_again(
+    cache: Path, compiler: LoggedCompiler, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = run_child()
+    other = LoggedCompiler(tmp_path, name="other-cc")
+    monkeypatch.setenv("CC", str(other.path))
+    second = run_child()
+    updated = 'case "$*" in *--version*) echo "other 2.0"; exit 0 ;; esac'
+    LoggedCompiler(tmp_path, before=updated, name="other-cc")
+    third = run_child()
+    monkeypatch.setenv("CC", f"{other.path} -g")
+    fourth = run_child()
+    assert len({first, second, third, fourth}) == 4
+    assert (len(compiler.calls), len(other.calls)) == (1, 3)
+
+
+def test_processes_starting_at_once_on_an_empty_cache(
+    cache: Path, tmp_path: Path, compiler: LoggedCompiler
+) -> None:
+    code = (
+        "import pathlib, sys, time\nfrom stewart_sym import native\n"
+        "folder = pathlib.Path(sys.argv[1])\n(folder / sys.argv[2]).touch()\n"
+        "while not (folder / 'go').exists(): time.sleep(0.001)\n" + CHILD
+    )
+    meeting = tmp_path / "meeting"
+    meeting.mkdir()
+    processes = [
+        subprocess.Popen(
+            [sys.executable, "-c", code, str(meeting), str(number)], stdout=-1, stderr=-1, text=True
+        )
+        for number in range(6)
+    ]
+    deadline = time.monotonic() + 60
+    while len(list(meeting.iterdir())) < 6 and time.monotonic() < deadline:
+        time.sleep(0.001)
+    (meeting / "go").touch()
+    results = [process.communicate(timeout=120) for process in processes]
+    assert [process.returncode for process in processes] == [0] * 6, results
+    files = [Path(output.strip()) for output, _ in results]
+    assert set(files) == set(cache.resolve().iterdir())
+    before = len(compiler.calls)
+    assert run_child() in files
+    assert len(compiler.calls) == before
+
+
+@pytest.mark.parametrize("damage", ["truncated", "garbage", "empty", "one bit"])
+def test_damaged_library_is_rebuilt_and_never_mapped(
+    cache: Path, compiler: LoggedCompiler, damage: str
+) -> None:
+    library = run_child()
+    sound = library.read_bytes()
+    flipped = bytearray(sound)
+    flipped[len(flipped) // 2] ^= 1
+    damaged = {"truncated": sound[: len(sound) // 4], "garbage": b"\x5a" * len(sound), "empty": b""}
+    library.write_bytes(damaged.get(damage, bytes(flipped)))
+    again = run_child()
+    assert again.parent == cache.resolve()
+    assert len(compiler.calls) == 2
+    assert run_child() == again
+    assert len(compiler.calls) == 2
+    assert [again] == list(cache.resolve().iterdir())
+
+
+def test_folder_in_the_place_of_a_library_is_survived(
+    cache: Path, temporary: Path, compiler: LoggedCompiler
+) -> None:
+    library = run_child()
+    library.unlink()
+    library.mkdir()
+    assert run_child().is_relative_to(temporary.resolve())
+
+
+def test_library_that_others_may_write_is_not_loaded(cache: Path, compiler: LoggedCompiler) -> None:
+    library = run_child()
+    library.chmod(0o777)
+    assert run_child() == library
+    assert len(compiler.calls) == 2
+    assert library.stat().st_mode & 0o777 == 0o700
+
+
+def test_sound_library_that_does_not_load_is_one_line(cache: Path) -> None:
+    with pytest.raises(
+        native.CompilerError, match=r"^the compiled library orphan can't be stored or loaded: .*nowhere"
+    ):
+        native.load(
+            "orphan",
+            {"orphan.c": "int nowhere(void);\nint call(void) { return nowhere(); }\n"},
+        )
+
+
+def test_build_folders_are_removed(cache: Path, compiler: LoggedCompiler) -> None:
+    load_adder()
+    with pytest.raises(native.CompilerError):
+        native.load("wrong", {"wrong.c": "int f( {"})
+    assert [path.suffix for path in cache.iterdir()] == [native._SUFFIX]
+
+
+def test_leftovers_of_killed_processes_are_swept_when_old(cache: Path) -> None:
+    old, young = cache / "build-old", cache / "build-young"
+    for folder in (old, young):
+        folder.mkdir(parents=True)
+        (folder / "x.c").touch()
+    cache.chmod(0o700)
+    os.utime(old, (0, 0))
+    native.load("swept", {"swept.c": "int f(void) { return 1; }\n"})
+    assert not old.exists()
+    assert young.exists()
+
+
+# --- where the cache is
+
+
+def test_new_cache_is_the_users_alone(cache: Path, compiler: LoggedCompiler) -> None:
+    before = os.umask(0)
+    try:
+        load_adder()
+    finally:
+        os.umask(before)
+    assert cache.stat().st_mode & 0o777 == 0o700
+    assert [path.stat().st_mode & 0o777 for path in cache.iterdir()] == [0o700]
+
+
+def test_home_with_spaces_and_letters_beyond_ascii(
+    tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    home = tmp_path / "Jürgen Größe 日本 $x 'q' [a]*"
+    home.mkdir()
+    monkeypatch.delenv("STEWART_SYM_CACHE", raising=False)
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setenv("HOME", str(home))
+    library = run_child()
+    assert library.is_relative_to(home.resolve())
+    assert library.exists()
+    assert run_child() == library
+    assert len(compiler.calls) == 1
+
+
+def test_order_of_cache_locations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.delenv("STEWART_SYM_CACHE", raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", "relative/is/ignored")
+    assert native._cache_location() == tmp_path / ".cache" / "stewart-sym"
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "xdg"))
+    assert native._cache_location() == tmp_path / "xdg" / "stewart-sym"
+    monkeypatch.setenv("STEWART_SYM_CACHE", str(tmp_path / "own"))
+    assert native._cache_location() == tmp_path / "own"
+
+
+@pytest.mark.parametrize("place", ["below a file", "a file", "/dev/null/x"])
+def test_impossible_cache_gives_a_temporary_folder_that_is_removed(
+    place: str, tmp_path: Path, temporary: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "file"
+    file.touch()
+    places = {"below a file": file / "x", "a file": file, "/dev/null/x": Path("/dev/null/x")}
+    monkeypatch.setenv("STEWART_SYM_CACHE", str(places[place]))
+    library = run_child()
+    assert library.is_relative_to(temporary.resolve())
+    assert list(temporary.iterdir()) == []
+    assert len(compiler.calls) == 1
+
+
+def test_read_only_cache_serves_what_it_holds_and_no_more(
+    cache: Path, temporary: Path, compiler: LoggedCompiler
+) -> None:
+    cache.mkdir(mode=0o500)
+    try:
+        refused = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
+        assert run_child(refused, obey_permissions).is_relative_to(temporary.resolve())
+        assert len(compiler.calls) == 1
+        cache.chmod(0o700)
+        held = run_child()
+        assert len(compiler.calls) == 2
+        cache.chmod(0o500)
+        assert run_child(refused, obey_permissions) == held
+        assert len(compiler.calls) == 2
+    finally:
+        cache.chmod(0o700)
+
+
+@pytest.mark.parametrize("mode", [0o770, 0o707, 0o1777])
+def test_cache_that_others_may_write_is_not_used(
+    mode: int, cache: Path, temporary: Path, compiler: LoggedCompiler
+) -> None:
+    cache.mkdir()
+    cache.chmod(mode)
+    assert run_child().is_relative_to(temporary.resolve())
+    assert list(cache.iterdir()) == []
+
+
+def test_cache_of_another_user_is_not_used(cache: Path, temporary: Path, compiler: LoggedCompiler) -> None:
+    assert run_child().parent == cache.resolve()
+    stranger = f"import os\nos.geteuid = lambda: {os.geteuid() + 1}\n" + CHILD
+    assert run_child(stranger).is_relative_to(temporary.resolve())
+    assert len(compiler.calls) == 2
+
+
+def test_forked_child_leaves_its_parents_temporary_folder(
+    temporary: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("STEWART_SYM_CACHE", "/dev/null/x")
+    code = (
+        CHILD + "import os, sys\nchild = os.fork()\nif child == 0:\n    sys.exit(0)\n"
+        "assert os.waitpid(child, 0)[1] == 0\nassert os.path.exists(library._name)\n"
+    )
+    run_child(code)
+    assert list(temporary.iterdir()) == []
+
+
+# --- compilers
+
+
+def test_no_compiler_is_one_line_that_says_what_to_do(no_compiler: None) -> None:
+    assert native.find_compiler() is None
+    with pytest.raises(native.CompilerError) as caught:
+        native.load("adder", ADD)
+    expected = "no C compiler found: install gcc or clang, set CC, or `pip install ziglang`"
+    assert str(caught.value) == expected
+
+
+def test_order_of_compilers(no_compiler: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def install(folder: Path, name: str, code: int = 0) -> Path:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(f"#!/bin/sh\necho '{name} 1.0'\necho more\nexit {code}\n")
+        (folder / name).chmod(0o755)
+        return folder
+
+    found = []
+    for name in ("clang", "gcc", "cc"):
+        path = install(tmp_path / name, name)
+        monkeypatch.setenv("PATH", f"{path}{os.pathsep}{os.environ['PATH']}")
+        assert native.find_compiler() == native.Compiler((str(path / name),), f"{name} 1.0")
+        found.append(path)
+    # A `cc` that is only a stub is passed over.
+    stub = install(tmp_path / "stub", "cc", code=1)
+    monkeypatch.setenv("PATH", os.pathsep.join([str(stub), str(found[1])]))
+    assert native.find_compiler() == native.Compiler((str(found[1] / "gcc"),), "gcc 1.0")
+    monkeypatch.setenv("CC", f"{found[0] / 'clang'} -m64 '-DA=\"b c\"'")
+    chosen = native.find_compiler()
+    assert chosen is not None
+    assert chosen.command == (str(found[0] / "clang"), "-m64", '-DA="b c"')
+
+
+def test_ziglang_wheel_serves_when_there_is_nothing_else(
+    cache: Path, tmp_path: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "wheels" / "ziglang"
+    package.mkdir(parents=True)
+    (package / "__init__.py").touch()
+    (package / "__main__.py").write_text(
+        f"import os, sys\nassert sys.argv[1] == 'cc'\nos.environ['PATH'] = {os.environ['PATH']!r}\n"
+        "assert os.path.isdir(os.environ['ZIG_GLOBAL_CACHE_DIR'])\n"
+        f"os.execv({str(compiler.path)!r}, ['cc', *sys.argv[2:]])\n"
+    )
+    (tmp_path / "empty").mkdir()
+    monkeypatch.setenv("PATH", str(tmp_path / "empty"))
+    monkeypatch.setenv("PYTHONPATH", str(package.parent))
+    monkeypatch.delenv("ZIG_GLOBAL_CACHE_DIR", raising=False)
+    monkeypatch.delenv("CC")
+    code = CHILD + "assert native.find_compiler().command[1:] == ('-m', 'ziglang', 'cc')\n"
+    assert run_child(code).parent == cache.resolve()
+    assert len(compiler.calls) == 1
+
+
+@pytest.mark.parametrize(
+    "broken", ["no-such-compiler -m64", "/no/such/compiler", "'unclosed", "''", "failing"]
+)
+def test_broken_cc_is_named_and_nothing_else_is_tried(
+    broken: str, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if broken == "failing":
+        script = tmp_path / "failing"
+        script.write_text("#!/bin/sh\necho 'licence expired'\nexit 3\n")
+        script.chmod(0o755)
+        broken = str(script)
+    monkeypatch.setenv("CC", broken)
+    with pytest.raises(native.CompilerError) as caught:
+        load_adder()
+    assert str(caught.value).startswith(f"CC={broken!r} is not a working C compiler: ")
+    assert "\n" not in str(caught.value)
+
+
+def test_environment_without_path_still_compiles(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("PATH")
+    assert run_child().parent == cache.resolve()
+
+
+def test_blank_cc_is_no_cc(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CC", raising=False)
+    usual = native.find_compiler()
+    assert usual is not None
+    monkeypatch.setenv("CC", "  ")
+    assert native.find_compiler() == usual
+
+
+def test_compile_error_shows_the_first_error_and_keeps_the_log(cache: Path, compiler: LoggedCompiler) -> None:
+    source = "int f(void) { return no_such_name; }\nint g(void) { return nor_this; }\n"
+    with pytest.raises(native.CompilerError) as caught:
+        native.load("wrong", {"wrong.c": source})
+    message = str(caught.value)
+    assert "can't compile wrong: wrong.c:1:" in message
+    assert "no_such_name" in message
+    assert "\n" not in message
+    assert "nor_this" in caught.value.log
+    assert "nor_this" not in message
+
+
+def test_compiler_that_writes_no_library_is_an_error(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = tmp_path / "idle"
+    script.write_text("#!/bin/sh\nexit 0\n")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    with pytest.raises(native.CompilerError, match="compiled adder but wrote no library"):
+        load_adder()
+
+
+def test_flags_are_strict_arithmetic(cache: Path, compiler: LoggedCompiler) -> None:
+    load_adder(flags=("-O2",))
+    (call,) = compiler.calls
+    words = call.split()
+    for flag in (
+        "-O3",
+        "-std=c99",
+        "-fPIC",
+        "-shared",
+        "-fno-math-errno",
+        "-ffp-contract=off",
+        "-march=native",
+        "-lm",
+    ):
+        assert flag in words
+    assert words.index("-O3") < words.index("-O2")
+    assert not any("fast" in word for word in words)
+
+
+def test_fast_math_is_refused_wherever_it_stands(
+    compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.raises(ValueError, match=r"^flags: -ffast-math is refused"):
+        load_adder(flags=("-ffast-math",))
+    monkeypatch.setenv("CC", f"{compiler.path} -Ofast")
+    with pytest.raises(ValueError, match=r"^CC: -Ofast is refused"):
+        load_adder()
+    assert compiler.calls == []
+
+
+def test_compiler_that_does_not_know_march_native(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = 'case "$*" in *-march=native*) echo "error: bad value for -march" >&2; exit 1 ;; esac'
+    logged = LoggedCompiler(tmp_path, before)
+    monkeypatch.setenv("CC", str(logged.path))
+    first = run_child()
+    assert run_child() == first
+    (call,) = logged.calls
+    assert "-march" not in call
+
+
+def test_hanging_compiler_is_killed_with_its_children(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    alive = tmp_path / "alive"
+    os.mkfifo(alive)
+    reader = os.open(alive, os.O_RDONLY | os.O_NONBLOCK)
+    hang = f"(echo started; exec sleep 60) > {shlex.quote(str(alive))} & wait"
+    logged = LoggedCompiler(tmp_path, before=f'case "$*" in *--version*) ;; *) {hang} ;; esac')
+    monkeypatch.setenv("CC", str(logged.path))
+    monkeypatch.setattr(native, "COMPILE_TIMEOUT", 2.0)
+    with pytest.raises(native.CompilerError, match="took longer than 2 s to compile adder"):
+        load_adder()
+    assert list(cache.iterdir()) == []
+    assert os.read(reader, 100) == b"started\n"
+    # The pipe ends when the last process that holds it is gone; until then a read would block.
+    os.set_blocking(reader, True)
+    begin = time.monotonic()
+    assert os.read(reader, 100) == b""
+    assert time.monotonic() - begin < 30
+    os.close(reader)
+
+
+def test_compiler_has_no_standard_input(cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    logged = LoggedCompiler(tmp_path, before=f"cat > {shlex.quote(str(tmp_path / 'input'))}")
+    monkeypatch.setenv("CC", str(logged.path))
+    child = subprocess.Popen([sys.executable, "-c", CHILD], stdin=subprocess.PIPE, stdout=-1, stderr=-1)
+    # The child's own input stays open until it is done: a compiler that shared it would wait for ever.
+    assert child.wait(timeout=120) == 0
+    child.communicate()
+    assert (tmp_path / "input").read_bytes() == b""
+
+
+# --- arguments and calls
+
+
+@pytest.mark.parametrize("name", ["", "a b", "../a", "ä"])
+def test_bad_library_name_is_refused(name: str) -> None:
+    with pytest.raises(ValueError, match=r"^name: expected letters"):
+        native.load(name, ADD)
+
+
+@pytest.mark.parametrize("file", ["../a.c", "/a.c", "-o.c", "a.o", ""])
+def test_bad_source_name_is_refused(file: str) -> None:
+    with pytest.raises(ValueError, match=r"^sources: expected plain file names"):
+        native.load("adder", ADD | {file: ""})
+
+
+def test_headers_alone_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"^sources: expected at least one \.c file"):
+        native.load("adder", {"adder.h": ""})
+
+
+def test_foreign_call_lets_other_threads_run(cache: Path) -> None:
+    source = """
+    #include <time.h>
+    int meet(volatile int *entered, volatile int *go)
+    {
+        time_t limit = time(0) + 30;
+        *entered = 1;
+        while (!*go && time(0) < limit) { }
+        return *go;
+    }
+    """
+    library = native.load("meet", {"meet.c": source})
+    entered, go = ctypes.c_int(0), ctypes.c_int(0)
+
+    def answer() -> None:
+        while not entered.value:
+            time.sleep(0.001)
+        go.value = 1
+
+    thread = threading.Thread(target=answer)
+    thread.start()
+    # With the interpreter lock held, the thread could not see `entered` before the call gives up.
+    assert library.meet(ctypes.byref(entered), ctypes.byref(go)) == 1
+    thread.join()

@@ -1,0 +1,413 @@
+"""The reference against the paper, against its own equations, and where the equations have no answer."""
+
+import dataclasses
+import warnings
+
+import numpy as np
+import pytest
+from machines import dasgupta, path_period, random_motion, random_path, random_robot
+from numpy.typing import NDArray
+
+from stewart_sym import reference
+from stewart_sym.motion import Motion
+from stewart_sym.reference import EXACT, PAPER
+from stewart_sym.results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces
+from stewart_sym.robot import Robot
+from stewart_sym.trajectory import PATHS
+
+Array = NDArray[np.float64]
+FORMULATIONS = pytest.mark.parametrize("faults", [EXACT, PAPER], ids=["exact", "paper"])
+
+
+# The paper's machine and paths
+
+
+def test_paper_gives_the_known_forces_at_the_start_of_path_I() -> None:
+    F = reference.inverse_dynamics(dasgupta(), PATHS["I"].path.sample(0.0), PAPER).F
+    np.testing.assert_allclose(F, [388.20, -1118.99, 1419.36, -618.53, -75.55, 386.97], atol=0.005)
+
+
+def test_condition_number_on_path_I_is_between_the_known_bounds() -> None:
+    condition = np.linalg.cond(_on_path("I", EXACT).H)
+    assert condition.min() == pytest.approx(34.69, abs=0.005)
+    assert condition.max() == pytest.approx(47.19, abs=0.005)
+
+
+@pytest.mark.parametrize(("faults", "largest"), [(PAPER, 9.60e5), (EXACT, 9.73e5)], ids=["paper", "exact"])
+def test_path_III_peaks_where_H_is_worst(faults: frozenset[int], largest: float) -> None:
+    forces = _on_path("III", faults)
+    condition = np.linalg.cond(forces.H)
+    worst = int(np.argmax(condition))
+    assert _times("III")[worst] == pytest.approx(3.7)
+    assert condition[worst] == pytest.approx(2.1e4, rel=0.005)
+    assert int(np.argmax(np.abs(forces.F).max(axis=-1))) == worst
+    assert np.abs(forces.F).max() == pytest.approx(largest, rel=0.001)
+
+
+@pytest.mark.parametrize(
+    ("path", "faults", "cost"),
+    [
+        ("I", PAPER, 1.924e-2),
+        ("I", {1}, 6.68e-5),
+        ("I", {2}, 1.931e-2),
+        ("I", {3}, 7.71e-4),
+        ("II", PAPER, 5.781e-2),
+        ("II", {1}, 5.03e-3),
+        ("II", {2}, 1.718e-2),
+        ("II", {3}, 5.801e-2),
+    ],
+    ids=str,
+)
+def test_faults_cost_what_they_are_known_to_cost(path: str, faults: set[int], cost: float) -> None:
+    exact = _on_path(path, EXACT, friction=False).F
+    faulty = _on_path(path, frozenset(faults), friction=False).F
+    assert _rms(faulty - exact) / _rms(exact) == pytest.approx(cost, rel=2e-3)
+
+
+def test_at_rest_only_the_direction_of_the_constraint_moment_matters() -> None:
+    moving = PATHS["I"].path.sample(_times("I"))
+    none = np.zeros_like(moving.t)
+    rest = Motion(moving.R, moving.t, none, none, none, none)
+    robot = dasgupta()
+    exact = reference.inverse_dynamics(robot, rest).F
+    for fault in (1, 3):
+        F = reference.inverse_dynamics(robot, rest, frozenset({fault})).F
+        np.testing.assert_allclose(F, exact, atol=1e-10 * np.abs(exact).max())
+    faulty = reference.inverse_dynamics(robot, rest, frozenset({2})).F
+    assert _rms(faulty - exact) / _rms(exact) == pytest.approx(0.0193, rel=0.01)
+
+
+# The equations themselves
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@FORMULATIONS
+def test_reactions_satisfy_the_equations_of_both_leg_parts(
+    faults: frozenset[int], base_joint: str, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, base_joint, friction=base_joint == "universal")
+    motion = random_motion(rng, robot, (4,))
+    bearing = rng.uniform(-1, 1, 6)
+    leg = reference.legs(robot, motion, faults)
+    j = reference.joint_reactions(robot, motion, faults, bearing)
+    g, r = robot.g, bearing[:, None] * leg.s
+    m_d, m_u = robot.m_d[:, None], robot.m_u[:, None]
+    r_x_F_p = np.cross(r, j.F_p)
+    prismatic = robot.C_p[:, None] * leg.Ldot * leg.s
+
+    lower_moment = [  # (17)
+        -m_d * np.cross(leg.r_d, leg.a_d - g),
+        -_euler(leg.I_d, leg.A, leg.W),
+        j.M_u[..., None] * leg.axis,
+        -r_x_F_p,
+        -j.M_p,
+        -robot.C_u[:, None] * leg.W,
+    ]
+    upper_moment = [  # (18)
+        -m_u * np.cross(leg.r_u, leg.a_u - g),
+        -_euler(leg.I_u, leg.A, leg.W),
+        np.cross(leg.S, j.F_s),
+        r_x_F_p,
+        j.M_p,
+        -leg.f,
+    ]
+    upper_force = [-m_u * (leg.a_u - g), j.F_p, j.F_s, -prismatic]  # (23)
+    lower_force = [-m_d * (leg.a_d - g), -j.F_p, j.F_u, prismatic]  # (25)
+    for terms in (lower_moment, upper_moment, upper_force, lower_force):
+        _assert_sums_to_zero(terms)
+    F = reference.inverse_dynamics(robot, motion, faults).F
+    np.testing.assert_allclose(np.sum(leg.s * j.F_p, axis=-1), F, atol=1e-12 * np.abs(F).max())
+    np.testing.assert_allclose(np.sum(leg.s * j.F_c, axis=-1), 0, atol=1e-12 * np.abs(F).max())
+
+
+@pytest.mark.parametrize("seed", range(4))
+@FORMULATIONS
+def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (4,))
+    leg = reference.legs(robot, motion, faults)
+    F_s = reference.joint_reactions(robot, motion, faults).F_s
+    assert motion.F_ext is not None
+    assert motion.M_ext is not None
+    assert motion.alpha is not None
+    assert motion.a is not None
+    R = motion.R @ robot.R_0
+    a = np.cross(motion.alpha, R) + np.cross(motion.omega, np.cross(motion.omega, R)) + motion.a
+    inertia = motion.R @ robot.I_p @ np.swapaxes(motion.R, -1, -2)
+    weight = robot.M * (robot.g - a)
+    _assert_sums_to_zero([weight, _turn(motion.R, motion.F_ext), -F_s.sum(axis=-2)])
+    _assert_sums_to_zero(
+        [
+            np.cross(R, weight),
+            -_euler(inertia, motion.alpha, motion.omega),
+            _turn(motion.R, motion.M_ext),
+            -np.cross(leg.q, F_s).sum(axis=-2),
+            leg.f.sum(axis=-2),
+        ]
+    )
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_leg_rates_are_the_derivatives_of_the_leg_frame(base_joint: str, seed: int) -> None:
+    """W and A, spin included, against central differences of T, W and L along a smooth path."""
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, base_joint)
+    h = 1e-4 * path_period(robot)
+    time = rng.uniform(0, path_period(robot))
+    leg = reference.legs(robot, random_path(rng, robot)(time + h * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])))
+
+    def derivative(value: Array) -> Array:
+        stencil = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / (12 * h)
+        return np.tensordot(stencil, value, axes=1)
+
+    W, A, Lddot = leg.W[2], leg.A[2], leg.Lddot[2]
+    _assert_close(derivative(leg.W), A)
+    _assert_close(derivative(leg.L), leg.Ldot[2])
+    _assert_close(derivative(leg.Ldot), Lddot)
+    _assert_close(derivative(leg.s), np.cross(W, leg.s[2]))
+    if base_joint == "universal":
+        _assert_close(derivative(leg.y), np.cross(W, leg.y[2]))
+    else:
+        _assert_close(np.sum(W * leg.s[2], axis=-1), np.zeros(6), scale=float(np.abs(W).max()))
+
+
+def test_moment_at_the_prismatic_joint_moves_with_the_bearing() -> None:
+    robot, motion = _random_case()
+    at_base = reference.joint_reactions(robot, motion)
+    at_bearing = reference.joint_reactions(robot, motion, bearing=0.7)
+    one_each = reference.joint_reactions(robot, motion, bearing=np.full(6, 0.7))
+    r = 0.7 * reference.legs(robot, motion).s
+    _assert_close(at_bearing.M_p, at_base.M_p - np.cross(r, at_base.F_p), tolerance=1e-12)
+    np.testing.assert_array_equal(at_bearing.M_p, one_each.M_p)
+
+
+def test_massless_forces_are_the_limit_of_light_legs_without_friction() -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng, friction=False)
+    motion = random_motion(rng, robot, (5,))
+    tiny = 1e-14
+    light = dataclasses.replace(
+        robot, m_d=tiny * robot.m_d, m_u=tiny * robot.m_u, I_d0=tiny * robot.I_d0, I_u0=tiny * robot.I_u0
+    )
+    F = reference.inverse_dynamics(light, motion).F
+    _assert_close(reference.massless_forces(robot, motion), F, tolerance=1e-11)
+
+
+def test_printed_row_33_changes_only_the_sign_of_the_legs_forces() -> None:
+    robot, motion = _random_case()
+    right = reference.inverse_dynamics(robot, motion, PAPER)
+    printed = reference.inverse_dynamics(robot, motion, PAPER | {4})
+    _assert_close(printed.c[..., :3] - right.c[..., :3], 2 * right.K.sum(axis=-2), tolerance=1e-10)
+    np.testing.assert_array_equal(printed.c[..., 3:], right.c[..., 3:])
+
+
+def test_faults_1_and_2_say_nothing_of_a_spherical_base_joint() -> None:
+    rng = np.random.default_rng(6)
+    robot = random_robot(rng, "spherical")
+    motion = random_motion(rng, robot, (3,))
+    exact = reference.joint_reactions(robot, motion)
+    np.testing.assert_array_equal(reference.joint_reactions(robot, motion, frozenset({1, 2})).F_u, exact.F_u)
+    assert np.all(exact.M_u == 0)
+
+
+def test_spherical_base_joint_is_any_universal_joint_that_does_not_spin_or_hold() -> None:
+    """With axisymmetric legs, faults 1 and 2 turn a universal joint of any axis into a spherical one."""
+    rng = np.random.default_rng(7)
+    spherical = random_robot(rng, "spherical", friction=False)
+    universal = dataclasses.replace(spherical, base_joint="universal", k=rng.normal(size=(6, 3)))
+    motion = random_motion(rng, spherical, (3,))
+    expected = reference.inverse_dynamics(spherical, motion).F
+    _assert_close(reference.inverse_dynamics(universal, motion, frozenset({1, 2})).F, expected, 1e-11)
+
+
+# Shapes, loads and arguments
+
+
+def test_a_batch_is_its_poses_one_by_one() -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (2, 3))
+    forces, j = reference.inverse_dynamics(robot, motion), reference.joint_reactions(robot, motion)
+    assert forces.F.shape == (2, 3, 6)
+    assert forces.status.shape == (2, 3)
+    assert j.M_p.shape == (2, 3, 6, 3)
+    for index in np.ndindex(2, 3):
+        one = reference.inverse_dynamics(robot, motion[index])
+        assert one.F.shape == (6,)
+        assert one.H.shape == (6, 6)
+        assert one.status.shape == ()
+        _assert_close(one.F, forces.F[index], tolerance=1e-12)
+        _assert_close(reference.joint_reactions(robot, motion[index]).M_p, j.M_p[index], tolerance=1e-12)
+
+
+def test_an_empty_batch_is_allowed() -> None:
+    rng = np.random.default_rng(9)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3,))[:0]
+    assert reference.inverse_dynamics(robot, motion).F.shape == (0, 6)
+    assert reference.joint_reactions(robot, motion).F_u.shape == (0, 6, 3)
+    assert reference.energy(robot, motion).shape == (0,)
+
+
+def test_no_load_is_a_load_of_zero() -> None:
+    robot, motion = _random_case()
+    none = dataclasses.replace(motion, F_ext=None, M_ext=None)
+    zero = dataclasses.replace(motion, F_ext=0 * motion.t, M_ext=0 * motion.t)
+    np.testing.assert_array_equal(
+        reference.inverse_dynamics(robot, none).F, reference.inverse_dynamics(robot, zero).F
+    )
+    assert np.all(reference.external_power(robot, none) == 0)
+
+
+def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
+    robot, motion = _random_case()
+    slow = dataclasses.replace(motion, alpha=None, a=None)
+    np.testing.assert_array_equal(reference.energy(robot, slow), reference.energy(robot, motion))
+    assert np.all(reference.friction_power(robot, slow) > 0)
+    for function in (reference.inverse_dynamics, reference.joint_reactions, reference.massless_forces):
+        with pytest.raises(ValueError, match=r"^motion: accelerations expected"):
+            function(robot, slow)
+
+
+@pytest.mark.parametrize("bearing", [np.zeros(5), np.nan, np.zeros((6, 1))], ids=str)
+def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
+    robot, motion = _random_case()
+    with pytest.raises(ValueError, match=r"^bearing: expected"):
+        reference.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
+
+
+def test_unknown_faults_are_refused() -> None:
+    robot, motion = _random_case()
+    with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
+        reference.inverse_dynamics(robot, motion, frozenset({5}))
+
+
+# Poses without an answer
+
+
+def _short_leg() -> tuple[Robot, Motion]:
+    robot = random_robot(np.random.default_rng(10))
+    return robot, _at_rest(robot.b[3] - robot.p[3])
+
+
+def _pole(k: Array) -> tuple[Robot, Motion]:
+    robot = random_robot(np.random.default_rng(11))
+    axes = robot.k.copy()
+    axes[2] = k
+    b, p = robot.b.copy(), robot.p.copy()
+    b[2], p[2] = 0, 0
+    return dataclasses.replace(robot, b=b, p=p, k=axes), _at_rest(2 * k)
+
+
+def _parallel_legs() -> tuple[Robot, Motion]:
+    robot = random_robot(np.random.default_rng(12))
+    points = np.round(8 * robot.b) / 8 * [1, 1, 0]
+    return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), _at_rest([0, 0, 1])
+
+
+def _overflow() -> tuple[Robot, Motion]:
+    robot, motion = _random_case()
+    return robot, dataclasses.replace(motion[0], omega=np.full(3, 1e200))
+
+
+NO_ANSWER = {
+    "short leg": (_short_leg, SHORT_LEG),
+    "pole": (lambda: _pole(np.array([0.0, 0.0, 1.0])), POLE),
+    "oblique pole": (lambda: _pole(np.array([1.0, 2.0, 3.0])), POLE),
+    "parallel legs": (_parallel_legs, SINGULAR),
+    "overflow": (_overflow, NOT_FINITE),
+}
+
+
+@FORMULATIONS
+@pytest.mark.parametrize("name", NO_ANSWER)
+def test_a_pose_without_an_answer_is_nan_with_a_status_and_spares_its_neighbours(
+    name: str, faults: frozenset[int]
+) -> None:
+    make, status = NO_ANSWER[name]
+    robot, bad = make()
+    good = _at_rest(np.array([0.01, 0.02, 1.5]) * np.abs(robot.b).max())
+    # A turn takes the good pose off the singular poses of parallel legs.
+    good = dataclasses.replace(good, R=_about_z(0.5))
+    batch = Motion(
+        *(np.stack([getattr(m, name) for m in (good, bad, good)]) for name in ("R", "t", "omega", "v")),
+        *(np.stack([getattr(m, name) for m in (good, bad, good)]) for name in ("alpha", "a")),
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        alone = reference.inverse_dynamics(robot, bad, faults)
+        forces = reference.inverse_dynamics(robot, batch, faults)
+        j = reference.joint_reactions(robot, batch, faults)
+        neighbour = reference.inverse_dynamics(robot, good, faults)
+    assert alone.status == status
+    np.testing.assert_array_equal(forces.status, [OK, status, OK])
+    np.testing.assert_array_equal(j.status, forces.status)
+    for value in (forces.F, forces.D, forces.x, forces.K, forces.H, forces.c):
+        assert np.all(np.isnan(value[1]))
+        assert np.all(np.isfinite(value[[0, 2]]))
+    for value in (j.F_s, j.F_u, j.F_p, j.F_c, j.M_p, j.M_u):
+        assert np.all(np.isnan(value[1]))
+        assert np.all(np.isfinite(value[[0, 2]]))
+    _assert_close(forces.F[0], neighbour.F, tolerance=1e-10)
+    _assert_close(forces.F[2], neighbour.F, tolerance=1e-10)
+
+
+@pytest.mark.parametrize("make", [_short_leg, _parallel_legs])
+def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
+    robot, motion = make()  # type: ignore[operator]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.all(np.isnan(reference.massless_forces(robot, motion)))
+        reference.energy(robot, motion)
+        reference.friction_power(robot, motion)
+
+
+def _at_rest(t: object) -> Motion:
+    none = np.zeros(3)
+    return Motion(np.eye(3), np.asarray(t, dtype=np.float64), none, none, none, none)
+
+
+def _about_z(angle: float) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def _random_case() -> tuple[Robot, Motion]:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng)
+    return robot, random_motion(rng, robot, (4,))
+
+
+def _times(name: str) -> Array:
+    return PATHS[name].path.times(PATHS[name].dtau)
+
+
+def _on_path(name: str, faults: frozenset[int], friction: bool = True) -> Forces:
+    return reference.inverse_dynamics(dasgupta(friction), PATHS[name].path.sample(_times(name)), faults)
+
+
+def _rms(value: Array) -> float:
+    return float(np.sqrt(np.mean(value**2)))
+
+
+def _turn(matrix: Array, vector: Array) -> Array:
+    return (matrix @ vector[..., None])[..., 0]
+
+
+def _euler(inertia: Array, acceleration: Array, velocity: Array) -> Array:
+    return _turn(inertia, acceleration) + np.cross(velocity, _turn(inertia, velocity))
+
+
+def _assert_sums_to_zero(terms: list[Array]) -> None:
+    scale = max(np.abs(term).max() for term in terms)
+    np.testing.assert_allclose(sum(terms), 0, atol=1e-12 * scale)
+
+
+def _assert_close(value: Array, truth: Array, tolerance: float = 1e-8, scale: float | None = None) -> None:
+    """Close, relative to the largest entry of the truth or to `scale`."""
+    size = np.abs(truth).max() if scale is None else scale
+    np.testing.assert_allclose(value, truth, rtol=0, atol=tolerance * size)

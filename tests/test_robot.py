@@ -1,0 +1,460 @@
+"""Robot files: what is read is what is held, and every break of the schema is named in one line."""
+
+import copy
+import dataclasses
+import json
+import math
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from stewart_sym import robots
+from stewart_sym.robot import PhysicalityWarning, Robot
+
+Tables = dict[str, Any]
+
+
+def part(mass: float, x: float) -> Tables:
+    inertia = [[0.02, 0.001, 0.0], [0.001, 0.3, 0.002], [0.0, 0.002, 0.31]]
+    return {"mass": mass, "center_of_mass": [x, 0.01, -0.02], "inertia": inertia}
+
+
+def machine() -> Tables:
+    """A possible machine with distinct legs; leg 3 overrides the defaults in part."""
+    angles = np.arange(6) * np.pi / 3
+    legs: list[Tables] = [
+        {
+            "base_point": [math.cos(a), math.sin(a), 0.01 * i],
+            "platform_point": [0.5 * math.cos(a + 0.4), 0.5 * math.sin(a + 0.4), 0.0],
+            "universal_axis": [-3.0 * math.sin(a), 3.0 * math.cos(a), 0.1],
+        }
+        for i, a in enumerate(angles)
+    ]
+    legs[2] |= {"lower": {"mass": 7.5}, "friction": {"prismatic": 2.0}, "length_limits": [0.5, 2.0]}
+    legs[2] |= {"force_limit": 900.0, "speed_limit": 0.7}
+    return {
+        "schema": 1,
+        "name": "test machine",
+        "gravity": [0.1, -0.2, -9.7],
+        "platform": {**part(40.0, 0.04), "inertia": [[1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.5]]},
+        "leg_defaults": {
+            "lower": part(3.0, 0.4),
+            "upper": part(1.0, -0.6),
+            "friction": {"universal": 0.1, "prismatic": 1, "spherical": 0.0},
+        },
+        "leg": legs,
+    }
+
+
+def spherical_machine() -> Tables:
+    d = machine() | {"base_joint": "spherical"}
+    for leg in d["leg"]:
+        del leg["universal_axis"]
+    for name in ("lower", "upper"):
+        body = d["leg_defaults"][name]
+        body["center_of_mass"][1:] = [0.0, 0.0]
+        body["inertia"] = [[0.02, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]
+    return d
+
+
+def same(first: Robot, second: Robot) -> bool:
+    return all(
+        np.array_equal(getattr(first, f.name), getattr(second, f.name)) for f in dataclasses.fields(Robot)
+    )
+
+
+def error_of(call: Callable[[], object]) -> str:
+    with pytest.raises(ValueError, match=r".") as caught:
+        call()
+    message = str(caught.value)
+    assert "\n" not in message
+    return message
+
+
+def test_values_stand_where_the_contract_puts_them() -> None:
+    robot = Robot.from_dict(machine())
+    assert robot.base_joint == "universal"
+    np.testing.assert_array_equal(robot.g, [0.1, -0.2, -9.7])
+    np.testing.assert_array_equal(robot.m_d, [3.0, 3.0, 7.5, 3.0, 3.0, 3.0])
+    np.testing.assert_array_equal(robot.C_p, [1.0, 1.0, 2.0, 1.0, 1.0, 1.0])
+    np.testing.assert_array_equal(robot.C_u, np.full(6, 0.1))
+    np.testing.assert_array_equal(robot.r_u0, np.tile([-0.6, 0.01, -0.02], (6, 1)))
+    assert robot.I_d0.shape == robot.I_u0.shape == (6, 3, 3)
+    np.testing.assert_array_equal(robot.length_limits[[1, 2]], [[0.0, np.inf], [0.5, 2.0]])
+    np.testing.assert_array_equal(robot.force_limit[1:3], [np.inf, 900.0])
+    np.testing.assert_array_equal(robot.speed_limit[1:3], [np.inf, 0.7])
+
+
+def test_axes_are_normalised() -> None:
+    given_axes = np.array([leg["universal_axis"] for leg in machine()["leg"]])
+    k = Robot.from_dict(machine()).k
+    np.testing.assert_allclose(np.linalg.norm(k, axis=1), 1.0, rtol=4e-16)
+    np.testing.assert_allclose(np.cross(k, given_axes), 0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize("scale", [5e-324, 1e-200, 1e-3, 1e200, 1e308])
+def test_axis_of_any_length_is_a_direction(scale: float) -> None:
+    d = machine()
+    d["leg"][0]["universal_axis"] = [0.0, scale, -scale]
+    np.testing.assert_allclose(Robot.from_dict(d).k[0], [0.0, math.sqrt(0.5), -math.sqrt(0.5)], rtol=1e-15)
+
+
+def test_gravity_defaults_to_minus_z() -> None:
+    d = machine()
+    del d["gravity"]
+    np.testing.assert_array_equal(Robot.from_dict(d).g, [0.0, 0.0, -9.81])
+
+
+def test_legs_need_no_defaults() -> None:
+    d = machine()
+    defaults = d.pop("leg_defaults")
+    for leg in d["leg"]:
+        for key, table in defaults.items():
+            leg[key] = {**table, **leg.get(key, {})}
+    assert same(Robot.from_dict(d), Robot.from_dict(machine()))
+
+
+@pytest.mark.parametrize("tables", [machine, spherical_machine])
+def test_to_dict_round_trips_exactly(tables: Callable[[], Tables]) -> None:
+    robot = Robot.from_dict(tables())
+    again = Robot.from_dict(json.loads(json.dumps(robot.to_dict())))
+    assert same(robot, again)
+    assert again.to_dict() == robot.to_dict()
+
+
+@settings(deadline=None)
+@given(axis=st.tuples(*[st.floats(-1e6, 1e6)] * 3).filter(any))
+def test_any_axis_round_trips_exactly(axis: tuple[float, float, float]) -> None:
+    d = machine()
+    d["leg"][4]["universal_axis"] = list(axis)
+    robot = Robot.from_dict(d)
+    assert np.linalg.norm(robot.k[4]) == pytest.approx(1.0, abs=1e-15)
+    assert same(robot, Robot.from_dict(robot.to_dict()))
+
+
+def test_loading_leaves_the_tables_alone() -> None:
+    d = machine()
+    before = copy.deepcopy(d)
+    Robot.from_dict(d)
+    assert d == before
+
+
+def test_arrays_are_private_and_read_only() -> None:
+    robot = Robot.from_dict(machine())
+    for field in dataclasses.fields(Robot):
+        value = getattr(robot, field.name)
+        if isinstance(value, np.ndarray):
+            assert value.dtype == np.float64
+            with pytest.raises(ValueError, match="read-only"):
+                value[...] = 0.0
+
+
+def test_replace_makes_a_checked_copy() -> None:
+    robot = Robot.from_dict(machine())
+    masses = np.full(6, 2.0)
+    changed = dataclasses.replace(robot, m_u=masses)
+    masses[0] = 9.0
+    np.testing.assert_array_equal(changed.m_u, np.full(6, 2.0))
+    message = error_of(lambda: dataclasses.replace(robot, m_u=np.array([1, 1, 1, -1, 1, 1.0])))
+    assert message == "robot: leg 4: m_u: expected a number > 0, got -1"
+    assert "robot: b: expected one entry for each of six legs" in error_of(
+        lambda: dataclasses.replace(robot, b=np.zeros((5, 3)))
+    )
+    assert "robot: M:" in error_of(lambda: dataclasses.replace(robot, M=math.nan))
+    assert "robot: leg 1: length_limits" in error_of(
+        lambda: dataclasses.replace(robot, length_limits=np.tile([0.3, np.inf], (6, 1)))
+    )
+
+
+def test_spherical_base_joint_has_no_axes() -> None:
+    robot = Robot.from_dict(spherical_machine())
+    assert robot.base_joint == "spherical"
+    np.testing.assert_array_equal(robot.k, np.zeros((6, 3)))
+
+
+# Every wrong value: where it stands, what it is, what the message must hold.
+WRONG: list[tuple[tuple[str | int, ...], Any, str]] = [
+    (("schema",), 2, "schema: expected 1, got 2"),
+    (("schema",), True, "schema: expected 1"),
+    (("name",), 5, "name: expected one line of text, got 5"),
+    (("name",), "two\nlines", "name: expected one line of text"),
+    (("base_joint",), "cardan", 'base_joint: expected "universal" or "spherical"'),
+    (("gravity",), [0.0, -9.81], "gravity: expected 3 finite numbers"),
+    (("gravity",), [0.0, 0.0, math.inf], "gravity: expected 3 finite numbers, got inf"),
+    (("gravity",), 9.81, "gravity: expected 3 finite numbers, got 9.81"),
+    (("platform",), 40.0, "platform: expected a table, got 40.0"),
+    (("platform", "mass"), 0.0, "platform.mass: expected a number > 0, got 0"),
+    (("platform", "mass"), -40, "platform.mass: expected a number > 0, got -40"),
+    (("platform", "mass"), "40", "platform.mass: expected a finite number, got '40'"),
+    (("platform", "mass"), True, "platform.mass: expected a finite number, got True"),
+    (("platform", "mass"), math.nan, "platform.mass: expected a finite number, got nan"),
+    (("platform", "mass"), 10**400, "platform.mass: expected a finite number"),
+    (("platform", "center_of_mass"), [0, 0, 0, 0], "platform.center_of_mass: expected 3 finite numbers"),
+    (("platform", "inertia"), [[1, 0, 0], [0, 1, 0]], "platform.inertia: expected 3 x 3 finite numbers"),
+    (("platform", "inertia"), [[1, 0, 0], [0, 1], [0, 0, 1]], "platform.inertia: expected 3 x 3 finite"),
+    (
+        ("platform", "inertia"),
+        [[1, 0.2, 0], [0.1, 1, 0], [0, 0, 1]],
+        "platform.inertia: expected a symmetric tensor, got 0.2 at (1, 2) and 0.1 at (2, 1)",
+    ),
+    (("platform", "inertia", 1, 1), math.nan, "platform.inertia: expected 3 x 3 finite numbers, got nan"),
+    (("leg_defaults",), 1, "leg_defaults: expected a table"),
+    (("leg_defaults", "lower"), [1], "leg_defaults.lower: expected a table"),
+    (("leg_defaults", "upper", "mass"), 0, "leg_defaults.upper.mass: expected a number > 0"),
+    (("leg_defaults", "lower", "inertia", 0, 1), 0.5, "leg_defaults.lower.inertia: expected a symmetric"),
+    (
+        ("leg_defaults", "friction", "universal"),
+        -1e-9,
+        "leg_defaults.friction.universal: expected a number >= 0",
+    ),
+    (
+        ("leg_defaults", "friction", "spherical"),
+        math.inf,
+        "leg_defaults.friction.spherical: expected a finite",
+    ),
+    (("leg",), {}, "leg: expected six [[leg]] tables"),
+    (("leg", 3), "x", "leg 4: expected a table, got 'x'"),
+    (
+        ("leg", 2, "universal_axis"),
+        [0, 0, 0],
+        "leg 3: universal_axis: expected a non-zero direction, got (0, 0, 0)",
+    ),
+    (("leg", 2, "universal_axis", 0), math.nan, "leg 3: universal_axis: expected 3 finite numbers, got nan"),
+    (("leg", 0, "base_point"), [0, 0], "leg 1: base_point: expected 3 finite numbers, got [0, 0]"),
+    (("leg", 5, "platform_point", 2), False, "leg 6: platform_point: expected 3 finite numbers, got False"),
+    (("leg", 2, "lower", "mass"), -2.5, "leg 3: lower.mass: expected a number > 0, got -2.5"),
+    (("leg", 2, "friction", "prismatic"), "high", "leg 3: friction.prismatic: expected a finite number"),
+    (
+        ("leg", 2, "length_limits"),
+        [2.0, 0.5],
+        "leg 3: length_limits: expected [min, max] with 0 <= min < max",
+    ),
+    (("leg", 2, "length_limits"), [-0.1, 0.5], "leg 3: length_limits: expected [min, max]"),
+    (("leg", 2, "length_limits"), [0.5], "leg 3: length_limits: expected 2 finite numbers"),
+    (("leg", 2, "length_limits", 1), math.inf, "leg 3: length_limits: expected 2 finite numbers, got inf"),
+    (("leg", 2, "force_limit"), 0, "leg 3: force_limit: expected a number > 0"),
+    (("leg", 2, "speed_limit"), math.inf, "leg 3: speed_limit: expected a finite number"),
+]
+
+
+def changed(path: tuple[str | int, ...], value: Any) -> Tables:
+    d = machine()
+    table: Any = d
+    for key in path[:-1]:
+        table = table[key]
+    table[path[-1]] = value
+    return d
+
+
+@pytest.mark.parametrize(("path", "value", "expected"), WRONG)
+def test_wrong_value_is_named(path: tuple[str | int, ...], value: Any, expected: str) -> None:
+    message = error_of(lambda: Robot.from_dict(changed(path, value)))
+    assert message.startswith(f"robot: {expected}")
+
+
+MISSING: list[tuple[tuple[str | int, ...], str]] = [
+    (("schema",), "schema: missing"),
+    (("name",), "name: missing"),
+    (("platform",), "platform: missing"),
+    (("leg",), "leg: missing"),
+    (("platform", "mass"), "platform.mass: missing"),
+    (("platform", "center_of_mass"), "platform.center_of_mass: missing"),
+    (("platform", "inertia"), "platform.inertia: missing"),
+    (("leg_defaults",), "leg 1: lower.mass: missing, here and in leg_defaults"),
+    (("leg_defaults", "upper"), "leg 1: upper.mass: missing, here and in leg_defaults"),
+    (("leg_defaults", "lower", "inertia"), "leg 1: lower.inertia: missing, here and in leg_defaults"),
+    (("leg_defaults", "friction"), "leg 1: friction.universal: missing, here and in leg_defaults"),
+    (("leg", 1, "base_point"), "leg 2: base_point: missing"),
+    (("leg", 4, "platform_point"), "leg 5: platform_point: missing"),
+    (("leg", 5, "universal_axis"), "leg 6: universal_axis: missing"),
+]
+
+
+@pytest.mark.parametrize(("path", "expected"), MISSING)
+def test_missing_key_is_named(path: tuple[str | int, ...], expected: str) -> None:
+    d = machine()
+    table: Any = d
+    for key in path[:-1]:
+        table = table[key]
+    del table[path[-1]]
+    assert error_of(lambda: Robot.from_dict(d)) == f"robot: {expected}"
+
+
+MISSPELT: list[tuple[tuple[str | int, ...], str]] = [
+    (("gravitation",), 'gravitation: unknown key, did you mean "gravity"?'),
+    (("legs",), 'legs: unknown key, did you mean "leg"?'),
+    (("platform", "centre_of_mass"), 'platform.centre_of_mass: unknown key, did you mean "center_of_mass"?'),
+    (("leg_defaults", "lowr"), 'leg_defaults.lowr: unknown key, did you mean "lower"?'),
+    (("leg_defaults", "base_point"), "leg_defaults.base_point: unknown key"),
+    (
+        ("leg_defaults", "friction", "prism"),
+        'leg_defaults.friction.prism: unknown key, did you mean "prismatic"?',
+    ),
+    (("leg", 2, "universal_axes"), 'leg 3: universal_axes: unknown key, did you mean "universal_axis"?'),
+    (("leg", 2, "lower", "mas"), 'leg 3: lower.mas: unknown key, did you mean "mass"?'),
+    (("platform", "qqq"), "platform.qqq: unknown key, expected one of mass, center_of_mass, inertia"),
+    (("two\nlines",), "'two\\nlines': unknown key"),
+]
+
+
+@pytest.mark.parametrize(("path", "expected"), MISSPELT)
+def test_misspelt_key_is_named_with_the_nearest(path: tuple[str | int, ...], expected: str) -> None:
+    message = error_of(lambda: Robot.from_dict(changed(path, 1.0)))
+    assert message.startswith(f"robot: {expected}")
+
+
+@pytest.mark.parametrize("count", [0, 5, 7])
+def test_exactly_six_legs(count: int) -> None:
+    d = machine()
+    d["leg"] = (d["leg"] * 2)[:count]
+    message = error_of(lambda: Robot.from_dict(d))
+    assert message == f"robot: leg: expected exactly six [[leg]] tables, got {count}"
+
+
+def test_no_tables_at_all() -> None:
+    assert error_of(lambda: Robot.from_dict([])) == "robot: expected a table, got []"  # type: ignore[arg-type]
+
+
+def test_spherical_base_joint_refuses_axes_and_asymmetric_legs() -> None:
+    d = spherical_machine()
+    d["leg"][1]["universal_axis"] = [1, 0, 0]
+    assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg 2: universal_axis: expected none")
+    d = spherical_machine()
+    d["leg"][4]["upper"] = {"center_of_mass": [-0.6, 0.0, 0.001]}
+    assert error_of(lambda: Robot.from_dict(d)).startswith(
+        "robot: leg 5: upper.center_of_mass: expected (x, 0, 0)"
+    )
+    d = spherical_machine()
+    d["leg"][4]["lower"] = {"inertia": [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.31]]}
+    assert error_of(lambda: Robot.from_dict(d)).startswith(
+        "robot: leg 5: lower.inertia: expected diag(Ia, It, It)"
+    )
+
+
+def test_asymmetry_of_rounding_size_is_evened_out() -> None:
+    d = machine()
+    d["platform"]["inertia"][0][2] *= 1.0 + 1e-12
+    I_p = Robot.from_dict(d).I_p
+    np.testing.assert_array_equal(I_p, I_p.T)
+
+
+# Files
+
+
+def test_paper_machine_is_the_appendix() -> None:
+    with pytest.warns(PhysicalityWarning):
+        robot = robots.dasgupta1998()
+    assert robot.M == 40.0
+    np.testing.assert_allclose(robot.k[0], np.array([-3.0, 1.0, 0.0]) / math.sqrt(10.0), atol=1e-4)
+    np.testing.assert_array_equal(robot.b[:, 0], [0.6, 0.1, -0.3, -0.3, 0.2, 0.5])
+    np.testing.assert_array_equal(robot.b[:, 1], [0.2, 0.5, 0.3, -0.4, -0.3, -0.2])
+    np.testing.assert_array_equal(robot.b[:, 2], [0.0, 0.1, 0.1, 0.0, -0.05, 0.0])
+    np.testing.assert_array_equal(robot.p[:, 0], [0.3, 0.3, 0.0, -0.2, -0.15, 0.15])
+    np.testing.assert_array_equal(robot.p[:, 1], [0.0, 0.2, 0.3, 0.1, -0.2, -0.15])
+    np.testing.assert_array_equal(robot.p[:, 2], [0.1, 0.0, 0.0, -0.1, -0.05, -0.05])
+    np.testing.assert_array_equal(robot.r_d0, np.tile([0.4, 0.14, -0.18], (6, 1)))
+    np.testing.assert_array_equal(robot.r_u0, np.tile([-0.6, -0.08, 0.08], (6, 1)))
+    np.testing.assert_array_equal(robot.I_u0[3], [[5e-3, 2e-3, 2e-3], [2e-3, 2e-3, 1e-3], [2e-3, 1e-3, 3e-3]])
+    np.testing.assert_array_equal(robot.g, [0.0, 0.0, -9.81])
+
+
+def test_paper_machine_warns_once_for_each_part() -> None:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        robot = robots.dasgupta1998()
+    messages = [str(w.message) for w in caught]
+    assert all(w.category is PhysicalityWarning for w in caught)
+    assert len(messages) == len(robot.physicality()) == 3
+    for message, part_name in zip(
+        messages, ("platform:", "lower part of all legs:", "upper part of all legs:"), strict=True
+    ):
+        assert f"dasgupta1998.toml: {part_name}" in message
+        assert "\n" not in message
+    assert "-0.00284, -0.000369, 0.0162" in messages[1]
+
+
+def test_possible_machine_is_silent() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        robot = Robot.from_dict(machine())
+    assert robot.physicality() == []
+
+
+@pytest.mark.parametrize(
+    ("moments", "possible"),
+    [
+        ((1.0, 1.0, 1.0), True),
+        ((1.0, 2.0, 3.0), True),
+        ((0.0, 2.0, 2.0), True),
+        ((1.0, 2.0, 3.001), False),
+        ((-0.001, 2.0, 2.0), False),
+        ((-1.0, -1.0, -1.0), False),
+    ],
+)
+def test_possible_inertias_are_those_of_bodies(moments: tuple[float, float, float], possible: bool) -> None:
+    c, s = math.cos(0.6), math.sin(0.6)
+    turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    robot = dataclasses.replace(Robot.from_dict(machine()), I_p=turn @ np.diag(moments) @ turn.T)
+    assert (robot.physicality() == []) == possible
+
+
+def test_physicality_names_the_legs() -> None:
+    d = machine()
+    for i in (1, 4):
+        d["leg"][i]["upper"] = {"inertia": [[1, 0, 0], [0, 1, 0], [0, 0, 5]]}
+    with pytest.warns(PhysicalityWarning, match=r"robot: upper part of legs 2, 5: inertia"):
+        robot = Robot.from_dict(d)
+    assert len(robot.physicality()) == 1
+
+
+def paper_text() -> str:
+    return (Path(robots.__file__).parent / "dasgupta1998.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
+    path = tmp_path / "hexapod.toml"
+    path.write_text(
+        paper_text().replace("universal_axis = [1.0000, 0.0000, 0.0000]", "universal_axis = [0, 0, 0]")
+    )
+    message = error_of(lambda: Robot.from_toml(path))
+    assert message == f"{path}: leg 4: universal_axis: expected a non-zero direction, got (0, 0, 0)"
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+def test_byte_order_mark_and_windows_lines_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "win.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + paper_text().replace("\n", "\r\n").encode())
+    assert same(Robot.from_toml(str(path)), robots.dasgupta1998())
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        (b"schema = = 1", "not valid TOML"),
+        (b"schema = 1\nschema = 1\n", "not valid TOML"),
+        (b'name = "\xff\xfe"', "expected UTF-8 text, byte 8 is not"),
+        (b"", "schema: missing"),
+        (b"x = " + b"[" * 5000, "not valid TOML"),
+        (b"schema = " + b"9" * 5000, "not valid TOML"),
+    ],
+)
+def test_file_that_is_no_robot_file(tmp_path: Path, content: bytes, expected: str) -> None:
+    path = tmp_path / "r.toml"
+    path.write_bytes(content)
+    assert error_of(lambda: Robot.from_toml(path)).startswith(f"{path}: {expected}")
+
+
+def test_file_that_cannot_be_read(tmp_path: Path) -> None:
+    missing = tmp_path / "none.toml"
+    assert error_of(lambda: Robot.from_toml(missing)).startswith(
+        f"{missing}: cannot read the robot file: No such"
+    )
+    assert error_of(lambda: Robot.from_toml(tmp_path)).startswith(f"{tmp_path}: cannot read the robot file")
+    assert "cannot read the robot file" in error_of(lambda: Robot.from_toml("nul\0byte"))
