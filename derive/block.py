@@ -1,12 +1,15 @@
 """Blocks: the unit that travels through ``derive``, and the count of its operations.
 
 A block is a named straight-line program: quantities come in, ordered steps ``name = expression`` follow,
-quantities go out. The derivation makes blocks, ``reduce`` rewrites them, the emitters print them, the notebook
-shows them. A block knows nothing of the Stewart platform and nothing of any target language.
+quantities go out. The derivation makes blocks, ``reduce`` rewrites them, the emitters print them, the
+notebook shows them. A block knows nothing of the Stewart platform and nothing of any target language.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import reduce
+from operator import mul
+from typing import Any
 
 import sympy as sp
 
@@ -99,14 +102,17 @@ class Operations:
         return self.mul + self.add + self.div + self.sqrt
 
     def __add__(self, other: "Operations") -> "Operations":
+        """Count of two programs, one after the other."""
         return Operations(
             self.mul + other.mul, self.add + other.add, self.div + other.div, self.sqrt + other.sqrt
         )
 
     def __rmul__(self, times: int) -> "Operations":
+        """Count of a program run ``times`` times."""
         return Operations(times * self.mul, times * self.add, times * self.div, times * self.sqrt)
 
     def __str__(self) -> str:
+        """Total, then each kind."""
         return f"{self.total} ({self.mul} mul, {self.add} add, {self.div} div, {self.sqrt} sqrt)"
 
 
@@ -137,16 +143,17 @@ class Block:
         used = set().union(*(expr.free_symbols for expr in self.expressions()))
         return tuple(q for q in self.inputs if used.intersection(q.symbols))
 
-    def evaluate(self, values: Mapping[str, sp.Expr], digits: int) -> dict[str, tuple[sp.Expr, ...]]:
-        """Run the block in ``digits``-digit arithmetic.
+    def run(self, values: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> dict[str, tuple[Any, ...]]:
+        """Run the block in any arithmetic, such as mpmath's.
 
-        values: number for each input component by name. Returns the components of each output by name.
+        values: a number for each input component, by name; sqrt: the square root of such numbers. Returns the
+        components of each output by name; constants are integers.
         """
-        known = {sp.Symbol(name, real=True): sp.Float(v, digits) for name, v in values.items()}
+        known = dict(values)
         for step in self.steps:
-            known[step.symbol] = sp.N(step.expr.subs(known), digits)
+            known[step.name] = run(step.expr, known, sqrt)
         return {
-            out.quantity.name: tuple(sp.N(sp.sympify(e).subs(known), digits) for e in out.exprs)
+            out.quantity.name: tuple(run(sp.sympify(expr), known, sqrt) for expr in out.exprs)
             for out in self.outputs
         }
 
@@ -216,6 +223,26 @@ def _needed(block: Block) -> tuple[Step, ...]:
             kept.append(step)
             wanted |= step.expr.free_symbols
     return tuple(reversed(kept))
+
+
+def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
+    """Value of one expression in the arithmetic of the numbers in ``known``."""
+    if expr.is_Symbol:
+        return known[expr.name]
+    if expr.is_Integer:
+        return int(expr)
+    values = [run(arg, known, sqrt) for arg in expr.args if not arg.is_Rational or arg.is_Integer]
+    if expr.is_Add:
+        return sum(values[1:], values[0])
+    if expr.is_Mul:
+        return reduce(mul, values)
+    if expr.is_Pow and expr.exp == sp.Rational(1, 2):
+        return sqrt(values[0])
+    if expr.is_Pow and expr.exp == -1:
+        return 1 / values[0]
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp > 1:
+        return reduce(mul, [values[0]] * int(expr.exp))
+    raise ValueError(f"no value for {type(expr).__name__} in {expr}")
 
 
 def count(exprs: Iterable[sp.Expr]) -> Operations:

@@ -1,4 +1,4 @@
-"""The formulations: which faults of the printed equations a derivation carries, and which joint holds the leg.
+"""The formulations: which faults of the printed equations a derivation carries, and the legs' base joint.
 
 One derivation serves all of them; the switches here are the only places where they differ. Knows no equation.
 """

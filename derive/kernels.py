@@ -131,7 +131,9 @@ def _universal_leg(build: Builder, form: Formulation, friction: bool, with_react
         inv_L,
         k,
         kappa,
-        u=build.vector("u", T.T * S_dot, "(4)", "velocity of the platform point, leg frame"),
+        u=build.vector(
+            "u", T.T * S_dot, "(4), (5)", "velocity of the platform point, leg frame; u_x is L_dot"
+        ),
         e=build.vector("e", T.T * S_ddot, "(7)", "acceleration of the platform point, leg frame"),
         gamma=build.vector("gamma", T.T * n.g.value, "", "gravity, leg frame"),
         w=build.vector("w", T.T * n.omega.value, "", "angular velocity of the platform, leg frame"),
@@ -175,11 +177,15 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         Transverse(
             name,
             *_PAIRS[name],
-            build.vector(f"{name}_across", base[name] - axial[name] * s, "", f"part of {name} across the leg"),
+            build.vector(
+                f"{name}_across", base[name] - axial[name] * s, "", f"part of {name} across the leg"
+            ),
         )
         for name in base
     )
-    square = build.scalar("u_square", across[1].base.dot(across[1].base), "", "square of the part of u across")
+    square = build.scalar(
+        "u_square", across[1].base.dot(across[1].base), "", "square of the part of u across"
+    )
 
     inner = Builder()
     motion = LegFrameMotion(
@@ -208,7 +214,10 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         L,
         None,
         D=build.scalar(
-            "D", scalar_form(leg.D.xreplace(back), across[1], square), "(24)", "known part of the actuator force"
+            "D",
+            scalar_form(leg.D.xreplace(back), across[1], square),
+            "(24)",
+            "known part of the actuator force",
         ),
         K=base_vector("K", leg.K),
         f=base_vector("f", leg.f),
@@ -219,5 +228,3 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         if with_reactions
         else {},
     )
-
-

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from . import notation as n
-from .block import Builder, Quantity
+from .block import Builder
 from .formulation import SPHERICAL, Formulation
 
 X_AXIS = sp.Matrix([1, 0, 0])
@@ -153,7 +153,7 @@ def solve_one(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
 def rotation(
     build: Builder, form: Formulation, m: LegFrameMotion
 ) -> tuple[sp.Expr, sp.Matrix, sp.Expr, sp.Matrix]:
-    """L_dot, W, L_ddot and A of the leg, (5)-(9), solved from the motion of its tip and the joint's condition."""
+    """L_dot, W, L_ddot and A of the leg, (5)-(9), from the motion of its tip and the joint's condition."""
     W = sp.Matrix(sp.symbols("W_x W_y W_z", real=True))
     A = sp.Matrix(sp.symbols("A_x A_y A_z", real=True))
     L_dot, L_ddot = sp.symbols("L_dot L_ddot", real=True)
@@ -216,7 +216,13 @@ def inertias(form: Formulation, c: LegConstants, L: sp.Expr) -> tuple[sp.Matrix,
 
 
 def centre_forces(
-    build: Builder, c: LegConstants, m: LegFrameMotion, L_dot: sp.Expr, W: sp.Matrix, L_ddot: sp.Expr, A: sp.Matrix
+    build: Builder,
+    c: LegConstants,
+    m: LegFrameMotion,
+    L_dot: sp.Expr,
+    W: sp.Matrix,
+    L_ddot: sp.Expr,
+    A: sp.Matrix,
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix, sp.Matrix]:
     """r_d, r_u, N_d, N_u and f: (11)-(14), then m (a - g), and the friction of (18)."""
     r_d = c.r_d0
@@ -224,7 +230,10 @@ def centre_forces(
         "r_u", m.L * X_AXIS + c.r_u0, "(12)", "centre of mass of the upper part from the base point"
     )
     a_d = build.vector(
-        "a_d", cross(A, r_d) + cross(W, cross(W, r_d)), "(13)", "acceleration of the lower centre of mass"
+        "a_d",
+        cross(A, r_d) + cross(W, cross(W, r_d)),
+        "(11), (13)",
+        "acceleration of the lower centre of mass",
     )
     a_u = build.vector(
         "a_u",
@@ -288,7 +297,12 @@ def leg_equations(
         - _M_p
         - c.C_u * W,
         newton_upper=_F_p + _F_s - slide - part.N_u,
-        euler_upper=-cross(part.r_u, part.N_u) - part.E_u + cross(m.L * X_AXIS, _F_s) + cross(r, _F_p) + _M_p - part.f,
+        euler_upper=-cross(part.r_u, part.N_u)
+        - part.E_u
+        + cross(m.L * X_AXIS, _F_s)
+        + cross(r, _F_p)
+        + _M_p
+        - part.f,
         unknowns=unknowns,
     )
 
@@ -325,9 +339,13 @@ def leg_dynamics(
     L_dot, W, L_ddot, A = rotation(build, form, m)
     r_d, r_u, N_d, N_u, f = centre_forces(build, c, m, L_dot, W, L_ddot, A)
     I_d, I_u = inertias(form, c, m.L)
-    inertia = build.tensor("I", I_d + I_u, "(19)", "inertia of both parts about their own centres of mass")
+    inertia = build.tensor("I", I_d + I_u, "(15), (16), (19)", "I_d + I_u")
     E = build.vector("E", euler_term(inertia, A, W), "(19)", "I A + W x I W")
-    E_d = build.vector("E_d", euler_term(I_d, A, W), "(17)", "I_d A + W x I_d W") if with_reactions else sp.zeros(3, 1)
+    E_d = (
+        build.vector("E_d", euler_term(I_d, A, W), "(17)", "I_d A + W x I_d W")
+        if with_reactions
+        else sp.zeros(3, 1)
+    )
 
     part = PartForces(r_d, r_u, N_d, N_u, E_d, E - E_d, f)
     equations = leg_equations(form, c, m, L_dot, W, part)
@@ -336,7 +354,9 @@ def leg_dynamics(
 
     F_s, F_p = _F_s.subs(solved), _F_p.subs(solved)
     D = build.scalar("D", sp.expand(F_p[0] + AXIAL), "(24)", "known part of the actuator force")
-    K = build.vector("K_leg", F_s.subs(AXIAL, 0), "(21)", "transverse force at the spherical joint, leg frame")
+    K = build.vector(
+        "K_leg", F_s.subs(AXIAL, 0), "(21)", "transverse force at the spherical joint, leg frame"
+    )
     reactions = {
         "F_s": AXIAL * X_AXIS + K,
         "F_u": _F_u.subs(solved),

@@ -6,8 +6,6 @@ knows no equation.
 
 from .block import Quantity
 
-
-
 # Motion of the platform and its load.
 R = Quantity("R", (3, 3), "1", "orientation of the platform, platform frame to base frame")
 t = Quantity("t", (3,), "m", "position of the platform's reference point, base frame")
@@ -38,7 +36,9 @@ FRICTION = (C_u, C_p, C_s)
 # Constants of the platform and of the place it stands in.
 M = Quantity("M", (), "kg", "mass of the platform with its payload")
 R_0 = Quantity("R_0", (3,), "m", "centre of mass of the platform, platform frame")
-I_p = Quantity("I_p", (3, 3), "kg m^2", "inertia of the platform about its centre of mass, platform frame", True)
+I_p = Quantity(
+    "I_p", (3, 3), "kg m^2", "inertia of the platform about its centre of mass, platform frame", True
+)
 g = Quantity("g", (3,), "m/s^2", "acceleration due to gravity, base frame")
 PLATFORM = (M, R_0, I_p, g)
 

@@ -62,7 +62,7 @@ def equations_of_motion(
 
 
 def leg_share(equations: PlatformEquations) -> LegShare:
-    """Column of H and part of c of one leg; all six legs give the same expressions or this raises ValueError."""
+    """Column of H and part of c of one leg. Raises ValueError if the six legs do not enter alike."""
     shares = [_share_of(equations, leg) for leg in LEGS]
     if any(share != shares[0] for share in shares):
         raise ValueError("the legs do not enter the platform's equations alike")
@@ -99,7 +99,9 @@ def platform() -> tuple[Block, LegShare]:
     )
     inertia = build.tensor("I", R * n.I_p.value * R.T, "(32)", "inertia of the platform, base frame")
     N = build.vector("N", n.M.value * (n.g.value - a_G), "(33)", "M (g - a_G)")
-    E = build.vector("E", inertia * alpha + cross(omega, inertia * omega), "(34)", "I alpha + omega x I omega")
+    E = build.vector(
+        "E", inertia * alpha + cross(omega, inertia * omega), "(34)", "I alpha + omega x I omega"
+    )
     F_load = build.vector("F_load", R * n.F_ext.value, "(33)", "external force, base frame")
     M_load = build.vector("M_load", R * n.M_ext.value, "(34)", "external moment, base frame")
     equations = equations_of_motion(N, R_G, F_load, E, M_load)

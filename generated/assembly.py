@@ -72,7 +72,8 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
 def leg_status(leg: dict[str, Array]) -> Array:
     """The first leg's fault of each pose: not finite, too short, along its universal axis."""
     L, reach = leg["L"], np.abs(leg["q"]).max(axis=-1)
-    fault = np.where(leg.get("k3", np.ones(())) > ROUNDING, OK, POLE)
+    clear = leg["k3"] > ROUNDING if "k3" in leg else np.full(L.shape, True)
+    fault = np.where(clear, 0, POLE)
     fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)

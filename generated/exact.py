@@ -2,17 +2,17 @@
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
-``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3), ...
+``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
 
 Operations of one pose of inverse dynamics, six legs, solve included
-           with friction                              without friction
-leg        399 (222 mul, 173 add, 2 div, 2 sqrt)      349 (197 mul, 148 add, 2 div, 2 sqrt)
-platform   219 (123 mul, 96 add, 0 div, 0 sqrt)       219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c   36 (0 mul, 36 add, 0 div, 0 sqrt)          36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve      197 (106 mul, 85 add, 6 div, 0 sqrt)       197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces     6 (0 mul, 6 add, 0 div, 0 sqrt)            6 (0 mul, 6 add, 0 div, 0 sqrt)
-total      2852 (1561 mul, 1261 add, 18 div, 12 sqrt) 2552 (1411 mul, 1111 add, 18 div, 12 sqrt)
+         with friction                             without friction
+leg      399 (222 mul, 173 add, 2 div, 2 sqrt)     349 (197 mul, 148 add, 2 div, 2 sqrt)
+platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
+total    2852 (1561 mul, 1261 add, 18 div, 12 sqrt) 2552 (1411 mul, 1111 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -55,7 +55,10 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 
 
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 399 (222 mul, 173 add, 2 div, 2 sqrt) operations."""
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
+
+    Operations: 399 (222 mul, 173 add, 2 div, 2 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -160,7 +163,7 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
     z_z = s_x*y_y - s_y*y_x
-    # (4) velocity of the platform point, leg frame
+    # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z
@@ -185,48 +188,40 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     c1 = W_x*W_y
     c2 = 2*u_x
     c3 = W_z*c2
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c3) - c1
     c4 = W_y*c2
     # (9) angular acceleration of the leg, leg frame
+    A_z = inv_L*(e_y - c3) - c1
     A_y = W_x*W_z + inv_L*(-c4 - e_z)
     A_x = kappa*(A_z - c1) - W_y*W_z
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
     c5 = W_x*r_d0_y - W_y*r_d0_x
     c6 = W_z*r_d0_x - W_x*r_d0_z
-    # (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6
     c7 = W_y*r_d0_z - W_z*r_d0_y
-    # (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower centre of mass
+    a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6
     a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5
     a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7
     c8 = W_x*r_u0_y - W_y*r_u_x
     c9 = W_z*r_u_x - W_x*r_u0_z
-    # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9
     c10 = W_y*r_u0_z - W_z*r_u0_y
     # (14) acceleration of the upper centre of mass
+    a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9
     a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8
     a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4
-    c11 = -gamma_x
     # (25) m_d (a_d - g)
-    N_d_x = m_d*(a_d_x + c11)
-    c12 = -gamma_y
-    # (25) m_d (a_d - g)
-    N_d_y = m_d*(a_d_y + c12)
-    c13 = -gamma_z
-    # (25) m_d (a_d - g)
-    N_d_z = m_d*(a_d_z + c13)
+    N_d_x = m_d*(a_d_x - gamma_x)
+    N_d_y = m_d*(a_d_y - gamma_y)
+    N_d_z = m_d*(a_d_z - gamma_z)
     # (23) m_u (a_u - g)
-    N_u_x = m_u*(a_u_x + c11)
-    N_u_y = m_u*(a_u_y + c12)
-    N_u_z = m_u*(a_u_z + c13)
+    N_u_x = m_u*(a_u_x - gamma_x)
+    N_u_y = m_u*(a_u_y - gamma_y)
+    N_u_z = m_u*(a_u_z - gamma_z)
     # (18) friction moment at the spherical joint, leg frame
     f_leg_x = C_s*(W_x - w_x)
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    # (19) inertia of both parts about their own centres of mass
+    # (15), (16), (19) I_d + I_u
     I_xx = I_d0_xx + I_u0_xx
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
@@ -235,10 +230,9 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     I_zz = I_d0_zz + I_u0_zz
     c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z
     c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z
-    # (19) I A + W x I W
-    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15
     c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z
     # (19) I A + W x I W
+    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15
     E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14
     E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16
     # (20) moment that the joints' forces must make
@@ -273,7 +267,10 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
 
 
 def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
-    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt) operations."""
+    """The platform's own part of c, (33)-(35).
+
+    Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt).
+    """
     R_xx = motion.R[..., 0, 0]
     R_xy = motion.R[..., 0, 1]
     R_xz = motion.R[..., 0, 2]
@@ -317,28 +314,26 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
     R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz
     c1 = R_G_y*omega_x - R_G_x*omega_y
     c2 = R_G_x*omega_z - R_G_z*omega_x
-    # (31) acceleration of the centre of mass
-    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     c3 = R_G_z*omega_y - R_G_y*omega_z
     # (31) acceleration of the centre of mass
+    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x
     a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y
     c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz
     c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz
     c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz
-    # (32) inertia of the platform, base frame
-    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
-    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz
     c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz
     c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz
     # (32) inertia of the platform, base frame
+    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
+    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
+    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9
     I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9
     I_zz = (
-R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx
-        + I_p_yz*R_zy + I_p_zz*R_zz)
+        R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz)
+        + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz)
     )
     # (33) M (g - a_G)
     N_x = M*(g_x - a_G_x)
@@ -346,10 +341,9 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     N_z = M*(g_z - a_G_z)
     c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z
     c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z
-    # (34) I alpha + omega x I omega
-    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z
     # (34) I alpha + omega x I omega
+    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x
     E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y
     # (33) external force, base frame
@@ -363,12 +357,20 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     shape = motion.t.shape[:-1]
     return {
         "c_force": stack(shape, F_load_x + N_x, F_load_y + N_y, F_load_z + N_z),
-        "c_moment": stack(shape, M_load_x + N_z*R_G_y - E_x - N_y*R_G_z, M_load_y + N_x*R_G_z - E_y - N_z*R_G_x, M_load_z + N_y*R_G_x - E_z - N_x*R_G_y),
+        "c_moment": stack(
+            shape,
+            M_load_x + N_z*R_G_y - E_x - N_y*R_G_z,
+            M_load_y + N_x*R_G_z - E_y - N_z*R_G_x,
+            M_load_z + N_y*R_G_x - E_z - N_x*R_G_y,
+        ),
     }
 
 
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
-    """One leg: joint reactions, (21), (26)-(29), (17): 490 (270 mul, 216 add, 2 div, 2 sqrt) operations."""
+    """One leg: joint reactions, (21), (26)-(29), (17).
+
+    Operations: 490 (270 mul, 216 add, 2 div, 2 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -474,7 +476,7 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
     z_z = s_x*y_y - s_y*y_x
-    # (4) velocity of the platform point, leg frame
+    # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z
@@ -499,48 +501,40 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     c2 = W_x*W_y
     c3 = 2*u_x
     c4 = W_z*c3
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4) - c2
     c5 = W_y*c3
     # (9) angular acceleration of the leg, leg frame
+    A_z = inv_L*(e_y - c4) - c2
     A_y = W_x*W_z + inv_L*(-c5 - e_z)
     A_x = kappa*(A_z - c2) - W_y*W_z
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
     c6 = W_x*r_d0_y - W_y*r_d0_x
     c7 = W_z*r_d0_x - W_x*r_d0_z
-    # (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z + W_y*c6 - A_z*r_d0_y - W_z*c7
     c8 = W_y*r_d0_z - W_z*r_d0_y
-    # (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower centre of mass
+    a_d_x = A_y*r_d0_z + W_y*c6 - A_z*r_d0_y - W_z*c7
     a_d_y = A_z*r_d0_x + W_z*c8 - A_x*r_d0_z - W_x*c6
     a_d_z = A_x*r_d0_y + W_x*c7 - A_y*r_d0_x - W_y*c8
     c9 = W_x*r_u0_y - W_y*r_u_x
     c10 = W_z*r_u_x - W_x*r_u0_z
-    # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot + W_y*c9 - A_z*r_u0_y - W_z*c10
     c11 = W_y*r_u0_z - W_z*r_u0_y
     # (14) acceleration of the upper centre of mass
+    a_u_x = A_y*r_u0_z + L_ddot + W_y*c9 - A_z*r_u0_y - W_z*c10
     a_u_y = A_z*r_u_x + W_z*c11 + c4 - A_x*r_u0_z - W_x*c9
     a_u_z = A_x*r_u0_y + W_x*c10 - A_y*r_u_x - W_y*c11 - c5
-    c12 = -gamma_x
     # (25) m_d (a_d - g)
-    N_d_x = m_d*(a_d_x + c12)
-    c13 = -gamma_y
-    # (25) m_d (a_d - g)
-    N_d_y = m_d*(a_d_y + c13)
-    c14 = -gamma_z
-    # (25) m_d (a_d - g)
-    N_d_z = m_d*(a_d_z + c14)
+    N_d_x = m_d*(a_d_x - gamma_x)
+    N_d_y = m_d*(a_d_y - gamma_y)
+    N_d_z = m_d*(a_d_z - gamma_z)
     # (23) m_u (a_u - g)
-    N_u_x = m_u*(a_u_x + c12)
-    N_u_y = m_u*(a_u_y + c13)
-    N_u_z = m_u*(a_u_z + c14)
+    N_u_x = m_u*(a_u_x - gamma_x)
+    N_u_y = m_u*(a_u_y - gamma_y)
+    N_u_z = m_u*(a_u_z - gamma_z)
     # (18) friction moment at the spherical joint, leg frame
     f_leg_x = C_s*(W_x - w_x)
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    # (19) inertia of both parts about their own centres of mass
+    # (15), (16), (19) I_d + I_u
     I_xx = I_d0_xx + I_u0_xx
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
@@ -549,44 +543,37 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     I_zz = I_d0_zz + I_u0_zz
     c15 = I_xz*W_x + I_yz*W_y + I_zz*W_z
     c16 = I_xy*W_x + I_yy*W_y + I_yz*W_z
-    # (19) I A + W x I W
-    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c15 - W_z*c16
     c17 = I_xx*W_x + I_xy*W_y + I_xz*W_z
     # (19) I A + W x I W
+    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c15 - W_z*c16
     E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c17 - W_x*c15
     E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c16 - W_y*c17
     c18 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z
     c19 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z
-    # (17) I_d A + W x I_d W
-    E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c18 - W_z*c19
     c20 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z
     # (17) I_d A + W x I_d W
+    E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c18 - W_z*c19
     E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c20 - W_x*c18
     E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c19 - W_y*c20
     c21 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z
-    # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z*r_u0_y + c21 + f_leg_x - N_u_y*r_u0_z
     c22 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
-    # (20) moment that the joints' forces must make
-    C_y = E_y + N_u_x*r_u0_z + c22 + f_leg_y - N_u_z*r_u_x
     c23 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
     # (20) moment that the joints' forces must make
+    C_x = E_x + N_u_z*r_u0_y + c21 + f_leg_x - N_u_y*r_u0_z
+    C_y = E_y + N_u_x*r_u0_z + c22 + f_leg_y - N_u_z*r_u_x
     C_z = E_z + N_u_y*r_u_x + c23 + f_leg_z - N_u_x*r_u0_y
     c24 = C_x*kappa
     c25 = C_z + c24
-    # (21) transverse force at the spherical joint, leg frame
-    K_leg_y = c25*inv_L
     c26 = C_y*inv_L
     # (21) transverse force at the spherical joint, leg frame
+    K_leg_y = c25*inv_L
     K_leg_z = -c26
     c27 = N_u_x - x
-    # F_u, leg frame
-    F_u_leg_x = N_d_x + c27
     c28 = N_u_y - c25*inv_L
-    # F_u, leg frame
-    F_u_leg_y = N_d_y + c28
     c29 = N_u_z + c26
     # F_u, leg frame
+    F_u_leg_x = N_d_x + c27
+    F_u_leg_y = N_d_y + c28
     F_u_leg_z = N_d_z + c29
     # F_p, leg frame
     F_p_leg_x = C_p*u_x + c27
@@ -601,10 +588,35 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     M_p_leg_z = inv_L*(C_z*bearing + bearing*c24) - E_d_z - N_u_y*bearing - c23 - c24
     shape = (*motion.t.shape[:-1], 6)
     return {
-        "F_s": stack(shape, K_leg_y*y_x + K_leg_z*z_x + s_x*x, K_leg_y*y_y + K_leg_z*z_y + s_y*x, K_leg_y*y_z + K_leg_z*z_z + s_z*x),
-        "F_u": stack(shape, F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x, F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y, F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z),
-        "F_p": stack(shape, F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x, F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y, F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z),
-        "F_c": stack(shape, F_c_leg_y*y_x + F_c_leg_z*z_x, F_c_leg_y*y_y + F_c_leg_z*z_y, F_c_leg_y*y_z + F_c_leg_z*z_z),
-        "M_p": stack(shape, M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x, M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y, M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z),
+        "F_s": stack(
+            shape,
+            K_leg_y*y_x + K_leg_z*z_x + s_x*x,
+            K_leg_y*y_y + K_leg_z*z_y + s_y*x,
+            K_leg_y*y_z + K_leg_z*z_z + s_z*x,
+        ),
+        "F_u": stack(
+            shape,
+            F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x,
+            F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y,
+            F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z,
+        ),
+        "F_p": stack(
+            shape,
+            F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x,
+            F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y,
+            F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z,
+        ),
+        "F_c": stack(
+            shape,
+            F_c_leg_y*y_x + F_c_leg_z*z_x,
+            F_c_leg_y*y_y + F_c_leg_z*z_y,
+            F_c_leg_y*y_z + F_c_leg_z*z_z,
+        ),
+        "M_p": stack(
+            shape,
+            M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x,
+            M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y,
+            M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z,
+        ),
         "M_u": np.broadcast_to(-C_x*c1, shape),
     }

@@ -2,17 +2,17 @@
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
-``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3), ...
+``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
 
 Operations of one pose of inverse dynamics, six legs, solve included
-           with friction                              without friction
-leg        248 (143 mul, 103 add, 1 div, 1 sqrt)      181 (102 mul, 77 add, 1 div, 1 sqrt)
-platform   219 (123 mul, 96 add, 0 div, 0 sqrt)       219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c   36 (0 mul, 36 add, 0 div, 0 sqrt)          36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve      197 (106 mul, 85 add, 6 div, 0 sqrt)       197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces     6 (0 mul, 6 add, 0 div, 0 sqrt)            6 (0 mul, 6 add, 0 div, 0 sqrt)
-total      1946 (1087 mul, 841 add, 12 div, 6 sqrt)   1544 (841 mul, 685 add, 12 div, 6 sqrt)
+         with friction                             without friction
+leg      248 (143 mul, 103 add, 1 div, 1 sqrt)     181 (102 mul, 77 add, 1 div, 1 sqrt)
+platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
+total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 div, 6 sqrt)
 """
 
 from typing import Any
@@ -55,7 +55,10 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 
 
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 248 (143 mul, 103 add, 1 div, 1 sqrt) operations."""
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
+
+    Operations: 248 (143 mul, 103 add, 1 div, 1 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -146,13 +149,11 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     gamma_across_y = g_y - gamma_x*s_y
     gamma_across_z = g_z - gamma_x*s_z
     c1 = s_x*w_x
-    # part of w across the leg
-    w_across_x = omega_x - c1
     c2 = s_y*w_x
-    # part of w across the leg
-    w_across_y = omega_y - c2
     c3 = s_z*w_x
     # part of w across the leg
+    w_across_x = omega_x - c1
+    w_across_y = omega_y - c2
     w_across_z = omega_z - c3
     # square of the part of u across
     u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z
@@ -167,8 +168,8 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2*c9*r_u0_x)
     c10 = 2*inv_L*u_x
     K_u = (
-c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10 - c10*c6 - c10*c7 - c10*c8
-        - 4*c9*inv_L*r_u0_x*u_x)
+        c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10 - c10*c6 - c10*c7
+        - c10*c8 - 4*c9*inv_L*r_u0_x*u_x)
     )
     K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x)
     c11 = C_s*inv_L
@@ -196,7 +197,10 @@ c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10 - c10
 
 
 def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
-    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt) operations."""
+    """The platform's own part of c, (33)-(35).
+
+    Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt).
+    """
     R_xx = motion.R[..., 0, 0]
     R_xy = motion.R[..., 0, 1]
     R_xz = motion.R[..., 0, 2]
@@ -240,28 +244,26 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
     R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz
     c1 = R_G_y*omega_x - R_G_x*omega_y
     c2 = R_G_x*omega_z - R_G_z*omega_x
-    # (31) acceleration of the centre of mass
-    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     c3 = R_G_z*omega_y - R_G_y*omega_z
     # (31) acceleration of the centre of mass
+    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x
     a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y
     c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz
     c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz
     c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz
-    # (32) inertia of the platform, base frame
-    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
-    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz
     c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz
     c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz
     # (32) inertia of the platform, base frame
+    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
+    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
+    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9
     I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9
     I_zz = (
-R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx
-        + I_p_yz*R_zy + I_p_zz*R_zz)
+        R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz)
+        + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz)
     )
     # (33) M (g - a_G)
     N_x = M*(g_x - a_G_x)
@@ -269,10 +271,9 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     N_z = M*(g_z - a_G_z)
     c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z
     c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z
-    # (34) I alpha + omega x I omega
-    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z
     # (34) I alpha + omega x I omega
+    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x
     E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y
     # (33) external force, base frame
@@ -286,12 +287,20 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     shape = motion.t.shape[:-1]
     return {
         "c_force": stack(shape, F_load_x + N_x, F_load_y + N_y, F_load_z + N_z),
-        "c_moment": stack(shape, M_load_x + N_z*R_G_y - E_x - N_y*R_G_z, M_load_y + N_x*R_G_z - E_y - N_z*R_G_x, M_load_z + N_y*R_G_x - E_z - N_x*R_G_y),
+        "c_moment": stack(
+            shape,
+            M_load_x + N_z*R_G_y - E_x - N_y*R_G_z,
+            M_load_y + N_x*R_G_z - E_y - N_z*R_G_x,
+            M_load_z + N_y*R_G_x - E_z - N_x*R_G_y,
+        ),
     }
 
 
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
-    """One leg: joint reactions, (21), (26)-(29), (17): 455 (262 mul, 191 add, 1 div, 1 sqrt) operations."""
+    """One leg: joint reactions, (21), (26)-(29), (17).
+
+    Operations: 455 (262 mul, 191 add, 1 div, 1 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -405,7 +414,8 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     c15 = c14*c8
     c16 = c4*inv_L
     F_s_u = (
-c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x - c13*c8 - c15 - c16*c8 - c9)
+        c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x - c13*c8 - c15 - c16*c8
+        - c9)
     )
     c17 = m_d*r_d0_x
     c18 = m_u*r_u0_x
@@ -413,18 +423,14 @@ c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x - c13*c
     c19 = C_s*inv_L
     F_s_s_w = c19
     c20 = s_y*w_across_z - s_z*w_across_y
-    # F_s, base frame
-    F_s_x = F_s_e*e_across_x + F_s_gamma*gamma_across_x + F_s_s_w*c20 + F_s_u*u_across_x + s_x*x
     c21 = s_z*w_across_x - s_x*w_across_z
-    # F_s, base frame
-    F_s_y = F_s_e*e_across_y + F_s_gamma*gamma_across_y + F_s_s_w*c21 + F_s_u*u_across_y + s_y*x
     c22 = s_x*w_across_y - s_y*w_across_x
     # F_s, base frame
+    F_s_x = F_s_e*e_across_x + F_s_gamma*gamma_across_x + F_s_s_w*c20 + F_s_u*u_across_x + s_x*x
+    F_s_y = F_s_e*e_across_y + F_s_gamma*gamma_across_y + F_s_s_w*c21 + F_s_u*u_across_y + s_y*x
     F_s_z = F_s_e*e_across_z + F_s_gamma*gamma_across_z + F_s_s_w*c22 + F_s_u*u_across_z + s_z*x
-    c23 = -c17
     c24 = c10 + c11*c6 + c13 + c14 + c16 + c7 - c18 - c5
-    F_u_e = -inv_L*(c23 + c24)
-    c25 = -c19
+    F_u_e = -inv_L*(c24 - c17)
     c26 = c1*c8
     c27 = I_d0_yy*c26
     c28 = I_u0_yy*c26
@@ -433,14 +439,15 @@ c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x - c13*c
     c31 = c26*c3
     c32 = c26*c4
     c33 = (
-c25 + c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*u_x - 4*inv_L*m_u*r_u0_x*u_x
+        c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*u_x - c19
+        - 4*inv_L*m_u*r_u0_x*u_x
     )
     F_u_u = -inv_L*(2*inv_L*m_d*r_d0_x*u_x - c33)
     c34 = c17*inv_L
     c35 = c18*inv_L
     c36 = c11 + c34 + c35 - m_u
     F_u_gamma = c36 - m_d
-    F_u_s_w = c25
+    F_u_s_w = -c19
     c37 = c1*u_square
     c38 = c18*c37 + gamma_x*m_u + x - e_x*m_u
     c39 = -c17*c37 - c38 - gamma_x*m_d
@@ -453,7 +460,7 @@ c25 + c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*
     c41 = c33*inv_L
     F_p_u = c41
     F_p_gamma = c36
-    F_p_s_w = c25
+    F_p_s_w = -c19
     c42 = C_p*u_x - c38
     # F_p, base frame
     F_p_x = F_p_e*e_across_x + F_p_gamma*gamma_across_x + F_p_s_w*c20 + F_p_u*u_across_x + c42*s_x
@@ -462,7 +469,7 @@ c25 + c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*
     F_c_e = c40
     F_c_u = c41
     F_c_gamma = c36
-    F_c_s_w = c25
+    F_c_s_w = -c19
     # F_c, base frame
     F_c_x = F_c_e*e_across_x + F_c_gamma*gamma_across_x + F_c_s_w*c20 + F_c_u*u_across_x
     F_c_y = F_c_e*e_across_y + F_c_gamma*gamma_across_y + F_c_s_w*c21 + F_c_u*u_across_y
@@ -470,29 +477,29 @@ c25 + c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*
     c43 = bearing*c5
     c44 = bearing*c11
     M_p_s_e = (
-inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7 + c44*c6 - I_d0_yy - bearing*c18
-        - c3 - c43)
+        inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7 + c44*c6 - I_d0_yy
+        - bearing*c18 - c3 - c43)
     )
     c45 = -bearing*c19
     M_p_s_u = (
-inv_L*(C_u*bearing*inv_L + 4*L*bearing*inv_L*m_u*u_x + 4*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9 - C_u
-        - bearing*c27 - bearing*c28 - bearing*c30 - bearing*c31 - bearing*c32 - bearing*c8*m_u - c29*c43
-        - c45)
+        inv_L*(C_u*bearing*inv_L + 4*L*bearing*inv_L*m_u*u_x + 4*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9
+        - C_u - bearing*c27 - bearing*c28 - bearing*c30 - bearing*c31 - bearing*c32 - bearing*c8*m_u
+        - c29*c43 - c45)
     )
-    M_p_s_gamma = bearing*m_u - bearing*c34 - bearing*c35 - c23 - c44
+    M_p_s_gamma = bearing*m_u + c17 - bearing*c34 - bearing*c35 - c44
     M_p_w = c45
     # M_p, base frame
     M_p_x = (
-M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y - gamma_across_y*s_z) + M_p_s_u*(s_y*u_across_z
-        - s_z*u_across_y) + M_p_w*w_across_x
+        M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y - gamma_across_y*s_z)
+        + M_p_s_u*(s_y*u_across_z - s_z*u_across_y) + M_p_w*w_across_x
     )
     M_p_y = (
-M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z - gamma_across_z*s_x) + M_p_s_u*(s_z*u_across_x
-        - s_x*u_across_z) + M_p_w*w_across_y
+        M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z - gamma_across_z*s_x)
+        + M_p_s_u*(s_z*u_across_x - s_x*u_across_z) + M_p_w*w_across_y
     )
     M_p_z = (
-M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x - gamma_across_x*s_y) + M_p_s_u*(s_x*u_across_y
-        - s_y*u_across_x) + M_p_w*w_across_z
+        M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x - gamma_across_x*s_y)
+        + M_p_s_u*(s_x*u_across_y - s_y*u_across_x) + M_p_w*w_across_z
     )
     shape = (*motion.t.shape[:-1], 6)
     return {

@@ -2,17 +2,17 @@
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
-``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3), ...
+``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
 
 Operations of one pose of inverse dynamics, six legs, solve included
-           with friction                              without friction
-leg        316 (177 mul, 135 add, 2 div, 2 sqrt)      270 (153 mul, 113 add, 2 div, 2 sqrt)
-platform   219 (123 mul, 96 add, 0 div, 0 sqrt)       219 (123 mul, 96 add, 0 div, 0 sqrt)
-sum of c   36 (0 mul, 36 add, 0 div, 0 sqrt)          36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve      197 (106 mul, 85 add, 6 div, 0 sqrt)       197 (106 mul, 85 add, 6 div, 0 sqrt)
-forces     6 (0 mul, 6 add, 0 div, 0 sqrt)            6 (0 mul, 6 add, 0 div, 0 sqrt)
-total      2354 (1291 mul, 1033 add, 18 div, 12 sqrt) 2078 (1147 mul, 901 add, 18 div, 12 sqrt)
+         with friction                             without friction
+leg      316 (177 mul, 135 add, 2 div, 2 sqrt)     270 (153 mul, 113 add, 2 div, 2 sqrt)
+platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
+sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
+total    2354 (1291 mul, 1033 add, 18 div, 12 sqrt) 2078 (1147 mul, 901 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -55,7 +55,10 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 
 
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 316 (177 mul, 135 add, 2 div, 2 sqrt) operations."""
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
+
+    Operations: 316 (177 mul, 135 add, 2 div, 2 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -155,7 +158,7 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
     z_z = s_x*y_y - s_y*y_x
-    # (4) velocity of the platform point, leg frame
+    # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z
@@ -180,47 +183,38 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     L_ddot = L*c1 + L*c2 + e_x
     c3 = 2*u_x
     c4 = W_z*c3
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4)
     c5 = W_y*c3
     # (9) angular acceleration of the leg, leg frame
+    A_z = inv_L*(e_y - c4)
     A_y = inv_L*(-c5 - e_z)
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    # (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
     c6 = W_y*r_d0_z - W_z*r_d0_y
-    # (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower centre of mass
+    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
     a_d_y = A_z*r_d0_x + W_z*c6
     a_d_z = -A_y*r_d0_x - W_y*c6
-    # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
     c7 = W_y*r_u0_z - W_z*r_u0_y
     # (14) acceleration of the upper centre of mass
+    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
     a_u_y = A_z*r_u_x + W_z*c7 + c4
     a_u_z = -A_y*r_u_x - W_y*c7 - c5
-    c8 = -gamma_x
     # (25) m_d (a_d - g)
-    N_d_x = m_d*(a_d_x + c8)
-    c9 = -gamma_y
-    # (25) m_d (a_d - g)
-    N_d_y = m_d*(a_d_y + c9)
-    c10 = -gamma_z
-    # (25) m_d (a_d - g)
-    N_d_z = m_d*(a_d_z + c10)
+    N_d_x = m_d*(a_d_x - gamma_x)
+    N_d_y = m_d*(a_d_y - gamma_y)
+    N_d_z = m_d*(a_d_z - gamma_z)
     # (23) m_u (a_u - g)
-    N_u_x = m_u*(a_u_x + c8)
-    N_u_y = m_u*(a_u_y + c9)
-    N_u_z = m_u*(a_u_z + c10)
+    N_u_x = m_u*(a_u_x - gamma_x)
+    N_u_y = m_u*(a_u_y - gamma_y)
+    N_u_z = m_u*(a_u_z - gamma_z)
     # (18) friction moment at the spherical joint, leg frame
     f_leg_x = -C_s*w_x
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    # (19) inertia of both parts about their own centres of mass
+    c11 = m_u*L*L
+    # (15), (16), (19) I_d + I_u
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
-    c11 = m_u*L*L
-    # (19) inertia of both parts about their own centres of mass
     I_yy = I_d0_yy + I_u0_yy + c11
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz + c11
@@ -259,7 +253,10 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
 
 
 def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
-    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt) operations."""
+    """The platform's own part of c, (33)-(35).
+
+    Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt).
+    """
     R_xx = motion.R[..., 0, 0]
     R_xy = motion.R[..., 0, 1]
     R_xz = motion.R[..., 0, 2]
@@ -303,28 +300,26 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
     R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz
     c1 = R_G_y*omega_x - R_G_x*omega_y
     c2 = R_G_x*omega_z - R_G_z*omega_x
-    # (31) acceleration of the centre of mass
-    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     c3 = R_G_z*omega_y - R_G_y*omega_z
     # (31) acceleration of the centre of mass
+    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
     a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x
     a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y
     c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz
     c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz
     c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz
-    # (32) inertia of the platform, base frame
-    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
-    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz
     c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz
     c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz
     # (32) inertia of the platform, base frame
+    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
+    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
+    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
     I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9
     I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9
     I_zz = (
-R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx
-        + I_p_yz*R_zy + I_p_zz*R_zz)
+        R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz)
+        + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz)
     )
     # (33) M (g - a_G)
     N_x = M*(g_x - a_G_x)
@@ -332,10 +327,9 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     N_z = M*(g_z - a_G_z)
     c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z
     c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z
-    # (34) I alpha + omega x I omega
-    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z
     # (34) I alpha + omega x I omega
+    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
     E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x
     E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y
     # (33) external force, base frame
@@ -349,12 +343,20 @@ R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
     shape = motion.t.shape[:-1]
     return {
         "c_force": stack(shape, F_load_x + N_x, F_load_y + N_y, F_load_z + N_z),
-        "c_moment": stack(shape, M_load_x + N_z*R_G_y - E_x - N_y*R_G_z, M_load_y + N_x*R_G_z - E_y - N_z*R_G_x, M_load_z + N_y*R_G_x - E_z - N_x*R_G_y),
+        "c_moment": stack(
+            shape,
+            M_load_x + N_z*R_G_y - E_x - N_y*R_G_z,
+            M_load_y + N_x*R_G_z - E_y - N_z*R_G_x,
+            M_load_z + N_y*R_G_x - E_z - N_x*R_G_y,
+        ),
     }
 
 
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
-    """One leg: joint reactions, (21), (26)-(29), (17): 410 (226 mul, 180 add, 2 div, 2 sqrt) operations."""
+    """One leg: joint reactions, (21), (26)-(29), (17).
+
+    Operations: 410 (226 mul, 180 add, 2 div, 2 sqrt).
+    """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
     b_z = robot.b[:, 2]
@@ -454,7 +456,7 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
     z_z = s_x*y_y - s_y*y_x
-    # (4) velocity of the platform point, leg frame
+    # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z
@@ -479,89 +481,73 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     L_ddot = L*c1 + L*c2 + e_x
     c3 = 2*u_x
     c4 = W_z*c3
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4)
     c5 = W_y*c3
     # (9) angular acceleration of the leg, leg frame
+    A_z = inv_L*(e_y - c4)
     A_y = inv_L*(-c5 - e_z)
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    # (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
     c6 = W_y*r_d0_z - W_z*r_d0_y
-    # (13) acceleration of the lower centre of mass
+    # (11), (13) acceleration of the lower centre of mass
+    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
     a_d_y = A_z*r_d0_x + W_z*c6
     a_d_z = -A_y*r_d0_x - W_y*c6
-    # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
     c7 = W_y*r_u0_z - W_z*r_u0_y
     # (14) acceleration of the upper centre of mass
+    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
     a_u_y = A_z*r_u_x + W_z*c7 + c4
     a_u_z = -A_y*r_u_x - W_y*c7 - c5
-    c8 = -gamma_x
     # (25) m_d (a_d - g)
-    N_d_x = m_d*(a_d_x + c8)
-    c9 = -gamma_y
-    # (25) m_d (a_d - g)
-    N_d_y = m_d*(a_d_y + c9)
-    c10 = -gamma_z
-    # (25) m_d (a_d - g)
-    N_d_z = m_d*(a_d_z + c10)
+    N_d_x = m_d*(a_d_x - gamma_x)
+    N_d_y = m_d*(a_d_y - gamma_y)
+    N_d_z = m_d*(a_d_z - gamma_z)
     # (23) m_u (a_u - g)
-    N_u_x = m_u*(a_u_x + c8)
-    N_u_y = m_u*(a_u_y + c9)
-    N_u_z = m_u*(a_u_z + c10)
+    N_u_x = m_u*(a_u_x - gamma_x)
+    N_u_y = m_u*(a_u_y - gamma_y)
+    N_u_z = m_u*(a_u_z - gamma_z)
     # (18) friction moment at the spherical joint, leg frame
     f_leg_x = -C_s*w_x
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    # (19) inertia of both parts about their own centres of mass
+    c11 = m_u*L*L
+    # (15), (16), (19) I_d + I_u
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
-    c11 = m_u*L*L
-    # (19) inertia of both parts about their own centres of mass
     I_yy = I_d0_yy + I_u0_yy + c11
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz + c11
-    # (19) I A + W x I W
-    E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z)
     c12 = I_xy*W_y + I_xz*W_z
     # (19) I A + W x I W
+    E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z)
     E_y = A_y*I_yy + A_z*I_yz + W_z*c12
     E_z = A_y*I_yz + A_z*I_zz - W_y*c12
-    # (17) I_d A + W x I_d W
-    E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z) - W_z*(I_d0_yy*W_y + I_d0_yz*W_z)
     c13 = I_d0_xy*W_y + I_d0_xz*W_z
     # (17) I_d A + W x I_d W
+    E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z) - W_z*(I_d0_yy*W_y + I_d0_yz*W_z)
     E_d_y = A_y*I_d0_yy + A_z*I_d0_yz + W_z*c13
     E_d_z = A_y*I_d0_yz + A_z*I_d0_zz - W_y*c13
     c14 = N_d_z*r_d0_y
     c15 = N_d_y*r_d0_z
-    # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15
     c16 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
-    # (20) moment that the joints' forces must make
-    C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x
     c17 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
     # (20) moment that the joints' forces must make
+    C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15
+    C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x
     C_z = E_z + N_u_y*r_u_x + c17 + f_leg_z - N_u_x*r_u0_y
     c18 = C_z*inv_L
-    # (21) transverse force at the spherical joint, leg frame
-    K_leg_y = c18
     c19 = C_y*inv_L
     # (21) transverse force at the spherical joint, leg frame
+    K_leg_y = c18
     K_leg_z = -c19
     c20 = N_u_x - x
+    c21 = N_u_z + c19
     # F_u, leg frame
     F_u_leg_x = N_d_x + c20
     F_u_leg_y = N_d_y + N_u_y - c18
-    c21 = N_u_z + c19
-    # F_u, leg frame
     F_u_leg_z = N_d_z + c21
-    # F_p, leg frame
-    F_p_leg_x = C_p*u_x + c20
     c22 = N_u_y - c18
     # F_p, leg frame
+    F_p_leg_x = C_p*u_x + c20
     F_p_leg_y = c22
     F_p_leg_z = c21
     # F_c, leg frame
@@ -573,10 +559,35 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c17
     shape = (*motion.t.shape[:-1], 6)
     return {
-        "F_s": stack(shape, K_leg_y*y_x + K_leg_z*z_x + s_x*x, K_leg_y*y_y + K_leg_z*z_y + s_y*x, K_leg_y*y_z + K_leg_z*z_z + s_z*x),
-        "F_u": stack(shape, F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x, F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y, F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z),
-        "F_p": stack(shape, F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x, F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y, F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z),
-        "F_c": stack(shape, F_c_leg_y*y_x + F_c_leg_z*z_x, F_c_leg_y*y_y + F_c_leg_z*z_y, F_c_leg_y*y_z + F_c_leg_z*z_z),
-        "M_p": stack(shape, M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x, M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y, M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z),
+        "F_s": stack(
+            shape,
+            K_leg_y*y_x + K_leg_z*z_x + s_x*x,
+            K_leg_y*y_y + K_leg_z*z_y + s_y*x,
+            K_leg_y*y_z + K_leg_z*z_z + s_z*x,
+        ),
+        "F_u": stack(
+            shape,
+            F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x,
+            F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y,
+            F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z,
+        ),
+        "F_p": stack(
+            shape,
+            F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x,
+            F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y,
+            F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z,
+        ),
+        "F_c": stack(
+            shape,
+            F_c_leg_y*y_x + F_c_leg_z*z_x,
+            F_c_leg_y*y_y + F_c_leg_z*z_y,
+            F_c_leg_y*y_z + F_c_leg_z*z_z,
+        ),
+        "M_p": stack(
+            shape,
+            M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x,
+            M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y,
+            M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z,
+        ),
         "M_u": np.broadcast_to(C_x, shape),
     }

@@ -1,9 +1,9 @@
 """Dynamics of the Stewart platform: derived by SymPy, emitted as C and NumPy, checked.
 
-    import stewart_sym as ss
-    robot = ss.Robot.from_toml("hexapod.toml")
-    motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
-    forces = ss.inverse_dynamics(robot, motion).F
+import stewart_sym as ss
+robot = ss.Robot.from_toml("hexapod.toml")
+motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+forces = ss.inverse_dynamics(robot, motion).F
 """
 
 from . import robots

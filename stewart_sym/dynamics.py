@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import reference
 from .kernel import CKernel, NumpyKernel, kernel_name
-from .kinematics import inverse_kinematics
 from .motion import Motion
 from .native import CompilerError
 from .results import POLE, SHORT_LEG, STATUS_TEXT, Forces, Reactions
@@ -155,12 +154,14 @@ def _first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> str
     where = tuple(int(i) for i in np.argwhere(status)[0])
     code = int(status[where])
     pose = f"motion[{', '.join(map(str, where))}]" if where else "motion"
-    leg = ""
-    if code in (SHORT_LEG, POLE):
-        kinematics = inverse_kinematics(robot, motion[where])
-        sines = np.linalg.norm(np.cross(robot.k, kinematics.s), axis=-1)
-        worst = int(np.argmin(kinematics.L if code == SHORT_LEG else sines))
-        leg = f" (leg {worst + 1})"
+    leg = f" (leg {_worst_leg(code, robot, motion[where]) + 1})" if code in (SHORT_LEG, POLE) else ""
     more = int(np.count_nonzero(status)) - 1
     others = f"; {more} more poses have no answer either" if more else ""
     return f"{pose}: {STATUS_TEXT[code]}{leg}{others}"
+
+
+def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
+    """Index of the shortest leg, or of the one nearest to its universal axis."""
+    S = robot.p @ motion.R.T + motion.t - robot.b
+    L = np.linalg.norm(S, axis=-1)
+    return int(np.argmin(L if code == SHORT_LEG else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))

@@ -27,7 +27,14 @@ FORMULATIONS = ("exact", "paper")
 _MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 _LEG = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
 _PLATFORM = ("M", "R_0", "I_p", "g")
-_FORCES: Mapping[str, tuple[int, ...]] = {"F": (6,), "D": (6,), "x": (6,), "K": (6, 3), "H": (6, 6), "c": (6,)}
+_FORCES: Mapping[str, tuple[int, ...]] = {
+    "F": (6,),
+    "D": (6,),
+    "x": (6,),
+    "K": (6, 3),
+    "H": (6, 6),
+    "c": (6,),
+}
 _REACTIONS: Mapping[str, tuple[int, ...]] = {
     **dict.fromkeys(("F_s", "F_u", "F_p", "F_c", "M_p"), (6, 3)),
     "M_u": (6,),

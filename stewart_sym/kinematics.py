@@ -36,20 +36,26 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero.
+    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero to rounding.
     """
     q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
     S = q + motion.t[..., None, :] - robot.b
     L = np.linalg.norm(S, axis=-1)
-    if np.any(L == 0.0):
-        *pose, leg = (int(i) for i in np.argwhere(L == 0.0)[0])
-        at = f" at motion[{', '.join(map(str, pose))}]" if pose else ""
-        raise ValueError(f"motion: leg {leg + 1} has length zero{at}")
+    reach = np.linalg.norm(q, axis=-1) + np.linalg.norm(motion.t, axis=-1)[..., None]
+    _refuse_short(L, rounding=4.0 * np.finfo(np.float64).eps * reach)
     s = S / L[..., None]
     omega = motion.omega[..., None, :]
     S_dot = np.cross(omega, q) + motion.v[..., None, :]
     L_dot = _dot(s, S_dot)
     return LegKinematics(L=L, L_dot=L_dot, L_ddot=_second_rate(motion, q, s, S_dot, L, L_dot), s=s, S=S)
+
+
+def _refuse_short(L: Array, rounding: Array) -> None:
+    short = np.argwhere(rounding >= L)
+    if short.size:
+        *pose, leg = (int(i) for i in short[0])
+        at = f" at motion[{', '.join(map(str, pose))}]" if pose else ""
+        raise ValueError(f"motion: leg {leg + 1} has length zero{at}")
 
 
 def _second_rate(motion: Motion, q: Array, s: Array, S_dot: Array, L: Array, L_dot: Array) -> Array | None:

@@ -4,6 +4,7 @@ Stands beside ``Robot`` at the start of the flow; whoever receives a ``Motion`` 
 rotations.  Knows nothing of robots, of time or of how the motion came about.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -90,6 +91,12 @@ class Motion:
             own = (slice(None),) * (2 if field.name == "R" else 1)
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
         return Motion(**picked)
+
+    def __iter__(self) -> Iterator["Motion"]:
+        """Go along the first axis of ``shape``."""
+        if not self.shape:
+            raise TypeError("a motion of shape () is one instant and cannot be iterated over")
+        return (self[i] for i in range(self.shape[0]))
 
     @classmethod
     def from_rpy(

@@ -247,10 +247,9 @@ def _processor() -> str:
 def _mac_processor() -> str:
     # platform.processor() says only "arm" or "i386" there.
     if sys.platform == "darwin":
+        question = ("/usr/sbin/sysctl", "-n", "machdep.cpu.brand_string")
         with contextlib.suppress(OSError, subprocess.TimeoutExpired):
-            return _run(("/usr/sbin/sysctl", "-n", "machdep.cpu.brand_string"), _VERSION_TIMEOUT, Path("/"))[
-                1
-            ]
+            return _run(question, _VERSION_TIMEOUT, Path("/"))[1]
     return ""
 
 

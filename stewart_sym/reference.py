@@ -36,8 +36,8 @@ EXACT: frozenset[int] = frozenset()
 PAPER: frozenset[int] = frozenset({SPIN, MOMENT, TRANSPORT})
 """Formulation `paper`: the printed equations, with (35) and not (33) for the force rows."""
 
-POLE_SINE = 4 * np.finfo(np.float64).eps
-"""Sine of the angle between k and s below which k x s is rounding and no direction: a pole."""
+ROUNDING = 8 * np.finfo(np.float64).eps
+"""Share at which a leg's length, the sine of its angle with k or a singular value of H counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,7 +164,8 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
         H = _H(leg)
         c_0 = _platform_wrench(robot, motion)
         status = np.where(_finite(H, 2) & _finite(c_0, 1), OK, NOT_FINITE).astype(np.int32)
-        x_0, _ = _solve_linear(H, c_0, status)
+        status[_has_short_leg(leg)] = SHORT_LEG
+        x_0, _ = _solve_linear(robot, H, c_0, status)
         return -x_0
 
 
@@ -327,9 +328,9 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
 
     status = np.where(_finite(H, 2) & _finite(c, 1) & _finite(D, 1), OK, NOT_FINITE).astype(np.int32)
-    status[np.any(leg.sin_pole[..., 0] <= POLE_SINE, axis=-1)] = POLE
-    status[np.any(leg.L[..., 0] == 0, axis=-1)] = SHORT_LEG
-    x, status = _solve_linear(H, c, status)  # (36)
+    status[np.any(leg.sin_pole[..., 0] <= ROUNDING, axis=-1)] = POLE
+    status[_has_short_leg(leg)] = SHORT_LEG
+    x, status = _solve_linear(robot, H, c, status)  # (36)
     F = D - x  # (37)
     bad = status != OK
     return leg, Forces(
@@ -397,13 +398,22 @@ def _bearing(bearing: ArrayLike | None) -> Array:
     return np.broadcast_to(value, 6)[:, None]
 
 
-def _solve_linear(H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
+def _has_short_leg(leg: _Positions) -> NDArray[np.bool_]:
+    """Whether some leg's length is rounding beside the size of the platform."""
+    short: NDArray[np.bool_] = np.any(ROUNDING * np.abs(leg.q) >= leg.L, axis=(-2, -1))
+    return short
+
+
+def _solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
     """x of H x = c at the poses whose status is 0, NaN at the others; and the status with what came of it."""
     x = np.full_like(c, np.nan)
     status = status.copy()
     ok = status == OK
+    length = np.linalg.norm(robot.p, axis=-1).max() or 1.0
+    sigma = np.linalg.svd(H[ok] / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
     # `solve` refuses a whole batch for one zero pivot; slogdet, the same elimination, tells whose it is.
-    status[ok] = np.where(np.linalg.slogdet(H[ok])[0] == 0, SINGULAR, OK)
+    singular = (sigma[:, -1] <= ROUNDING * sigma[:, 0]) | (np.linalg.slogdet(H[ok])[0] == 0)
+    status[ok] = np.where(singular, SINGULAR, OK)
     ok = status == OK
     x[ok] = np.linalg.solve(H[ok], c[ok][..., None])[..., 0]
     status[ok & ~_finite(x, 1)] = NOT_FINITE

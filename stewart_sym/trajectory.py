@@ -247,7 +247,7 @@ _MIN_SPLINE_POINTS = 4
 
 
 def read_csv(path: str | os.PathLike[str]) -> tuple[Array, Motion]:
-    """Read a trajectory: a header line that names the columns, then one row for each instant, in time's order.
+    """Read a trajectory: a header line that names the columns, then one row per instant in order of time.
 
     Columns, in any order: ``time`` (s); ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad, (38));
     optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and ``theta_ddot_*``; optionally ``F_ext_*`` (N) and

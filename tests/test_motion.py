@@ -1,4 +1,4 @@
-"""Motion: angles and rates agree with each other, shapes broadcast, and what is no motion is refused by name."""
+"""Motion: angles and rates agree with each other, shapes broadcast, what is no motion is refused by name."""
 
 from collections.abc import Callable
 from typing import Any
@@ -35,7 +35,7 @@ def error_of(call: Callable[[], object]) -> str:
 def turn(axis: int, angle: float) -> Array:
     """Rotation about one axis by Rodrigues' formula."""
     k = np.cross(E, E[axis])
-    return np.asarray(E - np.sin(angle) * k + (1.0 - np.cos(angle)) * k @ k)
+    return np.asarray(E + np.sin(angle) * k + (1.0 - np.cos(angle)) * k @ k)
 
 
 def skew_part(matrix: Array) -> Array:
@@ -142,7 +142,7 @@ def test_absent_parts_stay_none() -> None:
 
 
 def test_leading_shapes_broadcast() -> None:
-    motion = Motion(E, np.zeros((5, 3)), np.zeros((4, 1, 3)), [1, 2, 3])
+    motion = Motion(E, np.zeros((5, 3)), np.zeros((4, 1, 3)), np.array([1.0, 2.0, 3.0]))
     assert motion.shape == (4, 5)
     assert motion.R.shape == (4, 5, 3, 3)
     np.testing.assert_array_equal(motion.v[3, 4], [1.0, 2.0, 3.0])
@@ -181,7 +181,15 @@ def test_no_index_reaches_the_vectors() -> None:
         motion[0, 0]
     with pytest.raises(IndexError):
         motion[5]
-    assert len(list(motion)) == 5  # type: ignore[call-overload]
+
+
+def test_iteration_goes_along_the_first_axis() -> None:
+    t = np.arange(30.0).reshape(5, 2, 3)
+    for i, part in enumerate(Motion(E, t, ZERO, ZERO)):
+        np.testing.assert_array_equal(part.t, t[i])
+    assert i == 4
+    with pytest.raises(TypeError, match="one instant"):
+        iter(Motion(E, ZERO, ZERO, ZERO))
 
 
 def test_empty_batch() -> None:

@@ -430,7 +430,7 @@ def test_ziglang_wheel_serves_when_there_is_nothing_else(
     )
     (tmp_path / "empty").mkdir()
     monkeypatch.setenv("PATH", str(tmp_path / "empty"))
-    monkeypatch.setenv("PYTHONPATH", str(package.parent))
+    monkeypatch.setenv("PYTHONPATH", str(package.parent), prepend=os.pathsep)
     monkeypatch.delenv("ZIG_GLOBAL_CACHE_DIR", raising=False)
     monkeypatch.delenv("CC")
     code = CHILD + "assert native.find_compiler().command[1:] == ('-m', 'ziglang', 'cc')\n"

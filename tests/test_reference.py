@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
-from machines import dasgupta, path_period, random_motion, random_path, random_robot
+from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot, rotation
 from numpy.typing import NDArray
 
 from stewart_sym import reference
@@ -305,7 +305,7 @@ def _pole(k: Array) -> tuple[Robot, Motion]:
 
 def _parallel_legs() -> tuple[Robot, Motion]:
     robot = random_robot(np.random.default_rng(12))
-    points = np.round(8 * robot.b) / 8 * [1, 1, 0]
+    points = np.random.default_rng(13).integers(-8, 9, (6, 3)) / 8
     return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), _at_rest([0, 0, 1])
 
 
@@ -330,9 +330,8 @@ def test_a_pose_without_an_answer_is_nan_with_a_status_and_spares_its_neighbours
 ) -> None:
     make, status = NO_ANSWER[name]
     robot, bad = make()
-    good = _at_rest(np.array([0.01, 0.02, 1.5]) * np.abs(robot.b).max())
-    # A turn takes the good pose off the singular poses of parallel legs.
-    good = dataclasses.replace(good, R=_about_z(0.5))
+    good = _at_rest(np.array([0.1, 0.2, 1.5]) * np.abs(robot.b).max())
+    good = dataclasses.replace(good, R=rotation(np.array([0.3, -0.4, 0.5])))
     batch = Motion(
         *(np.stack([getattr(m, name) for m in (good, bad, good)]) for name in ("R", "t", "omega", "v")),
         *(np.stack([getattr(m, name) for m in (good, bad, good)]) for name in ("alpha", "a")),
@@ -356,6 +355,17 @@ def test_a_pose_without_an_answer_is_nan_with_a_status_and_spares_its_neighbours
     _assert_close(forces.F[2], neighbour.F, tolerance=1e-10)
 
 
+def test_equal_hexagons_on_a_circle_are_singular_in_every_pose_though_no_pivot_is_zero() -> None:
+    rng = np.random.default_rng(14)
+    robot = random_robot(rng)
+    angle = rng.uniform(0, 2 * np.pi, 6)
+    hexagon = machine_size(robot) * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])
+    good = random_motion(rng, robot, (20,))
+    equal = dataclasses.replace(robot, b=hexagon, p=hexagon)
+    assert np.all(reference.inverse_dynamics(robot, good).status == OK)
+    assert np.all(reference.inverse_dynamics(equal, good).status == SINGULAR)
+
+
 @pytest.mark.parametrize("make", [_short_leg, _parallel_legs])
 def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
     robot, motion = make()  # type: ignore[operator]
@@ -369,11 +379,6 @@ def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
 def _at_rest(t: object) -> Motion:
     none = np.zeros(3)
     return Motion(np.eye(3), np.asarray(t, dtype=np.float64), none, none, none, none)
-
-
-def _about_z(angle: float) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
 def _random_case() -> tuple[Robot, Motion]:

@@ -23,9 +23,14 @@ FORCES = (
     (Quantity("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"), "[6]"),
     (Quantity("D", (6,), "N", "known part of the actuator forces, (24)"), "[6]"),
     (Quantity("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"), "[6]"),
-    (Quantity("K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"), "[6][3]"),
-    (Quantity("H", (6, 6), "1, m", "row-major, from x to the wrench on the platform, (36)"), "[6][6]"),
-    (Quantity("c", (6,), "N, N m", "wrench that x must balance, base frame, (36)"), "[6]"),
+    (
+        Quantity(
+            "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
+        ),
+        "[6][3]",
+    ),
+    (Quantity("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"), "[6][6]"),
+    (Quantity("c", (6,), "N and N m", "wrench that x must balance, base frame, (36)"), "[6]"),
 )
 REACTIONS = (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
 
@@ -59,15 +64,18 @@ def _comment(declaration: str, quantity: Quantity) -> str:
 
 def _member(quantity: Quantity) -> str:
     dims = f"[{size(quantity)}]" if quantity.shape else ""
-    order = {True: ", order xx xy xz yy yz zz", False: ", row-major" if len(quantity.shape) == 2 else ""}
-    return f"    stewart_real {quantity.name}{dims}; /* {quantity.unit}: {quantity.meaning}{order[quantity.symmetric]} */"
+    order = ", order xx xy xz yy yz zz" if quantity.symmetric else ", row-major"
+    order = order if len(quantity.shape) == 2 else ""
+    return f"    stewart_real {quantity.name}{dims}; /* {quantity.unit}: {quantity.meaning}{order} */"
 
 
 def _pointer(quantity: Quantity, dims: str, const: str = "") -> str:
     return f"    {const}stewart_real *{quantity.name}; /* {dims} */"
 
 
-def header(kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str) -> str:
+def header(
+    kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str
+) -> str:
     """``stewart_<kernel>.h``: what the kernel computes, its cost, its functions."""
     name = kernel.formulation.kernel_name
     return _HEADER.format(
@@ -75,6 +83,7 @@ def header(kernel: Kernel, with_friction: KernelOperations, frictionless: Kernel
         guard=f"STEWART_{name.upper()}_H",
         version=version,
         about=_about(kernel),
+        interface=_interface(kernel),
         operations=operations_table(with_friction, frictionless, " * "),
     )
 
@@ -83,7 +92,7 @@ def _about(kernel: Kernel) -> str:
     form = kernel.formulation
     first = {
         "exact": "Formulation `exact`: the elimination with joint and inertias treated correctly.",
-        "paper": "Formulation `paper`: the equations as printed, with faults 1-3 (use `exact` for a real machine).",
+        "paper": "Formulation `paper`: the equations as printed, faults included.",
     }[form.name]
     joint = {
         True: "Base joint: universal, fixed axis k.",
@@ -92,12 +101,29 @@ def _about(kernel: Kernel) -> str:
     return f"{first}\n * {joint}"
 
 
+def _interface(kernel: Kernel) -> str:
+    """Inputs that the kernel reads and outputs that it writes, with shapes and units."""
+    used = {quantity for block in kernel.blocks for quantity in block.inputs}
+    rows = [
+        ("Reads of each leg", [_typed(q) for q in n.LEG if q in used]),
+        ("Reads of the machine", [_typed(q) for q in n.PLATFORM if q in used]),
+        ("Reads of the motion", [_typed(q) for q in n.MOTION if q in used]),
+        ("Writes forces", [f"{q.name}{dims} {q.unit}" for q, dims in FORCES]),
+        ("Writes reactions", [f"{q.name}[6]{'[3]' if q.shape else ''} {q.unit}" for q in REACTIONS]),
+    ]
+    return "\n".join(wrap_list(f" * {title}: {', '.join(names)}.", " *     ") for title, names in rows)
+
+
+def _typed(quantity: Quantity) -> str:
+    return f"{quantity.name}{f'[{size(quantity)}]' if quantity.shape else ''} {quantity.unit}"
+
+
 def operations_table(with_friction: KernelOperations, frictionless: KernelOperations, prefix: str) -> str:
     """Operation counts part by part, with and without the friction terms."""
     rows = ["Operations of one pose of inverse dynamics, six legs, solve included"]
-    rows.append(f"{'':10s} {'with friction':42s} without friction")
+    rows.append(f"{'':8s} {'with friction':41s} without friction")
     plain = frictionless.parts()
-    rows += [f"{part:10s} {count!s:42s} {plain[part]}" for part, count in with_friction.parts().items()]
+    rows += [f"{part:8s} {count!s:41s} {plain[part]}" for part, count in with_friction.parts().items()]
     return "\n".join((prefix + row).rstrip() for row in rows)
 
 
@@ -123,7 +149,10 @@ def source(kernel: Kernel, version: str) -> str:
 
 def _output_struct(block: Block, struct: str) -> str:
     members = "\n".join(
-        _comment(f"    stewart_real {out.quantity.name}{f'[{size(out.quantity)}]' if out.quantity.shape else ''};", out.quantity)
+        _comment(
+            f"    stewart_real {out.quantity.name}{f'[{size(out.quantity)}]' if out.quantity.shape else ''};",
+            out.quantity,
+        )
         for out in block.outputs
     )
     return f"typedef struct {{\n{members}\n}} {struct};\n"
@@ -136,11 +165,15 @@ def block_function(block: Block, struct: str) -> str:
     loads = [line for quantity in block.inputs for line in _load(quantity, names)]
     arguments = _arguments(block)
     lines = [
-        f"/* {block.meaning}: {block.operations()} operations. */",
-        f"static void {block.name}({arguments}, {struct} *out)",
+        f"/* {block.meaning[0].upper()}{block.meaning[1:]}. Operations: {block.operations()}. */",
+        wrap_list(f"static void {block.name}({arguments}, {struct} *out)", "    "),
         "{",
         *loads,
-        *(line for step, before in zip(block.steps, (None, *block.steps), strict=False) for line in _step(step, before)),
+        *(
+            line
+            for step, before in zip(block.steps, (None, *block.steps), strict=False)
+            for line in _step(step, before)
+        ),
         *(line for out in block.outputs for line in _store(out)),
         "}",
         "",
@@ -178,13 +211,13 @@ def _load(quantity: Quantity, used: set[str]) -> list[str]:
     return [wrap_list(f"    const stewart_real {', '.join(loads)};")]
 
 
-def wrap_list(text: str) -> str:
-    """Break a long list of declarations after a comma."""
+def wrap_list(text: str, indent: str = " " * 8) -> str:
+    """Break a long list after a comma; continuation lines get ``indent``."""
     lines, line = [], ""
     for word in text.split(", "):
         if line and len(line) + len(word) > 100:
             lines.append(line + ",")
-            line = " " * 8 + word
+            line = indent + word
         else:
             line = f"{line}, {word}" if line else word
     return "\n".join([*lines, line])
@@ -287,7 +320,9 @@ _HEADER = """\
  * Written by stewart-sym {version}; do not edit.
  *
  * {about}
- * Inputs, outputs, units and shapes: stewart.h.
+ *
+{interface}
+ * Meanings, frames and storage order: stewart.h.
  *
 {operations}
  */
@@ -476,7 +511,8 @@ static stewart_motions motion_as_arrays(const stewart_motion *motion)
 
 static int motions_given(const stewart_motions *motions)
 {
-    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha && motions->a;
+    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha
+        && motions->a;
 }
 
 /* Inverse dynamics of one pose, (1)-(37). */
@@ -524,8 +560,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 
 /* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). */
 static void pose_reactions(
-    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing, const stewart_real x[6],
-    stewart_reactions *out)
+    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
+    const stewart_real x[6], stewart_reactions *out)
 {
     reaction_terms terms;
     int i, j;

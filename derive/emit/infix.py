@@ -1,12 +1,15 @@
 """Expressions as text that C and Python read alike; shared by the emitters.
 
-Only sums, products, integer powers, reciprocals and square roots occur; anything else is an error here and not
-a surprise in a compiler. The order of the terms fixes the order of the rounding errors, so C and NumPy agree.
+Only sums, products, integer powers, reciprocals and square roots occur; anything else is an error here and
+not a surprise in a compiler. The order of the terms fixes the order of the rounding errors, so that C and
+NumPy agree.
 """
+
+import re
 
 import sympy as sp
 
-WIDTH = 100
+WIDTH = 108
 
 
 def infix(expr: sp.Expr, sqrt: str) -> str:
@@ -67,10 +70,10 @@ def _power(expr: sp.Pow, sqrt: str) -> str:
 def wrap(text: str, indent: str) -> str:
     """Break a long sum before a ``+`` or ``-`` between terms; continuation lines get ``indent``."""
     lines, line = [], ""
-    for word in text.split(" "):
-        if line and len(line) + 1 + len(word) > WIDTH and word in "+-":
+    for piece in re.split(r" (?=[+-] )", text):
+        if line and len(line) + 1 + len(piece) > WIDTH:
             lines.append(line)
-            line = indent + word
+            line = indent + piece
         else:
-            line = f"{line} {word}" if line else word
+            line = f"{line} {piece}" if line else piece
     return "\n".join([*lines, line])

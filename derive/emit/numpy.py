@@ -9,10 +9,12 @@ from ..block import Block, Output, Quantity, Step
 from ..kernels import Kernel
 from ..operations import KernelOperations
 from .c import operations_table
-from .infix import infix, wrap
+from .infix import WIDTH, infix, wrap
 
 
-def module(kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str) -> str:
+def module(
+    kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str
+) -> str:
     """``<kernel>.py``: the blocks as functions, and inverse dynamics and joint reactions made of them."""
     name = kernel.formulation.kernel_name
     return _MODULE.format(
@@ -48,13 +50,20 @@ def block_function(block: Block, legs: bool) -> str:
         if quantity in group
         for line in _load(quantity, owner, used, legs)
     ]
-    steps = [line for step, before in zip(block.steps, (None, *block.steps), strict=False) for line in _step(step, before)]
-    outputs = [f'        "{out.quantity.name}": {_output(out)},' for out in block.outputs]
+    steps = [
+        line
+        for step, before in zip(block.steps, (None, *block.steps), strict=False)
+        for line in _step(step, before)
+    ]
+    outputs = [line for out in block.outputs for line in _output(out)]
     shape = "(*motion.t.shape[:-1], 6)" if legs else "motion.t.shape[:-1]"
     return "\n".join(
         [
             f"def {block.name}(robot: Any, motion: Any{extra}) -> dict[str, Array]:",
-            f'    """{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()} operations."""',
+            f'    """{block.meaning[0].upper()}{block.meaning[1:]}.',
+            "",
+            f"    Operations: {block.operations()}.",
+            '    """',
             *loads,
             *steps,
             f"    shape = {shape}",
@@ -90,16 +99,24 @@ def _step(step: Step, before: Step | None) -> list[str]:
 
 def wrapped(left: str, text: str) -> str:
     """An assignment, in parentheses when it needs more than one line."""
-    if len(left) + len(text) <= 108:
+    if len(left) + len(text) <= WIDTH:
         return left + text
     return f"{left}(\n{wrap(' ' * 8 + text, ' ' * 8)}\n    )"
 
 
-def _output(out: Output) -> str:
+def _output(out: Output) -> list[str]:
+    name = out.quantity.name
     parts = [infix(expr, "np.sqrt") for expr in out.exprs]
     if not out.quantity.shape:
-        return f"np.broadcast_to({parts[0]}, shape)"
-    return f"stack(shape, {', '.join(parts)})"
+        return [f'        "{name}": np.broadcast_to({parts[0]}, shape),']
+    line = f'        "{name}": stack(shape, {", ".join(parts)}),'
+    if len(line) <= WIDTH:
+        return [line]
+    return [
+        f'        "{name}": stack(',
+        *(f"            {part}," for part in ("shape", *parts)),
+        "        ),",
+    ]
 
 
 _MODULE = '''\
@@ -107,7 +124,7 @@ _MODULE = '''\
 
 Written by stewart-sym {version}; do not edit.
 
-``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3), ...
+``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
 
 {operations}
@@ -219,7 +236,8 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
 def leg_status(leg: dict[str, Array]) -> Array:
     """The first leg's fault of each pose: not finite, too short, along its universal axis."""
     L, reach = leg["L"], np.abs(leg["q"]).max(axis=-1)
-    fault = np.where(leg.get("k3", np.ones(())) > ROUNDING, OK, POLE)
+    clear = leg["k3"] > ROUNDING if "k3" in leg else np.full(L.shape, True)
+    fault = np.where(clear, 0, POLE)
     fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)

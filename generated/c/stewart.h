@@ -85,8 +85,8 @@ typedef struct {
     stewart_real D[6]; /* N: known part of the actuator forces, (24) */
     stewart_real x[6]; /* N: axial forces on the legs at their spherical joints, (22) */
     stewart_real K[6][3]; /* N: transverse forces on the legs at their spherical joints, base frame, (21) */
-    stewart_real H[6][6]; /* 1, m: row-major, from x to the wrench on the platform, (36) */
-    stewart_real c[6]; /* N, N m: wrench that x must balance, base frame, (36) */
+    stewart_real H[6][6]; /* 1 and m: row-major, from x to the wrench on the platform, (36) */
+    stewart_real c[6]; /* N and N m: wrench that x must balance, base frame, (36) */
 } stewart_forces;
 
 /* Inverse dynamics of `count` poses. Any pointer may be null: not wanted. */

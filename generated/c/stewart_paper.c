@@ -49,8 +49,9 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* one leg: D, K, its column of H and its part of c, (1)-(24), (35): 316 (177 mul, 135 add, 2 div, 2 sqrt) operations. */
-static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, leg_terms *out)
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 316 (177 mul, 135 add, 2 div, 2 sqrt). */
+static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
+    leg_terms *out)
 {
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
@@ -75,161 +76,156 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     /* (1) leg vector */
-const stewart_real S_x = q_x + t_x - b_x;
-const stewart_real S_y = q_y + t_y - b_y;
-const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = q_x + t_x - b_x;
+    const stewart_real S_y = q_y + t_y - b_y;
+    const stewart_real S_z = q_z + t_z - b_z;
     /* (2) leg length */
-const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-const stewart_real inv_L = 1/L;
+    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real inv_L = 1/L;
     /* (3) unit vector along the leg */
-const stewart_real s_x = S_x*inv_L;
-const stewart_real s_y = S_y*inv_L;
-const stewart_real s_z = S_z*inv_L;
+    const stewart_real s_x = S_x*inv_L;
+    const stewart_real s_y = S_y*inv_L;
+    const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
     /* (4) velocity of the platform point */
-const stewart_real S_dot_x = v_x + w_q_x;
-const stewart_real S_dot_y = v_y + w_q_y;
-const stewart_real S_dot_z = v_z + w_q_z;
+    const stewart_real S_dot_x = v_x + w_q_x;
+    const stewart_real S_dot_y = v_y + w_q_y;
+    const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
     /* (10) normal to the fixed axis and the leg */
-const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
-const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
-const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+    const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+    const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
     /* (10) k = (k1, 0, k3) in the leg frame */
-const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
-const stewart_real inv_k3 = 1/k3;
+    const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
+        + k_cross_s_z*k_cross_s_z);
+    const stewart_real inv_k3 = 1/k3;
     /* (10) rotating axis of the universal joint */
-const stewart_real y_x = inv_k3*k_cross_s_x;
-const stewart_real y_y = inv_k3*k_cross_s_y;
-const stewart_real y_z = inv_k3*k_cross_s_z;
+    const stewart_real y_x = inv_k3*k_cross_s_x;
+    const stewart_real y_y = inv_k3*k_cross_s_y;
+    const stewart_real y_z = inv_k3*k_cross_s_z;
     /* (10) third axis of the leg frame */
-const stewart_real z_x = s_y*y_z - s_z*y_y;
-const stewart_real z_y = s_z*y_x - s_x*y_z;
-const stewart_real z_z = s_x*y_y - s_y*y_x;
-    /* (4) velocity of the platform point, leg frame */
-const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
-const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    const stewart_real z_x = s_y*y_z - s_z*y_y;
+    const stewart_real z_y = s_z*y_x - s_x*y_z;
+    const stewart_real z_z = s_x*y_y - s_y*y_x;
+    /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
+    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+    const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
     /* (7) acceleration of the platform point, leg frame */
-const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
-const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+    const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
     /* gravity, leg frame */
-const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
-const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
     /* angular velocity of the platform, leg frame */
-const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
-const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+    const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+    const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
     /* (6) angular velocity of the leg, leg frame */
-const stewart_real W_z = inv_L*u_y;
-const stewart_real W_y = -inv_L*u_z;
-const stewart_real c1 = W_y*W_y;
-const stewart_real c2 = W_z*W_z;
+    const stewart_real W_z = inv_L*u_y;
+    const stewart_real W_y = -inv_L*u_z;
+    const stewart_real c1 = W_y*W_y;
+    const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-const stewart_real L_ddot = L*c1 + L*c2 + e_x;
-const stewart_real c3 = 2*u_x;
-const stewart_real c4 = W_z*c3;
+    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real c3 = 2*u_x;
+    const stewart_real c4 = W_z*c3;
+    const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg, leg frame */
-const stewart_real A_z = inv_L*(e_y - c4);
-const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg, leg frame */
-const stewart_real A_y = inv_L*(-c5 - e_z);
+    const stewart_real A_z = inv_L*(e_y - c4);
+    const stewart_real A_y = inv_L*(-c5 - e_z);
     /* (12) centre of mass of the upper part from the base point */
-const stewart_real r_u_x = L + r_u0_x;
-    /* (13) acceleration of the lower centre of mass */
-const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
-    /* (13) acceleration of the lower centre of mass */
-const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
-const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
+    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
+    /* (11), (13) acceleration of the lower centre of mass */
+    const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
+    const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
+    const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
+    const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
     /* (14) acceleration of the upper centre of mass */
-const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
-const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
-    /* (14) acceleration of the upper centre of mass */
-const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
-const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
-const stewart_real c8 = -gamma_x;
+    const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
+    const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
+    const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
     /* (25) m_d (a_d - g) */
-const stewart_real N_d_x = m_d*(a_d_x + c8);
-const stewart_real c9 = -gamma_y;
-    /* (25) m_d (a_d - g) */
-const stewart_real N_d_y = m_d*(a_d_y + c9);
-const stewart_real c10 = -gamma_z;
-    /* (25) m_d (a_d - g) */
-const stewart_real N_d_z = m_d*(a_d_z + c10);
+    const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
+    const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
+    const stewart_real N_d_z = m_d*(a_d_z - gamma_z);
     /* (23) m_u (a_u - g) */
-const stewart_real N_u_x = m_u*(a_u_x + c8);
-const stewart_real N_u_y = m_u*(a_u_y + c9);
-const stewart_real N_u_z = m_u*(a_u_z + c10);
+    const stewart_real N_u_x = m_u*(a_u_x - gamma_x);
+    const stewart_real N_u_y = m_u*(a_u_y - gamma_y);
+    const stewart_real N_u_z = m_u*(a_u_z - gamma_z);
     /* (18) friction moment at the spherical joint, leg frame */
-const stewart_real f_leg_x = -C_s*w_x;
-const stewart_real f_leg_y = C_s*(W_y - w_y);
-const stewart_real f_leg_z = C_s*(W_z - w_z);
-    /* (19) inertia of both parts about their own centres of mass */
-const stewart_real I_xy = I_d0_xy + I_u0_xy;
-const stewart_real I_xz = I_d0_xz + I_u0_xz;
-const stewart_real c11 = m_u*L*L;
-    /* (19) inertia of both parts about their own centres of mass */
-const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
-const stewart_real I_yz = I_d0_yz + I_u0_yz;
-const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
-const stewart_real c12 = I_xy*W_y + I_xz*W_z;
+    const stewart_real f_leg_x = -C_s*w_x;
+    const stewart_real f_leg_y = C_s*(W_y - w_y);
+    const stewart_real f_leg_z = C_s*(W_z - w_z);
+    const stewart_real c11 = m_u*L*L;
+    /* (15), (16), (19) I_d + I_u */
+    const stewart_real I_xy = I_d0_xy + I_u0_xy;
+    const stewart_real I_xz = I_d0_xz + I_u0_xz;
+    const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
+    const stewart_real I_yz = I_d0_yz + I_u0_yz;
+    const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
+    const stewart_real c12 = I_xy*W_y + I_xz*W_z;
     /* (19) I A + W x I W */
-const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
-const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
+    const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
+    const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
     /* (20) moment that the joints' forces must make */
-const stewart_real C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x - N_u_z*r_u_x;
-const stewart_real C_z = C_u*W_z + E_z + N_d_y*r_d0_x + N_u_y*r_u_x + f_leg_z - N_d_x*r_d0_y - N_u_x*r_u0_y;
+    const stewart_real C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x
+        - N_u_z*r_u_x;
+    const stewart_real C_z = C_u*W_z + E_z + N_d_y*r_d0_x + N_u_y*r_u_x + f_leg_z - N_d_x*r_d0_y
+        - N_u_x*r_u0_y;
     /* (24) known part of the actuator force */
-const stewart_real D = C_p*u_x + N_u_x;
+    const stewart_real D = C_p*u_x + N_u_x;
     /* (21) transverse force at the spherical joint, leg frame */
-const stewart_real K_leg_y = C_z*inv_L;
-const stewart_real K_leg_z = -C_y*inv_L;
+    const stewart_real K_leg_y = C_z*inv_L;
+    const stewart_real K_leg_z = -C_y*inv_L;
     /* (21) transverse force at the spherical joint, base frame */
-const stewart_real K_x = K_leg_y*y_x + K_leg_z*z_x;
-const stewart_real K_y = K_leg_y*y_y + K_leg_z*z_y;
-const stewart_real K_z = K_leg_y*y_z + K_leg_z*z_z;
+    const stewart_real K_x = K_leg_y*y_x + K_leg_z*z_x;
+    const stewart_real K_y = K_leg_y*y_y + K_leg_z*z_y;
+    const stewart_real K_z = K_leg_y*y_z + K_leg_z*z_z;
     /* (18) friction moment at the spherical joint, base frame */
-const stewart_real f_x = f_leg_x*s_x + f_leg_y*y_x + f_leg_z*z_x;
-const stewart_real f_y = f_leg_x*s_y + f_leg_y*y_y + f_leg_z*z_y;
-const stewart_real f_z = f_leg_x*s_z + f_leg_y*y_z + f_leg_z*z_z;
-out->q[0] = q_x;
-out->q[1] = q_y;
-out->q[2] = q_z;
-out->L = L;
-out->k3 = k3;
-out->D = D;
-out->K[0] = K_x;
-out->K[1] = K_y;
-out->K[2] = K_z;
-out->H_force[0] = s_x;
-out->H_force[1] = s_y;
-out->H_force[2] = s_z;
-out->H_moment[0] = q_y*s_z - q_z*s_y;
-out->H_moment[1] = q_z*s_x - q_x*s_z;
-out->H_moment[2] = q_x*s_y - q_y*s_x;
-out->c_force[0] = -K_x;
-out->c_force[1] = -K_y;
-out->c_force[2] = -K_z;
-out->c_moment[0] = K_y*q_z + f_x - K_z*q_y;
-out->c_moment[1] = K_z*q_x + f_y - K_x*q_z;
-out->c_moment[2] = K_x*q_y + f_z - K_y*q_x;
+    const stewart_real f_x = f_leg_x*s_x + f_leg_y*y_x + f_leg_z*z_x;
+    const stewart_real f_y = f_leg_x*s_y + f_leg_y*y_y + f_leg_z*z_y;
+    const stewart_real f_z = f_leg_x*s_z + f_leg_y*y_z + f_leg_z*z_z;
+    out->q[0] = q_x;
+    out->q[1] = q_y;
+    out->q[2] = q_z;
+    out->L = L;
+    out->k3 = k3;
+    out->D = D;
+    out->K[0] = K_x;
+    out->K[1] = K_y;
+    out->K[2] = K_z;
+    out->H_force[0] = s_x;
+    out->H_force[1] = s_y;
+    out->H_force[2] = s_z;
+    out->H_moment[0] = q_y*s_z - q_z*s_y;
+    out->H_moment[1] = q_z*s_x - q_x*s_z;
+    out->H_moment[2] = q_x*s_y - q_y*s_x;
+    out->c_force[0] = -K_x;
+    out->c_force[1] = -K_y;
+    out->c_force[2] = -K_z;
+    out->c_moment[0] = K_y*q_z + f_x - K_z*q_y;
+    out->c_moment[1] = K_z*q_x + f_y - K_x*q_z;
+    out->c_moment[2] = K_x*q_y + f_z - K_y*q_x;
 }
 
-/* the platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt) operations. */
-static void platform_wrench(const stewart_robot *robot, const stewart_motions *at, platform_terms *out)
+/* The platform's own part of c, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
+static void platform_wrench(const stewart_robot *robot, const stewart_motions *at,
+    platform_terms *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
@@ -244,62 +240,60 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
         I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     /* (30) centre of mass from the reference point, base frame */
-const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
-const stewart_real R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz;
-const stewart_real R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz;
-const stewart_real c1 = R_G_y*omega_x - R_G_x*omega_y;
-const stewart_real c2 = R_G_x*omega_z - R_G_z*omega_x;
+    const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
+    const stewart_real R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz;
+    const stewart_real R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz;
+    const stewart_real c1 = R_G_y*omega_x - R_G_x*omega_y;
+    const stewart_real c2 = R_G_x*omega_z - R_G_z*omega_x;
+    const stewart_real c3 = R_G_z*omega_y - R_G_y*omega_z;
     /* (31) acceleration of the centre of mass */
-const stewart_real a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z;
-const stewart_real c3 = R_G_z*omega_y - R_G_y*omega_z;
-    /* (31) acceleration of the centre of mass */
-const stewart_real a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x;
-const stewart_real a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y;
-const stewart_real c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz;
-const stewart_real c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz;
-const stewart_real c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz;
+    const stewart_real a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z;
+    const stewart_real a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x;
+    const stewart_real a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y;
+    const stewart_real c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz;
+    const stewart_real c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz;
+    const stewart_real c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz;
+    const stewart_real c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz;
+    const stewart_real c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz;
+    const stewart_real c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz;
     /* (32) inertia of the platform, base frame */
-const stewart_real I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6;
-const stewart_real I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-const stewart_real c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz;
-const stewart_real c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz;
-const stewart_real c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz;
-    /* (32) inertia of the platform, base frame */
-const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
-        + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
+    const stewart_real I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6;
+    const stewart_real I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+    const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+    const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
+    const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
+    const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx
+        + I_p_yy*R_zy + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
     /* (33) M (g - a_G) */
-const stewart_real N_x = M*(g_x - a_G_x);
-const stewart_real N_y = M*(g_y - a_G_y);
-const stewart_real N_z = M*(g_z - a_G_z);
-const stewart_real c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z;
-const stewart_real c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z;
+    const stewart_real N_x = M*(g_x - a_G_x);
+    const stewart_real N_y = M*(g_y - a_G_y);
+    const stewart_real N_z = M*(g_z - a_G_z);
+    const stewart_real c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z;
+    const stewart_real c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z;
+    const stewart_real c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z;
     /* (34) I alpha + omega x I omega */
-const stewart_real E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z;
-const stewart_real c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z;
-    /* (34) I alpha + omega x I omega */
-const stewart_real E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x;
-const stewart_real E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y;
+    const stewart_real E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z;
+    const stewart_real E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x;
+    const stewart_real E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y;
     /* (33) external force, base frame */
-const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
-const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
-const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
+    const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
+    const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
     /* (34) external moment, base frame */
-const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
-const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
-const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
-out->c_force[0] = F_load_x + N_x;
-out->c_force[1] = F_load_y + N_y;
-out->c_force[2] = F_load_z + N_z;
-out->c_moment[0] = M_load_x + N_z*R_G_y - E_x - N_y*R_G_z;
-out->c_moment[1] = M_load_y + N_x*R_G_z - E_y - N_z*R_G_x;
-out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
+    const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
+    const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
+    const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+    out->c_force[0] = F_load_x + N_x;
+    out->c_force[1] = F_load_y + N_y;
+    out->c_force[2] = F_load_z + N_z;
+    out->c_moment[0] = M_load_x + N_z*R_G_y - E_x - N_y*R_G_z;
+    out->c_moment[1] = M_load_y + N_x*R_G_z - E_y - N_z*R_G_x;
+    out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
 }
 
-/* one leg: joint reactions, (21), (26)-(29), (17): 410 (226 mul, 180 add, 2 div, 2 sqrt) operations. */
-static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
+/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 410 (226 mul, 180 add, 2 div, 2 sqrt). */
+static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
+    const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
 {
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
@@ -324,181 +318,166 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg, co
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     /* (1) leg vector */
-const stewart_real S_x = q_x + t_x - b_x;
-const stewart_real S_y = q_y + t_y - b_y;
-const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = q_x + t_x - b_x;
+    const stewart_real S_y = q_y + t_y - b_y;
+    const stewart_real S_z = q_z + t_z - b_z;
     /* (2) leg length */
-const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-const stewart_real inv_L = 1/L;
+    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real inv_L = 1/L;
     /* (3) unit vector along the leg */
-const stewart_real s_x = S_x*inv_L;
-const stewart_real s_y = S_y*inv_L;
-const stewart_real s_z = S_z*inv_L;
+    const stewart_real s_x = S_x*inv_L;
+    const stewart_real s_y = S_y*inv_L;
+    const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
     /* (4) velocity of the platform point */
-const stewart_real S_dot_x = v_x + w_q_x;
-const stewart_real S_dot_y = v_y + w_q_y;
-const stewart_real S_dot_z = v_z + w_q_z;
+    const stewart_real S_dot_x = v_x + w_q_x;
+    const stewart_real S_dot_y = v_y + w_q_y;
+    const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
     /* (10) normal to the fixed axis and the leg */
-const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
-const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
-const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+    const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+    const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
     /* (10) k = (k1, 0, k3) in the leg frame */
-const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
-const stewart_real inv_k3 = 1/k3;
+    const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
+        + k_cross_s_z*k_cross_s_z);
+    const stewart_real inv_k3 = 1/k3;
     /* (10) rotating axis of the universal joint */
-const stewart_real y_x = inv_k3*k_cross_s_x;
-const stewart_real y_y = inv_k3*k_cross_s_y;
-const stewart_real y_z = inv_k3*k_cross_s_z;
+    const stewart_real y_x = inv_k3*k_cross_s_x;
+    const stewart_real y_y = inv_k3*k_cross_s_y;
+    const stewart_real y_z = inv_k3*k_cross_s_z;
     /* (10) third axis of the leg frame */
-const stewart_real z_x = s_y*y_z - s_z*y_y;
-const stewart_real z_y = s_z*y_x - s_x*y_z;
-const stewart_real z_z = s_x*y_y - s_y*y_x;
-    /* (4) velocity of the platform point, leg frame */
-const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
-const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    const stewart_real z_x = s_y*y_z - s_z*y_y;
+    const stewart_real z_y = s_z*y_x - s_x*y_z;
+    const stewart_real z_z = s_x*y_y - s_y*y_x;
+    /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
+    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+    const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
     /* (7) acceleration of the platform point, leg frame */
-const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
-const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+    const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
     /* gravity, leg frame */
-const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
-const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
     /* angular velocity of the platform, leg frame */
-const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
-const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+    const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+    const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
     /* (6) angular velocity of the leg, leg frame */
-const stewart_real W_z = inv_L*u_y;
-const stewart_real W_y = -inv_L*u_z;
-const stewart_real c1 = W_y*W_y;
-const stewart_real c2 = W_z*W_z;
+    const stewart_real W_z = inv_L*u_y;
+    const stewart_real W_y = -inv_L*u_z;
+    const stewart_real c1 = W_y*W_y;
+    const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-const stewart_real L_ddot = L*c1 + L*c2 + e_x;
-const stewart_real c3 = 2*u_x;
-const stewart_real c4 = W_z*c3;
+    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real c3 = 2*u_x;
+    const stewart_real c4 = W_z*c3;
+    const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg, leg frame */
-const stewart_real A_z = inv_L*(e_y - c4);
-const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg, leg frame */
-const stewart_real A_y = inv_L*(-c5 - e_z);
+    const stewart_real A_z = inv_L*(e_y - c4);
+    const stewart_real A_y = inv_L*(-c5 - e_z);
     /* (12) centre of mass of the upper part from the base point */
-const stewart_real r_u_x = L + r_u0_x;
-    /* (13) acceleration of the lower centre of mass */
-const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
-    /* (13) acceleration of the lower centre of mass */
-const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
-const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
+    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
+    /* (11), (13) acceleration of the lower centre of mass */
+    const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
+    const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
+    const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
+    const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
     /* (14) acceleration of the upper centre of mass */
-const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
-const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
-    /* (14) acceleration of the upper centre of mass */
-const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
-const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
-const stewart_real c8 = -gamma_x;
+    const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
+    const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
+    const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
     /* (25) m_d (a_d - g) */
-const stewart_real N_d_x = m_d*(a_d_x + c8);
-const stewart_real c9 = -gamma_y;
-    /* (25) m_d (a_d - g) */
-const stewart_real N_d_y = m_d*(a_d_y + c9);
-const stewart_real c10 = -gamma_z;
-    /* (25) m_d (a_d - g) */
-const stewart_real N_d_z = m_d*(a_d_z + c10);
+    const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
+    const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
+    const stewart_real N_d_z = m_d*(a_d_z - gamma_z);
     /* (23) m_u (a_u - g) */
-const stewart_real N_u_x = m_u*(a_u_x + c8);
-const stewart_real N_u_y = m_u*(a_u_y + c9);
-const stewart_real N_u_z = m_u*(a_u_z + c10);
+    const stewart_real N_u_x = m_u*(a_u_x - gamma_x);
+    const stewart_real N_u_y = m_u*(a_u_y - gamma_y);
+    const stewart_real N_u_z = m_u*(a_u_z - gamma_z);
     /* (18) friction moment at the spherical joint, leg frame */
-const stewart_real f_leg_x = -C_s*w_x;
-const stewart_real f_leg_y = C_s*(W_y - w_y);
-const stewart_real f_leg_z = C_s*(W_z - w_z);
-    /* (19) inertia of both parts about their own centres of mass */
-const stewart_real I_xy = I_d0_xy + I_u0_xy;
-const stewart_real I_xz = I_d0_xz + I_u0_xz;
-const stewart_real c11 = m_u*L*L;
-    /* (19) inertia of both parts about their own centres of mass */
-const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
-const stewart_real I_yz = I_d0_yz + I_u0_yz;
-const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
+    const stewart_real f_leg_x = -C_s*w_x;
+    const stewart_real f_leg_y = C_s*(W_y - w_y);
+    const stewart_real f_leg_z = C_s*(W_z - w_z);
+    const stewart_real c11 = m_u*L*L;
+    /* (15), (16), (19) I_d + I_u */
+    const stewart_real I_xy = I_d0_xy + I_u0_xy;
+    const stewart_real I_xz = I_d0_xz + I_u0_xz;
+    const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
+    const stewart_real I_yz = I_d0_yz + I_u0_yz;
+    const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
+    const stewart_real c12 = I_xy*W_y + I_xz*W_z;
     /* (19) I A + W x I W */
-const stewart_real E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z);
-const stewart_real c12 = I_xy*W_y + I_xz*W_z;
-    /* (19) I A + W x I W */
-const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
-const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
+    const stewart_real E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z);
+    const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
+    const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
+    const stewart_real c13 = I_d0_xy*W_y + I_d0_xz*W_z;
     /* (17) I_d A + W x I_d W */
-const stewart_real E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z) - W_z*(I_d0_yy*W_y
-        + I_d0_yz*W_z);
-const stewart_real c13 = I_d0_xy*W_y + I_d0_xz*W_z;
-    /* (17) I_d A + W x I_d W */
-const stewart_real E_d_y = A_y*I_d0_yy + A_z*I_d0_yz + W_z*c13;
-const stewart_real E_d_z = A_y*I_d0_yz + A_z*I_d0_zz - W_y*c13;
-const stewart_real c14 = N_d_z*r_d0_y;
-const stewart_real c15 = N_d_y*r_d0_z;
+    const stewart_real E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z)
+        - W_z*(I_d0_yy*W_y + I_d0_yz*W_z);
+    const stewart_real E_d_y = A_y*I_d0_yy + A_z*I_d0_yz + W_z*c13;
+    const stewart_real E_d_z = A_y*I_d0_yz + A_z*I_d0_zz - W_y*c13;
+    const stewart_real c14 = N_d_z*r_d0_y;
+    const stewart_real c15 = N_d_y*r_d0_z;
+    const stewart_real c16 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
+    const stewart_real c17 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
     /* (20) moment that the joints' forces must make */
-const stewart_real C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15;
-const stewart_real c16 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
-    /* (20) moment that the joints' forces must make */
-const stewart_real C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x;
-const stewart_real c17 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
-    /* (20) moment that the joints' forces must make */
-const stewart_real C_z = E_z + N_u_y*r_u_x + c17 + f_leg_z - N_u_x*r_u0_y;
-const stewart_real c18 = C_z*inv_L;
+    const stewart_real C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15;
+    const stewart_real C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x;
+    const stewart_real C_z = E_z + N_u_y*r_u_x + c17 + f_leg_z - N_u_x*r_u0_y;
+    const stewart_real c18 = C_z*inv_L;
+    const stewart_real c19 = C_y*inv_L;
     /* (21) transverse force at the spherical joint, leg frame */
-const stewart_real K_leg_y = c18;
-const stewart_real c19 = C_y*inv_L;
-    /* (21) transverse force at the spherical joint, leg frame */
-const stewart_real K_leg_z = -c19;
-const stewart_real c20 = N_u_x - x;
+    const stewart_real K_leg_y = c18;
+    const stewart_real K_leg_z = -c19;
+    const stewart_real c20 = N_u_x - x;
+    const stewart_real c21 = N_u_z + c19;
     /* F_u, leg frame */
-const stewart_real F_u_leg_x = N_d_x + c20;
-const stewart_real F_u_leg_y = N_d_y + N_u_y - c18;
-const stewart_real c21 = N_u_z + c19;
-    /* F_u, leg frame */
-const stewart_real F_u_leg_z = N_d_z + c21;
+    const stewart_real F_u_leg_x = N_d_x + c20;
+    const stewart_real F_u_leg_y = N_d_y + N_u_y - c18;
+    const stewart_real F_u_leg_z = N_d_z + c21;
+    const stewart_real c22 = N_u_y - c18;
     /* F_p, leg frame */
-const stewart_real F_p_leg_x = C_p*u_x + c20;
-const stewart_real c22 = N_u_y - c18;
-    /* F_p, leg frame */
-const stewart_real F_p_leg_y = c22;
-const stewart_real F_p_leg_z = c21;
+    const stewart_real F_p_leg_x = C_p*u_x + c20;
+    const stewart_real F_p_leg_y = c22;
+    const stewart_real F_p_leg_z = c21;
     /* F_c, leg frame */
-const stewart_real F_c_leg_y = c22;
-const stewart_real F_c_leg_z = c21;
+    const stewart_real F_c_leg_y = c22;
+    const stewart_real F_c_leg_z = c21;
     /* M_p, leg frame */
-const stewart_real M_p_leg_x = C_x + c15 - E_d_x - c14;
-const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c16;
-const stewart_real M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c17;
-out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
-out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
-out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
-out->F_u[0] = F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x;
-out->F_u[1] = F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y;
-out->F_u[2] = F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z;
-out->F_p[0] = F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x;
-out->F_p[1] = F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y;
-out->F_p[2] = F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z;
-out->F_c[0] = F_c_leg_y*y_x + F_c_leg_z*z_x;
-out->F_c[1] = F_c_leg_y*y_y + F_c_leg_z*z_y;
-out->F_c[2] = F_c_leg_y*y_z + F_c_leg_z*z_z;
-out->M_p[0] = M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x;
-out->M_p[1] = M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y;
-out->M_p[2] = M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z;
-out->M_u = C_x;
+    const stewart_real M_p_leg_x = C_x + c15 - E_d_x - c14;
+    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c16;
+    const stewart_real M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c17;
+    out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
+    out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
+    out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
+    out->F_u[0] = F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x;
+    out->F_u[1] = F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y;
+    out->F_u[2] = F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z;
+    out->F_p[0] = F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x;
+    out->F_p[1] = F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y;
+    out->F_p[2] = F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z;
+    out->F_c[0] = F_c_leg_y*y_x + F_c_leg_z*z_x;
+    out->F_c[1] = F_c_leg_y*y_y + F_c_leg_z*z_y;
+    out->F_c[2] = F_c_leg_y*y_z + F_c_leg_z*z_z;
+    out->M_p[0] = M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x;
+    out->M_p[1] = M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y;
+    out->M_p[2] = M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z;
+    out->M_u = C_x;
 }
 
 static stewart_real largest(const stewart_real *values, int count)
@@ -616,7 +595,8 @@ static stewart_motions motion_as_arrays(const stewart_motion *motion)
 
 static int motions_given(const stewart_motions *motions)
 {
-    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha && motions->a;
+    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha
+        && motions->a;
 }
 
 /* Inverse dynamics of one pose, (1)-(37). */
@@ -664,8 +644,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 
 /* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). */
 static void pose_reactions(
-    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing, const stewart_real x[6],
-    stewart_reactions *out)
+    const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
+    const stewart_real x[6], stewart_reactions *out)
 {
     reaction_terms terms;
     int i, j;

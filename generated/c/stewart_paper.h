@@ -2,18 +2,26 @@
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  *
- * Formulation `paper`: the equations as printed, with faults 1-3 (use `exact` for a real machine).
+ * Formulation `paper`: the equations as printed, faults included.
  * Base joint: universal, fixed axis k.
- * Inputs, outputs, units and shapes: stewart.h.
+ *
+ * Reads of each leg: b[3] m, p[3] m, k[3] 1, m_d kg, r_d0[3] m, I_d0[6] kg m^2, m_u kg, r_u0[3] m,
+ *     I_u0[6] kg m^2, C_u N m s, C_p N s/m, C_s N m s.
+ * Reads of the machine: M kg, R_0[3] m, I_p[6] kg m^2, g[3] m/s^2.
+ * Reads of the motion: R[9] 1, t[3] m, omega[3] rad/s, v[3] m/s, alpha[3] rad/s^2, a[3] m/s^2,
+ *     F_ext[3] N, M_ext[3] N m.
+ * Writes forces: F[6] N, D[6] N, x[6] N, K[6][3] N, H[6][6] 1 and m, c[6] N and N m.
+ * Writes reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m, M_u[6] N m.
+ * Meanings, frames and storage order: stewart.h.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- *            with friction                              without friction
- * leg        316 (177 mul, 135 add, 2 div, 2 sqrt)      270 (153 mul, 113 add, 2 div, 2 sqrt)
- * platform   219 (123 mul, 96 add, 0 div, 0 sqrt)       219 (123 mul, 96 add, 0 div, 0 sqrt)
- * sum of c   36 (0 mul, 36 add, 0 div, 0 sqrt)          36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve      197 (106 mul, 85 add, 6 div, 0 sqrt)       197 (106 mul, 85 add, 6 div, 0 sqrt)
- * forces     6 (0 mul, 6 add, 0 div, 0 sqrt)            6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total      2354 (1291 mul, 1033 add, 18 div, 12 sqrt) 2078 (1147 mul, 901 add, 18 div, 12 sqrt)
+ *          with friction                             without friction
+ * leg      316 (177 mul, 135 add, 2 div, 2 sqrt)     270 (153 mul, 113 add, 2 div, 2 sqrt)
+ * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    2354 (1291 mul, 1033 add, 18 div, 12 sqrt) 2078 (1147 mul, 901 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_PAPER_H
 #define STEWART_PAPER_H

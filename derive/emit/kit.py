@@ -1,0 +1,313 @@
+"""The C kit of one robot: its constants as C source, an example that checks itself, and a README.
+
+Takes plain numbers and hands back text; the committed kernel is put beside it by whoever writes the files.
+Knows the layout of stewart.h from the notation, and nothing of files or of how the sample was computed.
+"""
+
+import hashlib
+import math
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .. import notation as n
+from ..block import Quantity
+from .c import FORCES, REACTIONS, STATUS
+
+Numbers = Mapping[str, Any]
+"""Quantity name -> number or nested lists of numbers."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One motion and the forces it takes, against which the example checks the compiled kernel.
+
+    motion: fields of ``stewart_motion``, R as (3, 3), the rest (3,). F: actuator forces, N, six.
+    tolerance: how far a force may be off for each rounding unit of the arithmetic, N.
+    """
+
+    motion: Numbers
+    F: Sequence[float]
+    tolerance: float
+
+
+def kit(name: str, kernel_name: str, robot: Numbers, sample: Sample, version: str) -> dict[str, str]:
+    """``robot.h``, ``robot.c``, ``example.c`` and ``README.md``: file name -> text.
+
+    name: the robot's. kernel_name: as in ``stewart_<kernel_name>.h``. robot: fields of ``stewart_robot``,
+    those of the legs with six rows, inertias (3, 3). version: of the generator.
+
+    Raises ValueError naming the field that is missing, has another shape or is not finite.
+    """
+    symbol = robot_symbol(name)
+    constants = _robot_initialiser(robot)
+    values = {
+        "name": _in_comment(name),
+        "title": re.sub(r"([\\`*_{}\[\]<>#|&])", r"\\\1", name),
+        "kernel": kernel_name,
+        "symbol": symbol,
+        "guard": f"{symbol.upper()}_H",
+        "version": version,
+        "digest": hashlib.sha256(f"{name}\n{constants}".encode()).hexdigest(),
+        "robot": constants,
+        "motion": "\n".join(_member(q, _stored(sample.motion, q, "motion"), "    ") for q in n.MOTION),
+        "expected": _braces([_literal(F, "F") for F in sample.F], "    "),
+        "tolerance": _literal(sample.tolerance, "tolerance"),
+        "inputs": _table((q.name, _shape(q), q.unit, q.meaning) for q in n.MOTION),
+        "forces": _table((q.name, dims, q.unit, q.meaning) for q, dims in FORCES),
+        "reactions": _table((q.name, f"[6]{_shape(q)}", q.unit, q.meaning) for q in REACTIONS),
+        "status": _table((f"STEWART_{code_name}", str(code), text) for code_name, code, text in STATUS),
+    }
+    templates = {"robot.h": _ROBOT_H, "robot.c": _ROBOT_C, "example.c": _EXAMPLE, "README.md": _README}
+    return {file: _fill(text, values) for file, text in templates.items()}
+
+
+def robot_symbol(name: str) -> str:
+    """C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
+
+    Accents are dropped; a name without any such letter or digit gives way to its digest.
+    """
+    plain = unicodedata.normalize("NFKD", name.casefold())
+    letters = "".join(char for char in plain if not unicodedata.combining(char))
+    words = re.findall(r"[a-z0-9]+", letters)
+    return f"stewart_robot_{'_'.join(words) or hashlib.sha256(name.encode()).hexdigest()[:12]}"
+
+
+def _fill(template: str, values: Mapping[str, str]) -> str:
+    # One pass, so that an @ in a robot's name stays what it is.
+    return re.sub(r"@(\w+)@", lambda match: values[match[1]], template)
+
+
+def _in_comment(name: str) -> str:
+    return name.replace("*/", "* /").replace("/*", "/ *")
+
+
+def _robot_initialiser(robot: Numbers) -> str:
+    legs = [
+        "\n".join(
+            [
+                f"        {{ /* leg {i + 1} */",
+                *(_member(q, _stored(robot, q, "robot", i), " " * 12) for q in n.LEG),
+                "        },",
+            ]
+        )
+        for i in range(6)
+    ]
+    platform = [_member(q, _stored(robot, q, "robot"), "    ") for q in n.PLATFORM]
+    return "\n".join(["    {", *legs, "    },", *platform])
+
+
+def _stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[str]:
+    """Literals of the components that stewart.h stores, in its order."""
+    where = f"{owner}: {quantity.name}"
+    if quantity.name not in numbers:
+        raise ValueError(f"{where}: missing")
+    prefix = () if leg is None else (leg,)
+    return [
+        _literal(_component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
+    ]
+
+
+def _component(value: Any, key: Sequence[int], where: str) -> Any:
+    try:
+        for i in key:
+            value = value[i]
+    except (IndexError, TypeError):
+        raise ValueError(f"{where}: expected an entry {list(key)}") from None
+    return value
+
+
+def _literal(number: Any, where: str) -> str:
+    """A number to all its digits, in the arithmetic of the kernel: no double is left in a float build."""
+    if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+        raise ValueError(f"{where}: expected finite numbers, got {number!r}")
+    return f"REAL({float(number)!r})"
+
+
+def _member(quantity: Quantity, literals: Sequence[str], indent: str) -> str:
+    order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
+    value = _braces(literals, indent) if quantity.shape else literals[0]
+    return f"{indent}/* {quantity.name}, {quantity.unit}: {quantity.meaning}{order} */\n{indent}{value},"
+
+
+def _braces(literals: Sequence[str], indent: str) -> str:
+    """A braced list, three numbers on a line."""
+    rows = [", ".join(literals[i : i + 3]) for i in range(0, len(literals), 3)]
+    return "{" + f",\n{indent} ".join(rows) + "}"
+
+
+def _shape(quantity: Quantity) -> str:
+    return f"[{len(quantity.keys)}]" if quantity.shape else ""
+
+
+def _table(rows: Iterable[Sequence[str]]) -> str:
+    """Rows of a Markdown table; the first cell is code."""
+    return "\n".join(f"| `{first}` | {' | '.join(rest)} |" for first, *rest in rows)
+
+
+_ROBOT_H = """\
+/* robot.h: the constants of "@name@".
+ *
+ * Written by stewart-sym @version@; do not edit.
+ */
+#ifndef @guard@
+#define @guard@
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* To be handed to the functions of stewart_@kernel@.h. */
+extern const stewart_robot @symbol@;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+
+_ROBOT_C = """\
+/* robot.c: the constants of "@name@".
+ *
+ * Written by stewart-sym @version@; do not edit.
+ *
+ * SHA-256 of name and constants:
+ * @digest@
+ */
+#include "robot.h"
+
+#define REAL(value) ((stewart_real)(value))
+
+const stewart_robot @symbol@ = {
+@robot@
+};
+"""
+
+_EXAMPLE = """\
+/* example.c: inverse dynamics of "@name@" at one pose, checked.
+ *
+ *     gcc -std=c99 -O2 -o example example.c robot.c stewart_@kernel@.c -lm && ./example
+ *
+ * For float add -DSTEWART_FLOAT. Prints the six actuator forces beside those that this kernel gave when the
+ * kit was generated. Returns 0 if they agree to rounding.
+ *
+ * Written by stewart-sym @version@; do not edit.
+ */
+#include <float.h>
+#include <stdio.h>
+
+#include "robot.h"
+#include "stewart_@kernel@.h"
+
+#define REAL(value) ((stewart_real)(value))
+
+#if !defined(STEWART_REAL)
+#if defined(STEWART_FLOAT)
+#define STEWART_EPSILON FLT_EPSILON
+#else
+#define STEWART_EPSILON DBL_EPSILON
+#endif
+#endif
+
+static const stewart_motion motion = {
+@motion@
+};
+
+/* N */
+static const stewart_real expected[6] =
+    @expected@;
+
+/* N: grows with the condition number of H and with the forces within the legs */
+static const stewart_real tolerance = @tolerance@ * STEWART_EPSILON;
+
+int main(void)
+{
+    stewart_forces forces;
+    int leg, wrong = 0;
+    const int status = stewart_@kernel@_inverse_dynamics(&@symbol@, &motion, &forces);
+    if (status != STEWART_OK) {
+        printf("status %d, see stewart.h\\n", status);
+        return 1;
+    }
+    for (leg = 0; leg < 6; ++leg) {
+        const stewart_real error = forces.F[leg] - expected[leg];
+        /* This way round a NaN is wrong. */
+        const int good = error <= tolerance && -error <= tolerance;
+        printf("leg %d: %.9g N, expected %.9g N%s\\n", leg + 1, (double)forces.F[leg], (double)expected[leg],
+            good ? "" : ": WRONG");
+        wrong += !good;
+    }
+    printf("%d of 6 forces agree to %.1e N\\n", 6 - wrong, (double)tolerance);
+    return wrong ? 1 : 0;
+}
+"""
+
+_README = """\
+# @title@: C kernel
+
+Inverse dynamics and joint reactions of this Stewart platform, kernel `@kernel@`. C99, also valid C++; no
+heap, no global state, no I/O; needs only `sqrt` and `fabs`. Written by stewart-sym @version@; regenerate with
+`stewart-sym generate`, do not edit.
+
+| file | what it is |
+|---|---|
+| `stewart.h` | types and status codes |
+| `stewart_@kernel@.h`, `stewart_@kernel@.c` | the kernel, the same for every robot; operation counts |
+| `robot.h`, `robot.c` | this robot's constants, `@symbol@` |
+| `example.c` | one pose, checked against the forces computed at generation |
+
+## Build
+
+    gcc -std=c99 -O2 -o example example.c robot.c stewart_@kernel@.c -lm && ./example
+
+The example returns 0 if the six forces are right. Arithmetic is `double`; with `-DSTEWART_FLOAT`, given to
+every file, it is `float`.
+
+## Functions
+
+| function | input | output |
+|---|---|---|
+| `stewart_@kernel@_inverse_dynamics` | robot, motion | forces |
+| `stewart_@kernel@_joint_reactions` | robot, motion, bearing (m, may be null) | forces, reactions |
+| `stewart_@kernel@_inverse_dynamics_batch` | robot, count, motions | forces, status of each pose |
+| `stewart_@kernel@_joint_reactions_batch` | robot, count, motions, bearing | reactions, status of each pose |
+
+All return a status. Any number of threads may call them at once. The batches take and fill arrays whose first
+axis is the pose.
+
+`stewart_motion`, input:
+
+| field | shape | unit | meaning |
+|---|---|---|---|
+@inputs@
+
+`stewart_forces`, output:
+
+| field | shape | unit | meaning |
+|---|---|---|---|
+@forces@
+
+`stewart_reactions`, output:
+
+| field | shape | unit | meaning |
+|---|---|---|---|
+@reactions@
+
+Status; other than 0, the outputs of that pose are left as they were:
+
+| name | value | meaning |
+|---|---|---|
+@status@
+
+Limits of stroke, force and speed are not checked here. Equation numbers are those of Dasgupta and
+Mruthyunjaya, Mechanism and Machine Theory 33 (1998) 1135-1152.
+
+## Robot
+
+SHA-256 of name and constants: `@digest@`
+"""

@@ -1,0 +1,374 @@
+"""The command ``stewart-sym``: one verb for each job.
+
+Reads arguments, calls the library, prints, and turns errors into one line and an exit code: 0 success,
+1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What a verb needs
+is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but those that use them.
+"""
+
+import argparse
+import contextlib
+import os
+import sys
+import time
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
+from typing import NoReturn, TextIO
+
+from .native import CompilerError
+
+PROGRAM = "stewart-sym"
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one verb; ``argv`` without the program's name, None for this process's. Returns the exit code."""
+    try:
+        arguments = _parser().parse_args(argv)
+        with warnings.catch_warnings():
+            warnings.showwarning = _show_warning
+            code: int = arguments.run(arguments)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:
+        # The reader is gone; the interpreter's own flush at exit must not complain either.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 2
+    except KeyboardInterrupt:
+        return 130
+    except (ValueError, OSError, ImportError, CompilerError) as error:
+        print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
+        return 2
+
+
+# Verbs
+
+
+def _reproduce(arguments: argparse.Namespace) -> int:
+    from .studies.output import csv_lines, replaced_file, staged_folder
+    from .studies.report import report
+    from .studies.reproduce import reproduce, run_columns
+
+    if arguments.pictures:
+        plots = _plots()
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        found = reproduce(progress)
+        for (path, formulation), run in found.runs.items():
+            with replaced_file(folder / f"path_{path}_{formulation}.csv") as stream:
+                stream.writelines(csv_lines(run_columns(run)))
+        text = report(found)
+        (folder / "report.txt").write_text(text, encoding="utf-8", newline="\n")
+        if arguments.pictures:
+            plots.draw(found, folder, progress)
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from .robot import Robot
+    from .studies.describe import description
+
+    print(description(Robot.from_toml(arguments.robot)))
+    return 0
+
+
+def _forces(arguments: argparse.Namespace) -> int:
+    from .robot import Robot
+    from .studies.output import csv_lines, replaced_file
+    from .studies.track import track
+    from .trajectory import read_csv
+
+    _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
+    robot = Robot.from_toml(arguments.robot)
+    with replaced_file(arguments.output) as stream, _progress() as progress:
+        progress("reading the trajectory")
+        instants, motion = read_csv(arguments.trajectory)
+        progress(f"computing {len(instants)} instants")
+        try:
+            columns, exceeded = track(
+                robot,
+                instants,
+                motion,
+                arguments.formulation,
+                arguments.backend,
+                arguments.reactions,
+                arguments.allow_singular,
+            )
+        except ValueError as error:
+            raise ValueError(f"{arguments.trajectory}: {error}") from None
+        progress("writing")
+        stream.writelines(csv_lines(columns))
+    for line in exceeded:
+        print(f"{PROGRAM}: warning: {line}", file=sys.stderr)
+    return 0
+
+
+def _derive(arguments: argparse.Namespace) -> int:
+    from .studies.output import staged_folder
+
+    directory = arguments.output or _generated_folder()
+    if arguments.check:
+        if not directory.is_dir():
+            raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
+        return _compare(directory, _derived())
+    with staged_folder(directory) as folder:
+        files = _derived()
+        for name, text in files.items():
+            (folder / name).parent.mkdir(exist_ok=True)
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    print(f"{len(files)} files written to {directory}")
+    return 0
+
+
+def _generate(arguments: argparse.Namespace) -> int:
+    from .kit import write_kit
+    from .robot import Robot
+
+    robot = Robot.from_toml(arguments.robot)
+    with _progress() as progress:
+        progress("generating")
+        written = write_kit(robot, arguments.output, arguments.formulation, arguments.force)
+    for path in written:
+        print(path)
+    return 0
+
+
+# Their parts
+
+
+def _plots() -> ModuleType:
+    try:
+        from .studies import plots
+    except ImportError:
+        raise ImportError(
+            'pictures need Matplotlib: pip install "stewart-sym[plot]", or give --no-pictures'
+        ) from None
+    return plots
+
+
+def _generated_folder() -> Path:
+    from . import generated
+
+    return Path(generated.__path__[0])
+
+
+def _derived() -> dict[str, str]:
+    """Derive every kernel and print what was derived, how long it took and what it costs."""
+    from .derive.generate import generated_files
+
+    starts: list[tuple[str, float]] = []
+    with _progress() as progress:
+
+        def note(text: str) -> None:
+            progress(text)
+            starts.append((text, time.perf_counter()))
+
+        files = generated_files(note)
+    ends = [start for _, start in starts[1:]] + [time.perf_counter()]
+    for (text, start), end in zip(starts, ends, strict=True):
+        name = text.removeprefix("deriving ")
+        counts = _operations(files.get(f"{name}.py", ""))
+        print(f"{name:<16} {end - start:6.1f} s   {counts}".rstrip())
+    return files
+
+
+def _operations(module: str) -> str:
+    """Totals in the text of a generated module, in words; empty if it has none."""
+    import ast
+
+    for node in ast.parse(module).body:
+        if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
+            counts = ast.literal_eval(node.value)
+            totals = (f"{sum(parts['total'])} {name}" for name, parts in counts.items())
+            return f"operations of a pose: {', '.join(totals)}"
+    return ""
+
+
+def _compare(directory: Path, files: dict[str, str]) -> int:
+    """Name the files that differ, are missing or are not generated; 1 if there are any."""
+    present = {
+        path.relative_to(directory).as_posix()
+        for pattern in ("*.py", "c/*.[ch]")
+        for path in directory.glob(pattern)
+    }
+    different = [name for name in sorted(files) if _differs(directory / name, files[name])]
+    stray = sorted(present - files.keys())
+    for name in different:
+        print(f"differs: {name}" if name in present else f"missing: {name}")
+    for name in stray:
+        print(f"not generated: {name}")
+    if different or stray:
+        return 1
+    print(f"{directory}: all {len(files)} files are as derived")
+    return 0
+
+
+def _differs(path: Path, text: str) -> bool:
+    try:
+        return path.read_bytes() != text.encode("utf-8")
+    except FileNotFoundError:
+        return True
+
+
+def _refuse_overwrite(output: Path, *inputs: Path) -> None:
+    for path in inputs:
+        if output.exists() and path.exists() and output.samefile(path):
+            raise ValueError(f"-o {output}: is an input, name another file")
+
+
+# Talking to the user
+
+
+@contextlib.contextmanager
+def _progress() -> Iterator[Callable[[str], None]]:
+    """Show what is being done in one line of a terminal, gone at the end; nothing in a pipe."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    try:
+        yield lambda text: print(f"\r\x1b[K{text} ...", end="", file=sys.stderr, flush=True)
+    finally:
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def _show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    print(f"{PROGRAM}: warning: {_one_line(message)}", file=sys.stderr)
+
+
+def _one_line(error: object) -> str:
+    if isinstance(error, OSError) and error.strerror:
+        text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
+    else:
+        text = str(error) or type(error).__name__
+    return " ".join(text.split())
+
+
+# The command line
+
+
+class _Parser(argparse.ArgumentParser):
+    """Tells of a wrong command in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with code 2."""
+        self.exit(2, f"{PROGRAM}: error: {_one_line(message)} (see {self.prog} --help)\n")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog=PROGRAM,
+        description="Dynamics of the Stewart platform: derived by SymPy, emitted as C and NumPy, checked.",
+        epilog="Example: stewart-sym reproduce -o reproduce",
+    )
+    parser.add_argument("--version", action="version", version=f"{PROGRAM} {version('stewart-sym')}")
+    verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+
+    verb = _verb(
+        verbs,
+        "reproduce",
+        _reproduce,
+        "compute section 5 of the paper again: tables, CSV, and the pictures of Figs. 4-10",
+        "stewart-sym reproduce -o reproduce",
+    )
+    _output(verb, "DIR", "folder to write to", Path("reproduce"))
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables and CSV only, without Matplotlib"
+    )
+
+    verb = _verb(
+        verbs, "check", _check, "validate and describe a robot file", "stewart-sym check hexapod.toml"
+    )
+    _robot(verb)
+
+    verb = _verb(
+        verbs,
+        "forces",
+        _forces,
+        "actuator forces along a trajectory",
+        "stewart-sym forces hexapod.toml trajectory.csv -o forces.csv",
+        "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z (rad); "
+        "optionally v_*, theta_dot_*, a_* and theta_ddot_* together (without them a spline is fitted), "
+        "F_ext_* and M_ext_* (platform frame). SI units. Moments M_p are taken about the base points.",
+    )
+    _robot(verb)
+    verb.add_argument("trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses")
+    _output(verb, "FILE.csv", "file to write, - for standard output", None)
+    _formulation(verb)
+    verb.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
+    verb.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
+    verb.add_argument(
+        "--allow-singular",
+        action="store_true",
+        help="write nan and a status for poses without an answer instead of refusing the trajectory",
+    )
+
+    verb = _verb(
+        verbs, "derive", _derive, "derive the kernels again and write them", "stewart-sym derive --check"
+    )
+    verb.add_argument(
+        "-o", "--output", metavar="DIR", type=Path, help="folder to write to; default: the installed kernels"
+    )
+    verb.add_argument(
+        "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
+    )
+
+    verb = _verb(
+        verbs,
+        "generate",
+        _generate,
+        "write a C kernel with one robot's constants, a header and an example",
+        "stewart-sym generate hexapod.toml -o kernel",
+    )
+    _robot(verb)
+    _output(verb, "DIR", "folder to write to", None)
+    _formulation(verb)
+    verb.add_argument("--force", action="store_true", help="replace files that are there already")
+    return parser
+
+
+def _verb(
+    verbs: "argparse._SubParsersAction[_Parser]",
+    name: str,
+    run: Callable[[argparse.Namespace], int],
+    what: str,
+    example: str,
+    more: str = "",
+) -> argparse.ArgumentParser:
+    description = f"{what[0].upper()}{what[1:]}. {more}".strip()
+    verb = verbs.add_parser(name, help=what, description=description, epilog=f"Example: {example}")
+    verb.set_defaults(run=run)
+    return verb
+
+
+def _robot(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1")
+
+
+def _output(verb: argparse.ArgumentParser, metavar: str, what: str, default: Path | None) -> None:
+    text = what if default is None else f"{what}; default: {default}"
+    verb.add_argument(
+        "-o", "--output", metavar=metavar, type=Path, required=default is None, default=default, help=text
+    )
+
+
+def _formulation(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument(
+        "--formulation",
+        choices=("exact", "paper"),
+        default="exact",
+        help="exact, or paper: the equations as printed; default: exact",
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,149 @@
+"""Poses and arguments without an answer: one clear line, or a status and NaN, as the caller asks."""
+
+import dataclasses
+import re
+import warnings
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym import results
+
+BACKENDS = ["c", "numpy", "reference"]
+
+
+def at_rest(t: list[float]) -> ss.Motion:
+    zero = np.zeros(3)
+    return ss.Motion(np.eye(3), np.array(t), zero, zero, zero, zero)
+
+
+def short_leg() -> tuple[ss.Robot, ss.Motion]:
+    robot = dasgupta()
+    return robot, at_rest(list(robot.b[2] - robot.p[2]))
+
+
+def leg_along_its_axis() -> tuple[ss.Robot, ss.Motion]:
+    robot, t = dasgupta(), np.array([0.1, 0.0, 0.5])
+    axes = np.array(robot.k)
+    axes[4] = robot.p[4] + t - robot.b[4]
+    return dataclasses.replace(robot, k=axes), at_rest(list(t))
+
+
+def semiregular(corners: list[float], radius: float) -> NDArray[np.float64]:
+    angles = np.radians(corners)
+    return radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+
+
+def singular() -> tuple[ss.Robot, ss.Motion]:
+    """A machine of threefold symmetry turned by 90 degrees about its axis: its legs cannot hold the yaw."""
+    base, plate = [-12, 12, 108, 132, 228, 252], [-45, 45, 75, 165, 195, 285]
+    robot = dataclasses.replace(
+        dasgupta(), b=semiregular(base, 1.0), p=semiregular(plate, 0.5), k=np.tile([0.0, 0.0, 1.0], (6, 1))
+    )
+    zero = np.zeros(3)
+    return robot, ss.Motion.from_rpy([0, 0, 1.0], [0, 0, np.pi / 2], zero, zero, zero, zero)
+
+
+Case = tuple[Callable[[], tuple[ss.Robot, ss.Motion]], int, str]
+CASES: dict[str, Case] = {
+    "short": (short_leg, results.SHORT_LEG, "length zero (leg 3)"),
+    "pole": (leg_along_its_axis, results.POLE, "universal joint (leg 5)"),
+    "singular": (singular, results.SINGULAR, "H is singular"),
+}
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("case", CASES)
+def test_a_pose_without_an_answer_is_one_clear_line(backend, case: str) -> None:
+    make, _, text = CASES[case]
+    for function in (ss.inverse_dynamics, ss.joint_reactions):
+        with pytest.raises(ValueError, match=re.escape(text)) as caught:
+            function(*make(), backend=backend)
+        assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("case", CASES)
+def test_nan_and_status_leave_the_neighbours_alone(backend, case: str) -> None:
+    make, code, text = CASES[case]
+    robot, bad = make()
+    good = at_rest([0.13, 0.04, 0.6])
+    both = ss.Motion(
+        *(
+            np.stack([getattr(good, n), getattr(bad, n), getattr(good, n)])
+            for n in ("R", "t", "omega", "v", "alpha", "a")
+        )
+    )
+    found = ss.inverse_dynamics(robot, both, backend=backend, on_singular="nan")
+    assert list(found.status) == [0, code, 0]
+    assert np.isnan(found.F[1]).all()
+    assert np.isnan(found.H[1]).all()
+    alone = ss.inverse_dynamics(robot, good, backend=backend).F
+    np.testing.assert_allclose(found.F[[0, 2]], [alone, alone], rtol=1e-12)
+    with pytest.warns(ss.SingularPoseWarning, match=r"motion\[1\]"):
+        ss.inverse_dynamics(robot, both, backend=backend, on_singular="warn")
+    reactions = ss.joint_reactions(robot, both, backend=backend, on_singular="nan")
+    assert np.isnan(reactions.F_u[1]).all()
+    assert np.isfinite(reactions.F_u[[0, 2]]).all()
+    assert np.isnan(reactions.M_u[1]).all()
+    assert text
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_numbers_that_overflow_are_reported(backend) -> None:
+    rng = np.random.default_rng(1)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    huge = ss.Motion(motion.R, motion.t, motion.omega, np.full(3, 1e200), motion.alpha, motion.a)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = ss.inverse_dynamics(robot, huge, backend=backend, on_singular="nan")
+    assert found.status == results.NOT_FINITE
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"),
+    [
+        ({"formulation": "printed"}, "formulation"),
+        ({"backend": "fortran"}, "backend"),
+        ({"on_singular": "ignore"}, "on_singular"),
+    ],
+)
+def test_unknown_options_are_named(arguments: dict, name: str) -> None:
+    with pytest.raises(ValueError, match=rf"^{name}: expected .*got"):
+        ss.inverse_dynamics(dasgupta(), at_rest([0.1, 0, 0.5]), **arguments)
+
+
+@pytest.mark.parametrize("bearing", [[0.1] * 5, np.nan, np.zeros((2, 6))])
+def test_bad_bearings_are_named(bearing) -> None:
+    with pytest.raises(ValueError, match=r"^bearing: expected"):
+        ss.joint_reactions(dasgupta(), at_rest([0.1, 0, 0.5]), bearing=bearing)
+
+
+def test_inverse_dynamics_needs_accelerations() -> None:
+    still = at_rest([0.1, 0, 0.5])
+    with pytest.raises(ValueError, match="motion: expected accelerations"):
+        ss.inverse_dynamics(dasgupta(), ss.Motion(still.R, still.t, still.omega, still.v))
+
+
+def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
+    from stewart_sym import dynamics, kernel, native
+
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(native, "_candidates", lambda: iter(()))
+    kernel.library.cache_clear()
+    dynamics._say_once.cache_clear()
+    robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
+    with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
+        first = ss.inverse_dynamics(robot, motion).F
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        second = ss.inverse_dynamics(robot, motion).F
+    assert (first == second).all()
+    assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()
+    kernel.library.cache_clear()

@@ -1,0 +1,122 @@
+"""Blocks: what they compute, what they cost, and that sharing changes the cost and not the value."""
+
+import functools
+import math
+import random
+
+import pytest
+import sympy as sp
+from mpmath import mp
+
+from stewart_sym.derive.block import Block, Builder, Operations, Quantity, count
+from stewart_sym.derive.emit.infix import infix, wrap
+from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.kernels import kernel
+from stewart_sym.derive.reduce import share
+
+derived = functools.cache(kernel)
+A, B, X = sp.symbols("a b x", real=True)
+
+
+@pytest.mark.parametrize(
+    ("expr", "expected"),
+    [
+        (A + B - X, Operations(add=2)),
+        (-A, Operations()),
+        (-A * B, Operations(mul=1)),
+        (2 * A, Operations(mul=1)),
+        (A**3, Operations(mul=2)),
+        (1 / A, Operations(div=1)),
+        (-B / A, Operations(div=1)),
+        (A * B / X, Operations(mul=1, div=1)),
+        (1 / (A * X), Operations(mul=1, div=1)),
+        (sp.sqrt(A**2 + 1), Operations(mul=1, add=1, sqrt=1)),
+        (A * (B + X), Operations(mul=1, add=1)),
+    ],
+)
+def test_operations_are_counted_as_printed(expr: sp.Expr, expected: Operations) -> None:
+    assert count([expr]) == expected
+    text = infix(expr, "sqrt")
+    binary = text.replace("sqrt", "").lstrip("-")
+    assert binary.count("*") == expected.mul
+    assert binary.count("/") == expected.div
+    assert binary.count("+") + binary.count(" - ") == expected.add
+
+
+@pytest.mark.parametrize(
+    "expr", [sp.sin(A), A ** sp.Rational(1, 3), (A + B) ** 2, A * sp.Rational(1, 2), A**-2, 1 / sp.sqrt(A)]
+)
+def test_what_the_emitters_cannot_print_is_refused(expr: sp.Expr) -> None:
+    with pytest.raises(ValueError, match=r"cannot print|base needs a name"):
+        infix(expr, "sqrt")
+
+
+@pytest.mark.parametrize(
+    "expr", [A - (B - X) * A, -(A + B) * X, A / (B * X) - 2, -A - B, -(A - B) / X, sp.sqrt(A * A + B * B)]
+)
+def test_printed_text_has_the_value_of_the_expression(expr: sp.Expr) -> None:
+    values = {"a": 1.25, "b": -0.75, "x": 2.5}
+    exact = float(expr.subs({sp.Symbol(name, real=True): value for name, value in values.items()}))
+    assert eval(infix(expr, "sqrt"), {"sqrt": math.sqrt, **values}) == pytest.approx(exact, rel=1e-15)
+
+
+def test_long_sums_wrap_between_terms_and_keep_their_words() -> None:
+    text = " + ".join(f"term_{i}*factor_{i}" for i in range(30))
+    wrapped = wrap(text, "    ")
+    assert max(len(line) for line in wrapped.splitlines()) <= 110
+    assert wrapped.split() == text.split()
+
+
+def random_values(block: Block, seed: int) -> dict[str, mp.mpf]:
+    rng = random.Random(seed)
+    return {name: mp.mpf(rng.uniform(0.5, 1.5)) for quantity in block.inputs for name in quantity.names}
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize("friction", [True, False])
+def test_sharing_keeps_every_output_and_costs_less(form, friction: bool) -> None:
+    with mp.workdps(50):
+        for block in derived(form, friction).blocks:
+            shared = share(block)
+            values = random_values(block, seed=1)
+            before, after = block.run(values, mp.sqrt), shared.run(values, mp.sqrt)
+            for name, numbers in before.items():
+                for left, right in zip(numbers, after[name], strict=True):
+                    assert abs(left - right) <= mp.mpf(10) ** -40 * (1 + abs(left))
+            assert shared.operations().total < block.operations().total
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_sharing_keeps_the_named_steps_and_their_order(form) -> None:
+    for block in derived(form).blocks:
+        names = [step.name for step in block.steps]
+        kept = [step.name for step in share(block).steps if step.name in set(names)]
+        assert kept == names
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_every_step_uses_inputs_and_earlier_steps_only(form) -> None:
+    for block in derived(form).blocks:
+        for program in (block, share(block)):
+            known = {name for quantity in program.inputs for name in quantity.names}
+            for step in program.steps:
+                assert {symbol.name for symbol in step.expr.free_symbols} <= known
+                assert step.name not in known
+                known.add(step.name)
+
+
+def test_frictionless_blocks_do_not_know_friction() -> None:
+    for form in FORMULATIONS:
+        for block in derived(form, False).blocks:
+            names = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+            assert not names & {"C_u", "C_p", "C_s"}
+
+
+def test_a_block_drops_steps_and_inputs_that_no_output_needs() -> None:
+    build = Builder()
+    wanted = build.scalar("wanted", A * B)
+    build.scalar("idle", A * X)
+    inputs = [Quantity(name, (), "1", "a number") for name in "abx"]
+    block = build.block("f", "test", inputs, [(Quantity("y", (), "1", "result"), wanted)])
+    assert [step.name for step in block.steps] == ["wanted"]
+    assert [quantity.name for quantity in block.inputs] == ["a", "b"]

@@ -1,0 +1,124 @@
+"""The committed files are what the derivation writes, and the C compiles silently wherever it is meant to."""
+
+import os
+import re
+import subprocess
+import sys
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.generate import generated_files, write
+
+KERNELS = [form.kernel_name for form in FORMULATIONS]
+STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
+REPOSITORY = Path(__file__).parent.parent
+
+
+@pytest.fixture(scope="module")
+def regenerated() -> dict[str, str]:
+    return generated_files()
+
+
+def c_folder() -> Path:
+    return Path(str(files("stewart_sym.generated") / "c"))
+
+
+def test_committed_and_installed_files_are_what_the_derivation_writes(regenerated: dict[str, str]) -> None:
+    installed = Path(str(files("stewart_sym.generated")))
+    for root in (REPOSITORY / "generated", installed):
+        for name, text in regenerated.items():
+            assert (root / name).read_text(encoding="utf-8") == text, f"{name}: run stewart-sym derive"
+
+
+def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
+    root = REPOSITORY / "generated"
+    present = {str(path.relative_to(root)) for path in root.rglob("*") if path.suffix in (".c", ".h", ".py")}
+    assert present == set(regenerated)
+
+
+@pytest.mark.parametrize("seed", ["0", "4242"])
+def test_bytes_do_not_depend_on_the_hash_seed(seed: str, tmp_path: Path) -> None:
+    code = (
+        "import sys, pathlib; from stewart_sym.derive.generate import write; write(pathlib.Path(sys.argv[1]))"
+    )
+    environment = {**os.environ, "PYTHONHASHSEED": seed}
+    subprocess.run([sys.executable, "-c", code, str(tmp_path)], check=True, env=environment, cwd=tmp_path)
+    for path in sorted(tmp_path.rglob("*.*")):
+        name = path.relative_to(tmp_path)
+        assert path.read_bytes() == (REPOSITORY / "generated" / name).read_bytes(), name
+
+
+def test_a_folder_that_cannot_be_written_is_an_error(tmp_path: Path) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("in the way")
+    with pytest.raises(OSError, match="file"):
+        write(blocked)
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("precision", [[], ["-DSTEWART_FLOAT"]], ids=["double", "float"])
+@pytest.mark.parametrize(
+    "language", [["-x", "c", "-std=c99"], ["-x", "c++", "-std=c++11"]], ids=["c99", "c++"]
+)
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_c_compiles_silently(
+    compiler: str, precision: list[str], language: list[str], kernel: str, tmp_path: Path
+) -> None:
+    command = [
+        compiler,
+        *language,
+        *STRICT,
+        *precision,
+        "-O2",
+        "-c",
+        f"stewart_{kernel}.c",
+        "-o",
+        str(tmp_path / "k.o"),
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=c_folder())
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_c_calls_nothing_but_square_roots(kernel: str, tmp_path: Path) -> None:
+    """No heap, no I/O, no pow: gcc turns sqrt into an instruction, so nothing is left to link."""
+    for precision, allowed in (([], {"sqrt"}), (["-DSTEWART_FLOAT"], {"sqrtf"})):
+        target = tmp_path / "k.o"
+        subprocess.run(
+            ["gcc", "-O2", "-std=c99", *precision, "-c", f"stewart_{kernel}.c", "-o", str(target)],
+            check=True,
+            cwd=c_folder(),
+        )
+        listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
+        undefined = {line.split()[-1] for line in listed.splitlines()}
+        assert undefined <= allowed | {"memcpy", "memset", "_GLOBAL_OFFSET_TABLE_"}
+        data = subprocess.run(["nm", str(target)], check=True, capture_output=True, text=True).stdout
+        assert not re.search(r" [bBdDC] ", data), "a global variable"
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_headers_tell_what_they_are(kernel: str) -> None:
+    header = (c_folder() / f"stewart_{kernel}.h").read_text()
+    formulation, _, joint = kernel.partition("_")
+    assert f"`{formulation}`" in header
+    assert f"Base joint: {joint or 'universal'}" in header
+    assert re.search(r"total +\d+ \(\d+ mul, \d+ add, \d+ div, \d+ sqrt\)", header)
+    assert "Written by stewart-sym" in header
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_lines_of_code_cite_the_equations(kernel: str) -> None:
+    source = (c_folder() / f"stewart_{kernel}.c").read_text()
+    cited = set(re.findall(r"\((\d+)\)", source))
+    expected = {"1", "2", "3", "4", "7", "21", "24", "30", "31", "32", "33", "34"}
+    if "spherical" not in kernel:
+        expected |= {"5", "6", "8", "9", "10", "12", "13", "14", "17", "18", "19", "20", "23", "25"}
+    assert expected <= cited
+
+
+def test_generated_files_hold_no_date_and_no_path(regenerated: dict[str, str]) -> None:
+    for name, text in regenerated.items():
+        assert not re.search(r"\b20\d\d-\d\d|\d\d:\d\d|/(home|root|tmp|usr|work)/", text), name

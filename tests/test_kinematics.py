@@ -1,0 +1,96 @@
+"""Leg kinematics: rates are derivatives of lengths, and geometry does what geometry does."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from machines import random_robot
+from numpy.typing import NDArray
+
+from stewart_sym.kinematics import inverse_kinematics
+from stewart_sym.motion import Motion
+from stewart_sym.rotation import rotation_from_rpy
+from stewart_sym.trajectory import PATHS
+
+Array = NDArray[np.float64]
+
+
+def arc(rng: np.random.Generator, h: float) -> tuple[Motion, Motion, Motion]:
+    """Three poses at -h, 0 and h of one accelerated motion; the rates are those of the middle one."""
+    t, theta, v, theta_dot, a, theta_ddot = rng.normal(size=(6, 3)) + np.array([[0, 0, 9], *[[0, 0, 0]] * 5])
+
+    def at(x: float) -> Motion:
+        return Motion.from_rpy(
+            t + v * x + 0.5 * a * x**2,
+            theta + theta_dot * x + 0.5 * theta_ddot * x**2,
+            v + a * x,
+            theta_dot + theta_ddot * x,
+            a,
+            theta_ddot,
+        )
+
+    return at(-h), at(0.0), at(h)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_rates_are_the_derivatives_of_the_lengths(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, scale=1.0)
+    h = 1e-4
+    before, now, after = (inverse_kinematics(robot, motion) for motion in arc(rng, h))
+    assert now.L_ddot is not None
+    scale = 1.0 + np.abs(now.L_dot).max() ** 3 + np.abs(now.L_ddot).max() ** 2
+    np.testing.assert_allclose(now.L_dot, (after.L - before.L) / (2 * h), atol=1e-6 * scale)
+    np.testing.assert_allclose(now.L_ddot, (after.L_dot - before.L_dot) / (2 * h), atol=1e-6 * scale)
+
+
+def test_legs_span_from_base_to_platform_points() -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng, scale=1.0)
+    theta, t = rng.normal(size=(2, 3)) + np.array([[0.0], [4.0]])
+    motion = Motion.from_rpy(t, theta, np.zeros(3), np.zeros(3))
+    legs = inverse_kinematics(robot, motion)
+    assert legs.L_ddot is None
+    for i in range(6):
+        platform_point = rotation_from_rpy(theta) @ robot.p[i] + t
+        np.testing.assert_allclose(robot.b[i] + legs.L[i] * legs.s[i], platform_point, atol=1e-14)
+        np.testing.assert_allclose(legs.S[i], platform_point - robot.b[i], atol=1e-14)
+    np.testing.assert_allclose(np.linalg.norm(legs.s, axis=-1), 1.0, rtol=1e-15)
+    np.testing.assert_array_equal(legs.L_dot, np.zeros(6))
+
+
+def test_leg_on_a_circle_keeps_its_length() -> None:
+    robot = dataclasses.replace(random_robot(np.random.default_rng(8), scale=1.0), p=np.zeros((6, 3)))
+    robot = dataclasses.replace(robot, b=np.zeros((6, 3)))
+    radius, rate = 2.0, 3.0
+    position = np.array([radius, 0.0, 0.0])
+    velocity = np.array([0.0, radius * rate, 0.0])
+    motion = Motion(np.eye(3), position, np.zeros(3), velocity, np.zeros(3), -(rate**2) * position)
+    legs = inverse_kinematics(robot, motion)
+    np.testing.assert_allclose(legs.L, radius)
+    np.testing.assert_allclose(legs.L_dot, 0.0, atol=1e-15)
+    assert legs.L_ddot is not None
+    np.testing.assert_allclose(legs.L_ddot, 0.0, atol=1e-14)
+
+
+def test_batch_is_its_poses() -> None:
+    rng = np.random.default_rng(9)
+    robot = random_robot(rng, scale=0.3)
+    motion = PATHS["I"].path.sample(np.linspace(0.0, 6.0, 12).reshape(4, 3))
+    legs = inverse_kinematics(robot, motion)
+    for name, tail in (("L", (6,)), ("L_dot", (6,)), ("L_ddot", (6,)), ("s", (6, 3)), ("S", (6, 3))):
+        whole = getattr(legs, name)
+        assert whole.shape == (4, 3, *tail)
+        np.testing.assert_allclose(
+            whole[2, 1], getattr(inverse_kinematics(robot, motion[2, 1]), name), rtol=1e-14, atol=1e-15
+        )
+
+
+def test_leg_of_length_zero_is_named() -> None:
+    robot = random_robot(np.random.default_rng(10), scale=1.0)
+    still = np.zeros(3)
+    on_base = Motion(np.eye(3), np.stack([np.ones(3), robot.b[3] - robot.p[3]]), still, still)
+    with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero at motion\[1\]$"):
+        inverse_kinematics(robot, on_base)
+    with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero$"):
+        inverse_kinematics(robot, on_base[1])

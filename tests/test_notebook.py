@@ -1,0 +1,91 @@
+"""The notebook of the derivation runs from start to end, and shows what the code gives now.
+
+``python tests/test_notebook.py`` runs it and writes the outputs into the committed file.
+"""
+
+import os
+import sys
+from importlib import resources
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
+METADATA = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
+    cells = _code_cells(_committed())
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not _unwanted(cells)
+
+
+def test_runs_from_start_to_end_and_gives_the_committed_outputs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for variable in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
+        monkeypatch.setenv(variable, str(tmp_path / variable))
+    committed = _code_cells(_committed())
+    fresh = _code_cells(_executed(tmp_path))
+    assert not _unwanted(fresh)
+    for was, now in zip(committed, fresh, strict=True):
+        assert _shown(now) == _shown(was), f"cell {was.id}: run `python tests/test_notebook.py` and look at it"
+
+
+def test_outputs_tell_nothing_of_the_machine_they_were_made_on() -> None:
+    text = NOTEBOOK.read_text("utf-8")
+    assert _committed().metadata == METADATA
+    for place in {str(Path.home()), os.getcwd(), sys.prefix, "site-packages", " at 0x"}:
+        assert place not in text
+
+
+def _committed() -> Any:
+    return nbformat.reads(NOTEBOOK.read_text("utf-8"), as_version=4)
+
+
+def _executed(folder: Path) -> Any:
+    """The notebook after a run in ``folder``; CellExecutionError when a cell fails."""
+    notebook = _committed()
+    client = NotebookClient(
+        notebook,
+        timeout=110,
+        kernel_name="python3",
+        record_timing=False,
+        resources={"metadata": {"path": str(folder)}},
+    )
+    client.execute()
+    return notebook
+
+
+def _code_cells(notebook: Any) -> list[Any]:
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def _unwanted(cells: list[Any]) -> list[Any]:
+    """Errors, and whatever was written to stdout or stderr, warnings above all."""
+    return [out for cell in cells for out in cell.outputs if out.output_type in ("error", "stream")]
+
+
+def _shown(cell: Any) -> list[dict[str, str]]:
+    """What a cell shows, without pictures, whose bytes depend on the fonts and the version of Matplotlib."""
+    return [
+        {kind: text for kind, text in out.data.items() if not kind.startswith("image/")} for out in cell.outputs
+    ]
+
+
+def _rewrite() -> None:
+    with TemporaryDirectory() as folder:
+        notebook = _executed(Path(folder))
+    notebook.metadata = METADATA
+    nbformat.write(notebook, str(NOTEBOOK))
+
+
+if __name__ == "__main__":
+    _rewrite()

@@ -1,0 +1,128 @@
+"""Operation counts: what the headers claim is what the C executes, and it stays below the limits."""
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+
+from stewart_sym.derive.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.generate import reduced
+from stewart_sym.derive.operations import elimination, kernel_operations
+from stewart_sym.kernel import c_sources, module, robot_numbers
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+COUNTING = r"""
+#include <cstddef>
+#include <cmath>
+#include <cstdio>
+struct Counts { long mul, add, div, sqrt; };
+static Counts counts;
+struct Real {
+    double value;
+    Real() : value(0) {}
+    Real(double v) : value(v) {}
+};
+static Real operator+(Real a, Real b) { ++counts.add; return Real(a.value + b.value); }
+static Real operator-(Real a, Real b) { ++counts.add; return Real(a.value - b.value); }
+static Real operator*(Real a, Real b) { ++counts.mul; return Real(a.value * b.value); }
+static Real operator/(Real a, Real b) { ++counts.div; return Real(a.value / b.value); }
+static Real operator-(Real a) { return Real(-a.value); }
+static bool operator>(Real a, Real b) { return a.value > b.value; }
+static bool operator<=(Real a, Real b) { return a.value <= b.value; }
+static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
+/* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
+struct Threshold {};
+static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
+static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
+static Threshold operator*(int, Threshold t) { return t; }
+#define STEWART_REAL Real
+#define STEWART_SQRT(v) root(v)
+#define STEWART_FABS(v) Real(std::fabs((v).value))
+#define STEWART_EPSILON Threshold()
+#define STEWART_MAX Real(1e308)
+#include "stewart_@KERNEL@.c"
+int main() {
+    static stewart_robot robot;
+    static stewart_motion motion;
+    static stewart_forces forces;
+    const double robot_numbers[] = {@ROBOT@};
+    const double motion_numbers[] = {@MOTION@};
+    for (size_t i = 0; i < sizeof robot / sizeof(Real); ++i) ((Real *)&robot)[i] = robot_numbers[i];
+    for (size_t i = 0; i < sizeof motion / sizeof(Real); ++i) ((Real *)&motion)[i] = motion_numbers[i];
+    counts = Counts();
+    int status = stewart_@KERNEL@_inverse_dynamics(&robot, &motion, &forces);
+    std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);
+    return 0;
+}
+"""
+
+
+def executed(kernel: str, robot: Robot, motion: Motion, folder: Path) -> tuple[int, ...]:
+    """(mul, add, div, sqrt) that the C executes for one pose, counted by its own arithmetic type."""
+    for name, text in c_sources(kernel).items():
+        (folder / name).write_text(text)
+    parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
+    numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
+    program = COUNTING.replace("@KERNEL@", kernel)
+    for mark, values in (("@ROBOT@", robot_numbers(robot)), ("@MOTION@", numbers)):
+        program = program.replace(mark, ", ".join(repr(float(v)) for v in values))
+    (folder / "count.cpp").write_text(program)
+    subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=folder)
+    line = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
+    status, *counts = (int(word) for word in line.split())
+    assert status == 0
+    return tuple(counts)
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng, form.base_joint)
+    counted = executed(form.kernel_name, robot, random_motion(rng, robot), tmp_path)
+    assert counted == module(form.kernel_name).OPERATIONS["friction"]["total"]
+
+
+def test_printed_counts_are_those_of_the_blocks() -> None:
+    for form in FORMULATIONS:
+        for label, friction in (("friction", True), ("frictionless", False)):
+            parts = kernel_operations(reduced(form, friction)).parts()
+            claimed = module(form.kernel_name).OPERATIONS[label]
+            assert claimed == {name: (o.mul, o.add, o.div, o.sqrt) for name, o in parts.items()}
+
+
+def test_exact_stays_within_its_limits() -> None:
+    assert kernel_operations(reduced(EXACT, friction=False)).total.total <= 3300
+    assert kernel_operations(reduced(EXACT, friction=True)).total.total <= 3600
+
+
+def test_paper_kernel_is_cheaper_than_the_papers_program() -> None:
+    claimed = module("paper").OPERATIONS["frictionless"]
+    assert sum(claimed["leg"]) < 694
+    assert sum(claimed["platform"]) < 273
+    assert sum(claimed["solve"]) < 452
+    assert sum(claimed["total"]) < 4889
+
+
+def test_elimination_count_is_that_of_counting_an_elimination() -> None:
+    mul = add = div = 0
+    size = 6
+    for k in range(size):
+        div += 1
+        for _ in range(k + 1, size):
+            mul += 1
+            mul += size - k
+            add += size - k
+    for i in range(size):
+        mul += size - i - 1 + 1
+        add += size - i - 1
+    found = elimination(size)
+    assert (found.mul, found.add, found.div, found.sqrt) == (mul, add, div, 0)
+
+
+def test_dasgupta_machine_counts_like_any_other(tmp_path: Path) -> None:
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(5), robot)
+    assert executed("exact", robot, motion, tmp_path) == module("exact").OPERATIONS["friction"]["total"]

@@ -1,0 +1,80 @@
+"""The symbolic D, K, H, c evaluated at 50 digits agree with the C's to rounding."""
+
+import functools
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from mpmath import mp
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.derive.formulation import FORMULATIONS, Formulation
+from stewart_sym.derive.kernels import kernel
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+DIGITS = 50
+UNITS = 40
+EPSILON = np.finfo(np.float64).eps
+derived = functools.cache(kernel)
+
+
+def named(name: str, array: NDArray[np.float64]) -> dict[str, mp.mpf]:
+    """Entries of a scalar, vector or matrix under the names of the blocks."""
+    return {
+        name + ("_" + "".join("xyz"[i] for i in key) if key else ""): mp.mpf(float(array[key]))
+        for key in np.ndindex(array.shape)
+    }
+
+
+def block_inputs(robot: Robot, motion: Motion, leg: int) -> dict[str, mp.mpf]:
+    values: dict[str, mp.mpf] = {}
+    for name in ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s"):
+        values |= named(name, np.asarray(getattr(robot, name)[leg]))
+    for name in ("M", "R_0", "I_p", "g"):
+        values |= named(name, np.asarray(getattr(robot, name)))
+    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        values |= named(name, getattr(motion, name))
+    return values
+
+
+def truth(form: Formulation, robot: Robot, motion: Motion) -> dict[str, mp.matrix]:
+    """D, K, H, c, x, F from the blocks as they were derived, without sharing, at 50 digits."""
+    blocks = derived(form)
+    own = blocks.platform.run(block_inputs(robot, motion, 0), mp.sqrt)
+    c = mp.matrix([*own["c_force"], *own["c_moment"]])
+    D, K, H = mp.matrix(6, 1), mp.matrix(6, 3), mp.matrix(6, 6)
+    for i in range(6):
+        leg = blocks.leg.run(block_inputs(robot, motion, i), mp.sqrt)
+        D[i] = leg["D"][0]
+        c += mp.matrix([*leg["c_force"], *leg["c_moment"]])
+        for j in range(3):
+            K[i, j] = leg["K"][j]
+            H[j, i], H[j + 3, i] = leg["H_force"][j], leg["H_moment"][j]
+    x = mp.lu_solve(H, c)
+    return {"D": D, "K": K, "H": H, "c": c, "x": x, "F": D - x}
+
+
+def error(found: NDArray[np.float64], true: mp.matrix) -> float:
+    """Largest difference beside the largest entry."""
+    expected = list(true)
+    difference = max(abs(mp.mpf(float(a)) - b) for a, b in zip(found.ravel(), expected, strict=True))
+    return float(difference / max(abs(value) for value in expected))
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize("seed", range(3))
+def test_c_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = dasgupta() if seed == 0 and form.base_joint == "universal" else random_robot(rng, form.base_joint)
+    motion = random_motion(rng, robot)
+    found = ss.inverse_dynamics(robot, motion, form.name)  # type: ignore[arg-type]
+    with mp.workdps(DIGITS):
+        true = truth(form, robot, motion)
+        for name in ("D", "K", "H", "c"):
+            assert error(getattr(found, name), true[name]) <= UNITS * EPSILON, name
+        for name in ("x", "F"):
+            assert error(getattr(found, name), true[name]) <= UNITS * EPSILON * ss.condition_number(
+                found.H
+            ), name

@@ -1,0 +1,403 @@
+"""Trajectories: blends as (39) and (40), splines that differentiate, and bad CSV named by row and column."""
+
+import builtins
+import csv
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from stewart_sym.motion import Motion
+from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
+from stewart_sym.trajectory import PATHS, StraightLinePath, read_csv
+
+Array = NDArray[np.float64]
+POSE = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
+RATES = [f"{name}_{axis}" for name in ("v", "theta_dot", "a", "theta_ddot") for axis in "xyz"]
+LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
+
+
+def error_of(call: Callable[[], object]) -> str:
+    with pytest.raises(ValueError, match=r".") as caught:
+        call()
+    message = str(caught.value)
+    assert "\n" not in message
+    return message
+
+
+def accelerations(motion: Motion) -> tuple[Array, Array]:
+    assert motion.a is not None
+    assert motion.alpha is not None
+    return motion.a, motion.alpha
+
+
+def line(**changes: Any) -> StraightLinePath:
+    values: dict[str, Any] = {
+        "t0": (0.1, 0.2, 0.3),
+        "theta0": (0.0, -0.1, 0.2),
+        "t1": (0.4, 0.1, 0.9),
+        "theta1": (0.3, 0.1, -0.5),
+        "tau_f": 2.0,
+        "V": 0.5,
+        "Omega": 0.6,
+    }
+    return StraightLinePath(**(values | changes))
+
+
+# Straight lines
+
+
+@pytest.mark.parametrize("name", list(PATHS))
+def test_path_starts_and_ends_at_rest_in_the_given_poses(name: str) -> None:
+    path, _ = PATHS[name]
+    ends = path.sample([0.0, path.tau_f])
+    np.testing.assert_array_equal(ends.t, [path.t0, path.t1])
+    np.testing.assert_array_equal(ends.R, rotation_from_rpy([path.theta0, path.theta1]))
+    np.testing.assert_array_equal(ends.v, np.zeros((2, 3)))
+    np.testing.assert_array_equal(ends.omega, np.zeros((2, 3)))
+
+
+def test_paper_paths_have_the_paper_blends() -> None:
+    path, dtau = PATHS["I"]
+    assert path.tau_t == pytest.approx(6.0 - np.sqrt(0.08) / 0.08)
+    assert path.tau_theta == pytest.approx(1.0)
+    assert dtau == 0.1
+    slow, fast = PATHS["I"].path, PATHS["II"].path
+    np.testing.assert_allclose(fast.breaks(), slow.breaks() / 10.0, atol=1e-15)
+    np.testing.assert_allclose(
+        accelerations(fast.sample(0.05))[0], 100.0 * accelerations(slow.sample(0.5))[0]
+    )
+    np.testing.assert_allclose(PATHS["III"].path.sample(6.0).t, [0.8, 1.8, 1.8])
+
+
+@pytest.mark.parametrize("path", [line(), *(p.path for p in PATHS.values())])
+def test_sample_follows_39_and_40(path: StraightLinePath) -> None:
+    direction = np.subtract(path.t1, path.t0) / path.distance
+    blend = path.tau_f - path.distance / path.V
+    assert path.tau_t == pytest.approx(blend)
+    start, cruise, end = path.sample([0.3 * blend, 0.5 * path.tau_f, path.tau_f - 0.3 * blend])
+    np.testing.assert_allclose(accelerations(start)[0], path.V / blend * direction, rtol=1e-12, atol=1e-15)
+    np.testing.assert_allclose(accelerations(end)[0], -path.V / blend * direction, rtol=1e-12, atol=1e-15)
+    np.testing.assert_array_equal(accelerations(cruise)[0], np.zeros(3))
+    np.testing.assert_allclose(cruise.v, path.V * direction, rtol=1e-12, atol=1e-15)
+    np.testing.assert_allclose(cruise.t, 0.5 * np.add(path.t0, path.t1), rtol=1e-12)
+    np.testing.assert_allclose(start.v, 0.3 * path.V * direction, rtol=1e-12, atol=1e-15)
+
+
+@pytest.mark.parametrize("path", [line(), *(p.path for p in PATHS.values())])
+def test_velocity_and_pose_are_continuous_at_the_breaks(path: StraightLinePath) -> None:
+    inner = path.breaks()[1:-1]
+    h = 1e-9 * path.tau_f
+    before, after = path.sample(inner - h), path.sample(inner + h)
+    for name in ("t", "R", "v", "omega"):
+        np.testing.assert_allclose(getattr(before, name), getattr(after, name), atol=2e-8)
+    jumps = np.linalg.norm(np.subtract(accelerations(after), accelerations(before)), axis=-1).max(axis=0)
+    assert np.all(jumps > 1e-2 * path.V)
+
+
+@pytest.mark.parametrize("path", [line(), *(p.path for p in PATHS.values())])
+def test_between_breaks_accelerations_integrate_to_velocities(path: StraightLinePath) -> None:
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    times = path.breaks()
+    half, middle = 0.5 * np.diff(times), 0.5 * (times[1:] + times[:-1])
+    inside = path.sample(middle[:, None] + half[:, None] * nodes)
+    at = path.sample(times)
+    for rate, value in (
+        (accelerations(inside)[0], at.v),
+        (accelerations(inside)[1], at.omega),
+        (inside.v, at.t),
+    ):
+        integral = np.einsum("i,j,ijk->ik", half, weights, rate)
+        np.testing.assert_allclose(integral, np.diff(value, axis=0), atol=1e-13)
+
+
+@settings(deadline=None)
+@given(
+    share=st.floats(1e-6, 1.0),
+    tau_f=st.floats(1e-3, 1e3),
+    end=st.tuples(*[st.floats(-5.0, 5.0)] * 3).filter(lambda x: np.linalg.norm(x) > 1e-3),
+    tau=st.floats(0.0, 1.0),
+)
+def test_path_is_symmetric_in_time(
+    share: float, tau_f: float, end: tuple[float, float, float], tau: float
+) -> None:
+    speed = float(np.linalg.norm(end)) / tau_f * (1.0 + share)
+    path = StraightLinePath((0, 0, 0), (0, 0, 0), end, (0, 0, 0), tau_f, V=speed, Omega=1.0)
+    size = float(np.linalg.norm(end))
+    there, back = path.sample([tau * tau_f, tau_f - tau * tau_f])
+    np.testing.assert_allclose(there.t + back.t, np.array(end), atol=1e-12 * size)
+    np.testing.assert_allclose(there.v, back.v, atol=1e-12 * speed / share)
+    assert np.linalg.norm(there.v) <= speed * (1.0 + 1e-12)
+
+
+def test_part_without_distance_rests() -> None:
+    path = line(theta1=(0.0, -0.1, 0.2), Omega=0.0)
+    motion = path.sample([0.0, 0.1, 1.0, 2.0])
+    np.testing.assert_array_equal(motion.R, np.tile(rotation_from_rpy(path.theta0), (4, 1, 1)))
+    np.testing.assert_array_equal(motion.omega, np.zeros((4, 3)))
+    np.testing.assert_array_equal(accelerations(motion)[1], np.zeros((4, 3)))
+    np.testing.assert_allclose(path.breaks(), [0.0, path.tau_t, 2.0 - path.tau_t, 2.0])
+    at_rest = line(t1=(0.1, 0.2, 0.3), theta1=(0.0, -0.1, 0.2))
+    np.testing.assert_array_equal(at_rest.breaks(), [0.0, 2.0])
+    np.testing.assert_array_equal(at_rest.sample(1.0).t, at_rest.t0)
+
+
+def test_breaks_are_where_the_accelerations_jump() -> None:
+    path = line()
+    expected = [0.0, path.tau_t, path.tau_theta, 2.0 - path.tau_theta, 2.0 - path.tau_t, 2.0]
+    np.testing.assert_allclose(path.breaks(), np.sort(expected))
+    triangle = line(V=path.distance, Omega=path.angle)
+    np.testing.assert_allclose(triangle.breaks(), [0.0, 1.0, 2.0])
+
+
+def test_at_a_break_the_acceleration_is_the_following_one() -> None:
+    path, _ = PATHS["II"]
+    alpha = accelerations(path.sample([0.0, 0.1, 0.5, 0.6]))[1]
+    np.testing.assert_allclose(alpha[:, 2], [8.0, 0.0, -8.0, -8.0])
+
+
+@pytest.mark.parametrize("name", list(PATHS))
+def test_grid_of_the_paper_has_61_times(name: str) -> None:
+    path, dtau = PATHS[name]
+    times = path.times(dtau)
+    assert len(times) == 61
+    np.testing.assert_allclose(times, np.arange(61) * dtau, rtol=1e-15)
+    assert times[-1] == path.tau_f
+
+
+def test_grid_ends_at_tau_f_when_the_step_does_not_fit() -> None:
+    np.testing.assert_allclose(line().times(0.6), [0.0, 0.6, 1.2, 1.8, 2.0])
+    np.testing.assert_array_equal(line().times(2.0), [0.0, 2.0])
+
+
+@pytest.mark.parametrize("dtau", [0.0, -0.1, 3.0, np.nan, np.inf])
+def test_step_out_of_range_is_named(dtau: float) -> None:
+    assert error_of(lambda: line().times(dtau)).startswith("dtau: expected")
+
+
+@pytest.mark.parametrize("tau", [-1e-6, 2.000001, [0.0, 3.0], np.nan])
+def test_time_outside_of_the_path_is_an_error(tau: float | list[float]) -> None:
+    assert error_of(lambda: line().sample(tau)).startswith("tau: expected times in [0, 2] s, got")
+
+
+def test_any_shape_of_times() -> None:
+    assert line().sample(1.0).shape == ()
+    assert line().sample(np.zeros((4, 2))).shape == (4, 2)
+    assert line().sample([]).shape == (0,)
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        (
+            {"t1": (0.1, 0.2, 1.3), "V": 0.5},
+            "V: 0.5 m/s is too small for tau_f = 2 s, expected more than 0.5 and at most 1 m/s",
+        ),
+        (
+            {"t1": (0.1, 0.2, 1.3), "V": 1.001},
+            "V: 1.001 m/s is too large for tau_f = 2 s, expected more than 0.5 and at most 1 m/s",
+        ),
+        ({"V": -0.5}, "V: -0.5 m/s is too small"),
+        (
+            {"Omega": 0.0},
+            "Omega: 0 rad/s is too small for tau_f = 2 s, expected more than 0.3937 and at most 0.787401",
+        ),
+        ({"Omega": 9.0}, "Omega: 9 rad/s is too large"),
+        ({"tau_f": 0.0}, "tau_f: expected a duration > 0 s"),
+        ({"tau_f": "2"}, "tau_f: expected a finite number, got '2'"),
+        ({"V": float("nan")}, "V: expected a finite number, got nan"),
+        ({"t0": (0.0, 1.0)}, "t0: expected three numbers, got (0.0, 1.0)"),
+        ({"theta1": 1.0}, "theta1: expected three numbers, got 1.0"),
+        ({"theta1": (0, 0, float("inf"))}, "theta1: expected a finite number, got inf"),
+    ],
+)
+def test_impossible_path_is_named(changes: dict[str, Any], expected: str) -> None:
+    assert error_of(lambda: line(**changes)).startswith(expected)
+
+
+def test_top_speed_may_be_twice_the_mean() -> None:
+    path = line(t1=(0.1, 0.2, 1.3), V=1.0)
+    assert path.tau_t == 1.0
+    assert np.linalg.norm(path.sample(1.0).v) == pytest.approx(1.0)
+
+
+# CSV
+
+
+def write(path: Path, header: Sequence[str], table: Array) -> Path:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(header)
+        writer.writerows([[repr(float(x)) for x in row] for row in table])
+    return path
+
+
+def smooth(n: int, degree: int) -> tuple[Array, Array, Array, Array]:
+    """Uneven times and six polynomial coordinates with their derivatives; far from a turn between rows."""
+    rng = np.random.default_rng(degree)
+    time = (np.arange(n) + rng.uniform(-0.2, 0.2, n)) / n
+    polynomials = [np.polynomial.Polynomial(0.3 * rng.normal(size=degree + 1)) for _ in range(6)]
+    x, x_dot, x_ddot = (np.column_stack([p.deriv(k)(time) for p in polynomials]) for k in range(3))
+    return time + 1e4, x, x_dot, x_ddot
+
+
+def test_csv_with_derivatives_and_loads_is_taken_as_it_is(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    header = POSE + RATES + LOADS
+    table = rng.normal(size=(7, len(header)))
+    table[:, 0] = np.arange(7) * 0.1
+    order = rng.permutation(len(header))
+    path = write(tmp_path / "full.csv", [header[i] for i in order], table[:, order])
+    time, motion = read_csv(path)
+    t, theta, v, theta_dot, a, theta_ddot, F, M = np.split(table[:, 1:], 8, axis=1)
+    expected = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, F, M)
+    np.testing.assert_array_equal(time, table[:, 0])
+    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        np.testing.assert_array_equal(getattr(motion, name), getattr(expected, name))
+
+
+@pytest.mark.parametrize(("n", "degree"), [(4, 3), (5, 3), (6, 5), (40, 5)])
+def test_spline_differentiates_polynomials_of_its_degree(tmp_path: Path, n: int, degree: int) -> None:
+    time, x, x_dot, x_ddot = smooth(n, degree)
+    path = write(tmp_path / "pose.csv", POSE, np.column_stack([time, x]))
+    read_time, motion = read_csv(path)
+    np.testing.assert_array_equal(read_time, time)
+    expected = Motion.from_rpy(
+        *(y[:, part] for y in (x, x_dot, x_ddot) for part in (slice(0, 3), slice(3, 6)))
+    )
+    assert motion.F_ext is motion.M_ext is None
+    # Times near 1e4 s are known to 1e-12 s, which the second derivative of 40 rows magnifies by 40^2.
+    for name in ("R", "t", "omega", "v", "alpha", "a"):
+        np.testing.assert_allclose(getattr(motion, name), getattr(expected, name), atol=1e-8)
+
+
+def test_wrapped_angles_give_smooth_rates(tmp_path: Path) -> None:
+    time = np.linspace(0.0, 4.0, 60)
+    theta_z = 2.0 * time
+    wrapped = (theta_z + np.pi) % (2.0 * np.pi) - np.pi
+    zero = np.zeros_like(time)
+    path = write(
+        tmp_path / "turn.csv", POSE, np.column_stack([time, zero, zero, zero + 1, zero, zero, wrapped])
+    )
+    _, motion = read_csv(path)
+    np.testing.assert_allclose(motion.omega, np.tile([0.0, 0.0, 2.0], (60, 1)), atol=1e-9)
+    np.testing.assert_allclose(accelerations(motion)[1], 0.0, atol=1e-7)
+
+
+def test_path_survives_the_way_through_a_file(tmp_path: Path) -> None:
+    path, dtau = PATHS["I"]
+    times = path.times(dtau)
+    motion = path.sample(times)
+    table = np.column_stack([times, motion.t, rpy_from_rotation(motion.R)])
+    _, back = read_csv(write(tmp_path / "path.csv", POSE, table))
+    np.testing.assert_allclose(back.v, motion.v, atol=2e-3)
+
+
+def test_forgiving_of_spaces_blank_lines_windows_and_byte_order_mark(tmp_path: Path) -> None:
+    time, x, _, _ = smooth(6, 5)
+    plain = write(tmp_path / "plain.csv", POSE, np.column_stack([time, x]))
+    text = plain.read_text(encoding="utf-8").replace(",", " , ").replace("\r\n", "\n") + "\n  \n"
+    odd = tmp_path / "with spaces.csv"
+    odd.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    np.testing.assert_array_equal(read_csv(str(odd))[1].a, read_csv(plain)[1].a)
+
+
+GOOD = [",".join(POSE), *(f"{0.1 * i:g},0.1,0,0.5,0,0,{0.01 * i:g}" for i in range(6))]
+FULL = [",".join(POSE + RATES), *(f"{0.1 * i:g}," + ",".join(["0"] * 18) for i in range(2))]
+
+
+def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
+    """The text with row ``number`` replaced; row 1 is the header."""
+    return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
+
+
+BAD: list[tuple[str, str]] = [
+    ("", "the file is empty"),
+    ("\n\n", "the file is empty"),
+    (GOOD[0], "expected rows of numbers below the header, got none"),
+    (with_line(4, "0.2,0.1,0,0.5,0,0"), "row 4: expected 7 columns, got 6"),
+    (with_line(4, "0.2,0.1,0,0.5,0,0,0,0"), "row 4: expected 7 columns, got 8"),
+    (with_line(5, "0.1,0.1,0,0.5,0,0,0"), "row 5: time: expected increasing times, got 0.1 after 0.2"),
+    (with_line(5, "0.2,0.1,0,0.5,0,0,0"), "row 5: time: expected increasing times, got 0.2 after 0.2"),
+    (with_line(3, "0.1,left,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got 'left'"),
+    (with_line(3, "0.1,,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got ''"),
+    (with_line(3, "0.1,1_0,0,0.5,0,0,0"), "row 3: t_x: expected a finite number, got '1_0'"),
+    (with_line(7, "0.5,0.1,0,0.5,0,0,nan"), "row 7: theta_z: expected a finite number, got 'nan'"),
+    (with_line(7, "inf,0.1,0,0.5,0,0,0"), "row 7: time: expected a finite number, got 'inf'"),
+    (with_line(7, "0.5,0.1,0,1e999,0,0,0"), "row 7: t_z: expected a finite number, got '1e999'"),
+    (GOOD[1] + "\n" + GOOD[2], "unknown column '0'"),
+    (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y"), "missing column theta_z"),
+    (with_line(1, "t_x,t_y,t_z,theta_x,theta_y,theta_z,F_ext_x"), "missing column time"),
+    (with_line(1, "time,t_x,t_y,t_z,theta_x,theta_y,yaw"), "unknown column 'yaw'"),
+    (with_line(1, "time,t_x,t_x,t_z,theta_x,theta_y,theta_z"), "column t_x is given twice"),
+    (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
+    (with_line(1, GOOD[0] + ",M_ext_x,M_ext_y"), "missing column M_ext_z"),
+    (
+        with_line(1, ",".join(POSE + RATES[:6]), FULL),
+        "missing column a_x: expected velocities and accelerations",
+    ),
+    (
+        with_line(1, ",".join(POSE + RATES[6:]), FULL),
+        "missing column v_x: expected velocities and accelerations",
+    ),
+    (GOOD[0].replace(",", ";"), "unknown column 'time;t_x;"),
+    ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
+    (with_line(3, '0.1,"' + "9" * 200_000 + '",0,0.5,0,0,0'), "row 3: not valid CSV"),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), BAD)
+def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
+    path = tmp_path / "traj.csv"
+    path.write_text(text, encoding="utf-8")
+    assert error_of(lambda: read_csv(path)).startswith(f"{path}: {expected}")
+
+
+def test_rows_are_counted_as_in_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "traj.csv"
+    path.write_text("\n" + with_line(4, "\n0.2,0.1"), encoding="utf-8")
+    assert error_of(lambda: read_csv(path)) == f"{path}: row 6: expected 7 columns, got 2"
+
+
+def test_one_row_with_derivatives_is_enough(tmp_path: Path) -> None:
+    path = tmp_path / "one.csv"
+    path.write_text("\n".join(FULL[:2]), encoding="utf-8")
+    assert read_csv(path)[1].shape == (1,)
+
+
+def test_csv_that_cannot_be_read(tmp_path: Path) -> None:
+    missing = tmp_path / "none.csv"
+    assert error_of(lambda: read_csv(missing)).startswith(
+        f"{missing}: cannot read the trajectory: No such file"
+    )
+    assert error_of(lambda: read_csv(tmp_path)).startswith(f"{tmp_path}: cannot read the trajectory")
+    latin = tmp_path / "latin.csv"
+    latin.write_bytes(b"time,\xb5m\n")
+    assert error_of(lambda: read_csv(latin)) == f"{latin}: expected UTF-8 text, byte 5 is not"
+
+
+def test_without_scipy_the_error_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "traj.csv"
+    path.write_text("\n".join(GOOD), encoding="utf-8")
+    real_import = builtins.__import__
+
+    def no_scipy(name: str, *args: Any, **kwargs: Any) -> Any:
+        if name.split(".")[0] == "scipy":
+            raise ImportError(name)
+        return real_import(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", no_scipy)
+    with pytest.raises(ImportError) as caught:
+        read_csv(path)
+    assert 'pip install "stewart-sym[sim]"' in str(caught.value)
+    assert "\n" not in str(caught.value)
+    full = tmp_path / "full.csv"
+    full.write_text("\n".join(FULL), encoding="utf-8")
+    assert read_csv(full)[1].shape == (2,)
