@@ -13,6 +13,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from importlib.metadata import version
+from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
 from typing import NoReturn, TextIO
@@ -26,8 +27,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one verb; ``argv`` without the program's name, None for this process's. Returns the exit code."""
     try:
         arguments = _parser().parse_args(argv)
-        with warnings.catch_warnings():
-            warnings.showwarning = _show_warning
+        with _warnings_in_lines():
             code: int = arguments.run(arguments)
         sys.stdout.flush()
         return code
@@ -102,7 +102,7 @@ def _forces(arguments: argparse.Namespace) -> int:
         progress("writing")
         stream.writelines(csv_lines(columns))
     for line in exceeded:
-        print(f"{PROGRAM}: warning: {line}", file=sys.stderr)
+        warnings.warn(line, stacklevel=2)
     return 0
 
 
@@ -115,11 +115,11 @@ def _derive(arguments: argparse.Namespace) -> int:
             raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
         return _compare(directory, _derived())
     with staged_folder(directory) as folder:
-        files = _derived()
-        for name, text in files.items():
+        texts = _derived()
+        for name, text in texts.items():
             (folder / name).parent.mkdir(exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
-    print(f"{len(files)} files written to {directory}")
+    print(f"{len(texts)} files written to {directory}")
     return 0
 
 
@@ -150,9 +150,7 @@ def _plots() -> ModuleType:
 
 
 def _generated_folder() -> Path:
-    from . import generated
-
-    return Path(generated.__path__[0])
+    return Path(str(files("stewart_sym.generated")))
 
 
 def _derived() -> dict[str, str]:
@@ -166,13 +164,13 @@ def _derived() -> dict[str, str]:
             progress(text)
             starts.append((text, time.perf_counter()))
 
-        files = generated_files(note)
+        texts: dict[str, str] = generated_files(note)
     ends = [start for _, start in starts[1:]] + [time.perf_counter()]
     for (text, start), end in zip(starts, ends, strict=True):
         name = text.removeprefix("deriving ")
-        counts = _operations(files.get(f"{name}.py", ""))
+        counts = _operations(texts.get(f"{name}.py", ""))
         print(f"{name:<16} {end - start:6.1f} s   {counts}".rstrip())
-    return files
+    return texts
 
 
 def _operations(module: str) -> str:
@@ -182,27 +180,27 @@ def _operations(module: str) -> str:
     for node in ast.parse(module).body:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
             counts = ast.literal_eval(node.value)
-            totals = (f"{sum(parts['total'])} {name}" for name, parts in counts.items())
-            return f"operations of a pose: {', '.join(totals)}"
+            with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
+            return f"operations of a pose: {with_friction} with friction, {without} without"
     return ""
 
 
-def _compare(directory: Path, files: dict[str, str]) -> int:
+def _compare(directory: Path, texts: dict[str, str]) -> int:
     """Name the files that differ, are missing or are not generated; 1 if there are any."""
     present = {
         path.relative_to(directory).as_posix()
         for pattern in ("*.py", "c/*.[ch]")
         for path in directory.glob(pattern)
     }
-    different = [name for name in sorted(files) if _differs(directory / name, files[name])]
-    stray = sorted(present - files.keys())
+    different = [name for name in sorted(texts) if _differs(directory / name, texts[name])]
+    stray = sorted(present - texts.keys())
     for name in different:
         print(f"differs: {name}" if name in present else f"missing: {name}")
     for name in stray:
         print(f"not generated: {name}")
     if different or stray:
         return 1
-    print(f"{directory}: all {len(files)} files are as derived")
+    print(f"{directory}: all {len(texts)} files are as derived")
     return 0
 
 
@@ -234,15 +232,26 @@ def _progress() -> Iterator[Callable[[str], None]]:
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
-def _show_warning(
-    message: Warning | str,
-    category: type[Warning],
-    filename: str,
-    lineno: int,
-    file: TextIO | None = None,
-    line: str | None = None,
-) -> None:
-    print(f"{PROGRAM}: warning: {_one_line(message)}", file=sys.stderr)
+@contextlib.contextmanager
+def _warnings_in_lines() -> Iterator[None]:
+    """Show warnings one line each when the block ends well; after an error, the error alone is shown."""
+    lines: list[str] = []
+
+    def keep(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        lines.append(_one_line(message))
+
+    with warnings.catch_warnings():
+        warnings.showwarning = keep
+        yield
+    for text in lines:
+        print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
 
 
 def _one_line(error: object) -> str:
@@ -296,8 +305,8 @@ def _parser() -> argparse.ArgumentParser:
         _forces,
         "actuator forces along a trajectory",
         "stewart-sym forces hexapod.toml trajectory.csv -o forces.csv",
-        "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z (rad); "
-        "optionally v_*, theta_dot_*, a_* and theta_ddot_* together (without them a spline is fitted), "
+        "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
+        "(rad); optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
         "F_ext_* and M_ext_* (platform frame). SI units. Moments M_p are taken about the base points.",
     )
     _robot(verb)

@@ -7,6 +7,7 @@ import pytest
 from machines import random_motion, random_robot
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 
+import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.motion import Motion
 from stewart_sym.reference import EXACT, PAPER
@@ -27,6 +28,18 @@ def test_exact_agrees_with_pinocchio(seeds: range) -> None:
     for seed in seeds:
         errors = _errors(*_universal(seed), EXACT)
         assert max(errors.values()) < RELATIVE, (seed, errors)
+
+
+@pytest.mark.parametrize("seeds", GROUPS, ids=str)
+def test_the_c_kernel_agrees_with_pinocchio(seeds: range) -> None:
+    for seed in seeds:
+        robot, motion, truth = _universal(seed)
+        forces, reactions = ss.inverse_dynamics(robot, motion), ss.joint_reactions(robot, motion)
+        for name in QUANTITIES:
+            computed = getattr(forces if name == "F" else reactions, name)
+            for i, answer in enumerate(truth):
+                expected = getattr(answer, name)
+                assert np.abs(computed[i] - expected).max() < RELATIVE * np.abs(expected).max(), (seed, name)
 
 
 @pytest.mark.parametrize("seeds", GROUPS, ids=str)

@@ -65,7 +65,9 @@ def crossing_legs(run: PathRun) -> list[int]:
 def rank_correlation(x: Array, y: Array) -> float:
     """Correlation of ranks, -1 to 1 (Spearman's); no ties."""
     ranks = np.argsort(np.argsort([x, y], axis=-1), axis=-1).astype(np.float64)
-    return float(np.corrcoef(ranks)[0, 1])
+    deviations = ranks - ranks.mean(axis=-1, keepdims=True)
+    x, y = deviations / np.linalg.norm(deviations, axis=-1, keepdims=True)
+    return float(x @ y)
 
 
 def largest(run: PathRun) -> float:
@@ -152,7 +154,7 @@ def _steep(found: Reproduction, form: str) -> Measured:
 
 def _singular(found: Reproduction, form: str) -> Measured:
     run = found.runs["III", form]
-    text = f"{largest(run):.2e} N at {_worst_time(run):.1f} s; H is singular at {found.pole:.3f} s"
+    text = f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.pole:.3f} s"
     return Measured(text, _verdict(1e5 <= largest(run) < 1e6, largest(run) >= 1e5))
 
 
@@ -160,7 +162,7 @@ def _precisely(found: Reproduction, form: str) -> Measured:
     run = found.runs["III", form]
     peak = float(run.time[run.condition.argmax()])
     worst = _worst_time(run)
-    text = f"condition number {run.condition.max():.2e} at {peak:.1f} s, forces largest at {worst:.1f} s"
+    text = f"condition number {_short(run.condition.max())} at {peak:.1f} s, forces largest at {worst:.1f} s"
     return Measured(text, _verdict(peak == worst))
 
 
@@ -169,10 +171,11 @@ def _near_singular(found: Reproduction, form: str) -> Measured:
     near = (run.condition >= 1e2) & (run.condition < 1e4)
     top = np.max(np.abs(run.F), axis=-1)[near]
     share = float(np.mean(top >= 1e4))
-    text = (
-        f"Path III, condition number {run.condition.min():.0f} to 1e4: largest |F| from {top.min():.2g} N, "
+    text = f"Path III, condition number {run.condition.min():.0f} to 1e4: largest |F| "
+    return Measured(
+        text + f"from {_short(top.min())} N, 1e4 N or more in {share:.0%} of instants",
+        _verdict(share > 0.9, share > 0.5),
     )
-    return Measured(text + f"1e4 N or more in {share:.0%} of instants", _verdict(share > 0.9, share > 0.5))
 
 
 def _generally(found: Reproduction, form: str) -> Measured:
@@ -216,6 +219,12 @@ def _kernel(found: Reproduction, form: str) -> Operations:
 
 def _worst_time(run: PathRun) -> float:
     return float(run.time[np.max(np.abs(run.F), axis=-1).argmax()])
+
+
+def _short(number: float) -> str:
+    """Two digits and a bare exponent: 9.6e5."""
+    digits, exponent = f"{number:.1e}".split("e")
+    return f"{digits}e{int(exponent)}"
 
 
 def _list(legs: list[int]) -> str:

@@ -87,8 +87,9 @@ def description(robot: Robot) -> str:
 
 
 def _home_lines(robot: Robot, home: HomePose) -> list[str]:
-    inside = (home.L >= robot.length_limits[:, 0]) & (home.L <= robot.length_limits[:, 1])
-    legs = ", ".join(str(i + 1) for i in np.flatnonzero(~inside))
+    shortest, longest = robot.length_limits.T
+    outside = (home.L < shortest) | (home.L > longest)
+    legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
     rows = [
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),

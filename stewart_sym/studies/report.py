@@ -64,7 +64,8 @@ def _claims_table(found: Reproduction) -> str:
             cells,
             (8, 23, 22, 22, 8, 16),
         ),
-        "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic fraction: |F_d / F|, of all legs and all instants of the paper's time grid, "
+        "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
+        "fraction: |F_d / F|, of all legs and all instants of the paper's time grid, "
         f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
         "fraction has no bound where F crosses zero. F_d is what masses and weights of the legs and friction "
         "add, F_d = F - F_0; it is mostly weight: with the platform at rest on Path I its median is "

@@ -85,7 +85,7 @@ def _reaction_columns(
     robot: Robot, motion: Motion, formulation: Formulation, backend: Backend
 ) -> Mapping[str, Array]:
     found = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
-    columns = {}
+    columns: dict[str, Array] = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
         values = getattr(found, name)
         for leg in range(6):

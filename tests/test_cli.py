@@ -1,0 +1,529 @@
+"""The command line: every verb does its job; what goes wrong is one line and leaves nothing behind."""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stewart_sym as ss
+from stewart_sym import cli
+from stewart_sym.cli import main
+from stewart_sym.studies.output import csv_lines, replaced_file, staged_folder
+
+POSES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """The paper's robot file."""
+    target = tmp_path / "robot.toml"
+    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
+        shutil.copy(source, target)
+    return target
+
+
+@pytest.fixture
+def trajectory(tmp_path: Path) -> Path:
+    """Poses of Path I without derivatives."""
+    target = tmp_path / "trajectory.csv"
+    time = np.linspace(0.0, 2.0, 21)
+    swing = 0.5 - 0.5 * np.cos(np.pi * time / 2)
+    columns = {
+        "time": time,
+        **dict(zip(POSES, (0.1 + 0.1 * swing, 0 * time, 0.4 + 0.1 * swing, *3 * [0.1 * swing]), strict=True)),
+    }
+    target.write_text("".join(csv_lines(columns)))
+    return target
+
+
+def run(*arguments: object, **options: object) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, "-m", "stewart_sym.cli", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, **options)  # type: ignore[call-overload, no-any-return]
+
+
+def fails_in_one_line(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
+    """Run a command that must fail; return the only line it prints."""
+    try:
+        code: object = main([*map(str, arguments)])
+    except SystemExit as stop:
+        code = stop.code
+    captured = capsys.readouterr()
+    lines = captured.err.splitlines()
+    assert code == 2
+    assert captured.out == ""
+    assert len(lines) == 1, captured.err
+    assert lines[0].startswith("stewart-sym: error: ")
+    return lines[0]
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    with open(path, newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def folder_state(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()} | {
+        str(p.relative_to(folder)): b"folder" for p in folder.rglob("*") if p.is_dir()
+    }
+
+
+# reproduce
+
+
+def test_reproduce_writes_tables_and_curves_without_matplotlib(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    target = tmp_path / "deep" / "out"
+    assert main(["reproduce", "--no-pictures", "-o", str(target)]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
+    assert sorted(path.name for path in target.iterdir()) == sorted([*names, "report.txt"])
+    assert (target / "report.txt").read_text() in captured.out
+    rows = read(target / "path_I_paper.csv")
+    assert len(rows) == 61
+    assert float(rows[0]["F3"]) == pytest.approx(1419.36, abs=0.005)
+
+
+def test_reproduce_draws_the_pictures(tmp_path: Path) -> None:
+    done = run("reproduce", "-o", tmp_path / "out", env={**os.environ, "MPLBACKEND": "Agg"})
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "34.69 to" in done.stdout
+    pictures = sorted(path.name for path in (tmp_path / "out").glob("fig*"))
+    assert len(pictures) == 14
+    assert pictures[0] == "fig04_path_I_forces.png"
+
+
+def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
+    assert 'pip install "stewart-sym[plot]"' in line
+    assert not list(tmp_path.iterdir())
+
+
+def test_reproduce_refuses_a_folder_it_cannot_write_before_computing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unreachable(*_: object) -> None:
+        raise AssertionError("computed before the folder was tried")
+
+    monkeypatch.setattr("stewart_sym.studies.reproduce.reproduce", unreachable)
+    (tmp_path / "file").write_text("x")
+    line = fails_in_one_line(capsys, "reproduce", "--no-pictures", "-o", tmp_path / "file" / "out")
+    assert str(tmp_path / "file" / "out") in line
+    assert folder_state(tmp_path) == {"file": b"x"}
+
+
+def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("stewart_sym.studies.reproduce.reproduce", interrupted)
+    assert main(["reproduce", "--no-pictures", "-o", str(tmp_path / "out")]) == 130
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err) == ("", "")
+    assert not list(tmp_path.iterdir())
+
+
+# check
+
+
+def test_check_describes_the_papers_machine_and_warns_in_one_line_each(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["check", str(robot)]) == 0
+    captured = capsys.readouterr()
+    for words in (
+        "universal below, spherical above",
+        "4 kg each",
+        "friction     on",
+        "length none",
+        "home pose",
+    ):
+        assert words in captured.out
+    warnings = captured.err.splitlines()
+    assert len(warnings) == 3
+    assert all(line.startswith(f"stewart-sym: warning: {robot}: ") for line in warnings)
+
+
+def test_check_puts_the_home_pose_in_the_middle_of_the_length_limits(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edit(robot, "[leg_defaults.lower]", "[leg_defaults]\nlength_limits = [0.8, 1.2]\n\n[leg_defaults.lower]")
+    assert main(["check", str(robot)]) == 0
+    out = capsys.readouterr().out
+    assert "length 0.8 to 1.2 m" in out
+    lengths = next(line for line in out.splitlines() if line.startswith("leg lengths"))
+    values = [float(word) for word in lengths[lengths.index("(") + 1 : lengths.index(")")].split(",")]
+    assert np.mean(values) == pytest.approx(1.0, abs=0.01)
+
+
+def test_check_says_when_friction_is_off(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for coefficient in ("0.0001", "0.001", "0.0002"):
+        edit(robot, f"= {coefficient}\n", "= 0.0\n")
+    assert main(["check", str(robot)]) == 0
+    assert "friction     off" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("mass = 40.0", "mas = 40.0", '"mass"'),
+        ("mass = 40.0", "mass = -40.0", "platform.mass"),
+        ("mass = 40.0", "mass = nan", "platform.mass"),
+        ("mass = 40.0", 'mass = "40"', "platform.mass"),
+        ("mass = 40.0", "", "platform.mass"),
+        ("[0.050, 0.003, 0.004]", "[0.050, 0.9, 0.004]", "symmetric"),
+        ("universal_axis = [1.0000, 0.0000, 0.0000]", "universal_axis = [0, 0, 0]", "leg 4: universal_axis"),
+        ("[[leg]]\nbase_point = [0.6", "[[leg]]\n[[leg]]\nbase_point = [0.6", "got 7"),
+        ("schema = 1", "schema = ", "TOML"),
+    ],
+)
+def test_bad_robot_files_are_refused_by_every_verb(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    edit(robot, old, new)
+    before = folder_state(robot.parent)
+    for verb in (
+        ["check", robot],
+        ["forces", robot, trajectory, "-o", robot.parent / "f.csv"],
+        ["generate", robot, "-o", robot.parent / "kit"],
+    ):
+        line = fails_in_one_line(capsys, *verb)
+        assert str(robot) in line
+        assert words in line
+    assert folder_state(robot.parent) == before
+
+
+def test_a_missing_robot_file_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert str(tmp_path / "none.toml") in fails_in_one_line(capsys, "check", tmp_path / "none.toml")
+
+
+# forces
+
+
+def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:
+    output = robot.parent / "forces.csv"
+    assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
+    rows = read(output)
+    time, motion = ss.trajectory.read_csv(trajectory)
+    with pytest.warns(ss.PhysicalityWarning):
+        expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
+    for i, row in enumerate(rows):
+        assert float(row["time"]) == time[i]
+        assert [float(row[f"F{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
+        assert row["status"] == "0"
+    assert list(rows[0])[7:] == [*(f"L{leg}" for leg in range(1, 7)), "condition_number", "status"]
+    assert len(rows) == len(time)
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_forces_takes_formulation_backend_and_reactions(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], formulation: str
+) -> None:
+    written = []
+    for backend in ("c", "numpy", "reference"):
+        arguments = ["--formulation", formulation, "--backend", backend, "--reactions", "-o", "-"]
+        assert main(["forces", str(robot), str(trajectory), *arguments]) == 0
+        written.append(capsys.readouterr().out.splitlines())
+    header = written[0][0].split(",")
+    assert len(header) == 1 + 12 + 2 + 6 * 16
+    values = np.array([[line.split(",") for line in lines[1:]] for lines in written], dtype=np.float64)
+    np.testing.assert_allclose(values[1:], np.broadcast_to(values[0], values[1:].shape), rtol=1e-9, atol=1e-9)
+    motion = ss.trajectory.read_csv(trajectory)[1]
+    with pytest.warns(ss.PhysicalityWarning):
+        reactions = ss.joint_reactions(ss.Robot.from_toml(robot), motion, formulation)  # type: ignore[arg-type]
+    np.testing.assert_array_equal(values[0][:, header.index("F_u3_y")], reactions.F_u[:, 2, 1])
+    np.testing.assert_array_equal(values[0][:, header.index("M_u5")], reactions.M_u[:, 4])
+
+
+def test_forces_warns_of_the_first_limit_exceeded(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
+    edit(robot, "[leg_defaults.lower]", f"{limits}\n[leg_defaults.lower]")
+    assert main(["forces", str(robot), str(trajectory), "-o", str(robot.parent / "f.csv")]) == 0
+    lines = [line for line in capsys.readouterr().err.splitlines() if "exceeded" in line]
+    assert [line.split(": warning: ")[1].split(" exceeded")[0] for line in lines] == [
+        "force_limit",
+        "speed_limit",
+        "length_limits",
+    ]
+    row = next(
+        row for row in read(robot.parent / "f.csv") if float(row["L6"]) < 0.45 or float(row["L3"]) < 0.45
+    )
+    assert f"length_limits exceeded first at {float(row['time']):g} s" in lines[2]
+    assert "force_limit exceeded first at 0 s by leg 3: 1114.86 N, limit 1000 N; at 7 of 21" in lines[0]
+
+
+@pytest.mark.parametrize(
+    ("edit_rows", "words"),
+    [
+        (lambda rows: [*rows[:3], rows[5], rows[4], *rows[6:]], "increasing times"),
+        (lambda rows: [*rows[:3], rows[3] + ",1.0", *rows[4:]], "expected 7 columns, got 8"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0], *rows[4:]], "expected 7 columns, got 6"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",nan", *rows[4:]], "finite number"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",inf", *rows[4:]], "finite number"),
+        (lambda rows: [rows[0].replace("theta_x", "tetha_x"), *rows[1:]], "tetha_x"),
+        (lambda rows: rows[:1], "rows of numbers"),
+        (lambda rows: rows[:3], "at least 4 rows"),
+        (lambda rows: [], "empty"),
+    ],
+)
+def test_bad_trajectories_are_refused(
+    robot: Path,
+    trajectory: Path,
+    capsys: pytest.CaptureFixture[str],
+    edit_rows: Callable[[list[str]], list[str]],
+    words: str,
+) -> None:
+    rows = edit_rows(trajectory.read_text().splitlines())
+    trajectory.write_text("".join(f"{row}\n" for row in rows))
+    before = folder_state(robot.parent)
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
+    assert str(trajectory) in line
+    assert words in line
+    assert folder_state(robot.parent) == before
+
+
+def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    missing = robot.parent / "none.csv"
+    line = fails_in_one_line(capsys, "forces", robot, missing, "-o", robot.parent / "f.csv")
+    assert str(missing) in line
+    assert not (robot.parent / "f.csv").exists()
+
+
+def test_a_pose_without_an_answer_is_refused_unless_it_is_allowed(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Leg 1 has length zero at the second instant: t = b_1 - p_1.
+    poses = [[0.1, 0.0, 0.4], [0.3, 0.2, -0.1], [0.1, 0.0, 0.5]]
+    names = [
+        f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
+    ]
+    columns = {"time": np.arange(3.0)} | {name: np.zeros(3) for name in names}
+    columns |= dict(zip(names[:3], np.array(poses).T, strict=True))
+    trajectory = robot.parent / "short.csv"
+    trajectory.write_text("".join(csv_lines(columns)))
+    output = robot.parent / "f.csv"
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert "motion[1]: a leg has length zero (leg 1)" in line
+    assert not output.exists()
+    assert (
+        main(["forces", str(robot), str(trajectory), "-o", str(output), "--allow-singular", "--reactions"])
+        == 0
+    )
+    assert "length zero (leg 1)" in capsys.readouterr().err
+    rows = read(output)
+    assert [row["status"] for row in rows] == ["0", "2", "0"]
+    assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
+    assert np.isfinite(float(rows[2]["L1"]))
+
+
+def test_an_output_that_cannot_be_written_is_named_before_the_trajectory_is_read(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
+        line = fails_in_one_line(capsys, "forces", robot, robot.parent / "none.csv", "-o", output)
+        assert str(output) in line
+    assert list(robot.parent.iterdir()) == [robot]
+
+
+def test_forces_does_not_overwrite_its_inputs(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = folder_state(robot.parent)
+    for output in (robot, trajectory):
+        assert "is an input" in fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert folder_state(robot.parent) == before
+
+
+def test_a_failed_run_keeps_the_earlier_output(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    output = robot.parent / "f.csv"
+    output.write_text("earlier")
+    trajectory.write_text("time\n")
+    fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert output.read_text() == "earlier"
+    assert sorted(p.name for p in robot.parent.iterdir()) == ["f.csv", "robot.toml", "trajectory.csv"]
+
+
+def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
+    command = f"'{sys.executable}' -W ignore -m stewart_sym.cli check '{robot}' | true"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
+    assert done.stderr == ""
+
+
+# derive
+
+
+def test_derive_check_tells_which_files_differ(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", _two_files)
+    target = tmp_path / "generated"
+    assert main(["derive", "-o", str(target)]) == 0
+    out = capsys.readouterr().out
+    assert "exact" in out
+    assert "operations of a pose: 10 with friction, 6 without" in out
+    assert main(["derive", "--check", "-o", str(target)]) == 0
+    assert "all 2 files are as derived" in capsys.readouterr().out
+    (target / "c" / "stewart_exact.c").write_text("int y;\n")
+    (target / "stray.py").write_text("")
+    (target / "exact.py").unlink()
+    before = folder_state(target)
+    assert main(["derive", "--check", "-o", str(target)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-3:] == ["differs: c/stewart_exact.c", "missing: exact.py", "not generated: stray.py"]
+    assert folder_state(target) == before
+
+
+def test_derive_refuses_a_folder_it_cannot_write_before_deriving(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", None)
+    (tmp_path / "file").write_text("x")
+    for extra in ([], ["--check"]):
+        line = fails_in_one_line(capsys, "derive", "-o", tmp_path / "file", *extra)
+        assert str(tmp_path / "file") in line
+    assert folder_state(tmp_path) == {"file": b"x"}
+
+
+def _two_files(progress: Callable[[str], None]) -> dict[str, str]:
+    progress("deriving exact")
+    counts = {"friction": {"total": (4, 3, 2, 1)}, "frictionless": {"total": (3, 2, 1, 0)}}
+    return {"exact.py": f"OPERATIONS: dict = {counts}\n", "c/stewart_exact.c": "int x;\n"}
+
+
+# generate
+
+
+def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = robot.parent / "kit"
+    assert main(["generate", str(robot), "-o", str(target), "--formulation", "paper"]) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert sorted(listed) == sorted(str(path) for path in target.iterdir())
+    written = folder_state(target)
+    (target / "robot.c").write_text("mine")
+    assert "robot.c" in fails_in_one_line(capsys, "generate", robot, "-o", target, "--formulation", "paper")
+    assert (target / "robot.c").read_text() == "mine"
+    assert main(["generate", str(robot), "-o", str(target), "--formulation", "paper", "--force"]) == 0
+    assert folder_state(target) == written
+
+
+# the command as a whole
+
+
+@pytest.mark.parametrize("verb", ["reproduce", "check", "forces", "derive", "generate"])
+def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        main([verb, "--help"])
+    assert f"Example: stewart-sym {verb}" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("arguments", [[], ["chek"], ["check"], ["forces", "a", "b"], ["check", "a", "--x"]])
+def test_a_wrong_command_is_one_line_that_names_the_help(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert "--help" in fails_in_one_line(capsys, *arguments)
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        main(["--version"])
+    assert capsys.readouterr().out.startswith("stewart-sym 0.")
+
+
+def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
+    code = "import sys; from stewart_sym.cli import main; main(sys.argv[1:]); print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code, "check", str(robot)], capture_output=True, text=True, check=True
+    )
+    loaded = set(done.stdout.split())
+    assert not loaded & {"sympy", "scipy", "matplotlib"}
+
+
+def test_progress_shows_on_a_terminal_and_leaves_no_line(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with cli._progress() as progress:
+        progress("working")
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    with cli._progress() as progress:
+        progress("working")
+    assert capsys.readouterr().err == "\r\x1b[Kworking ...\r\x1b[K"
+
+
+# writing
+
+
+def write_file(path: Path, text: str, failure: Exception | None = None) -> None:
+    with replaced_file(path) as stream:
+        stream.write(text)
+        if failure:
+            raise failure
+
+
+def fill_folder(path: Path, names: str, failure: Exception | None = None) -> None:
+    with staged_folder(path) as folder:
+        for name in names:
+            (folder / name).write_text(name)
+        if failure:
+            raise failure
+
+
+def test_a_file_is_replaced_only_by_a_whole_one(tmp_path: Path) -> None:
+    target = tmp_path / "f.csv"
+    target.write_text("old")
+    with pytest.raises(RuntimeError):
+        write_file(target, "half", RuntimeError())
+    assert folder_state(tmp_path) == {"f.csv": b"old"}
+    write_file(target, "whole")
+    assert folder_state(tmp_path) == {"f.csv": b"whole"}
+
+
+def test_writing_follows_links_and_leaves_devices_alone(tmp_path: Path) -> None:
+    (tmp_path / "real").write_text("old")
+    (tmp_path / "link").symlink_to("real")
+    write_file(tmp_path / "link", "new")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real").read_text() == "new"
+    write_file(Path(os.devnull), "gone")
+    assert not Path(os.devnull).is_file()
+
+
+def test_a_folder_is_filled_all_or_nothing(tmp_path: Path) -> None:
+    target = tmp_path / "a" / "b"
+    with pytest.raises(RuntimeError):
+        fill_folder(target, "x", RuntimeError())
+    assert not list(tmp_path.iterdir())
+    fill_folder(target, "xy")
+    assert folder_state(target) == {"x": b"x", "y": b"y"}
+    (target / "z").mkdir()
+    with pytest.raises(IsADirectoryError):
+        fill_folder(target, "wz")
+    assert folder_state(target) == {"x": b"x", "y": b"y", "z": b"folder"}
+
+
+def edit(path: Path, old: str, new: str) -> None:
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new, 1))

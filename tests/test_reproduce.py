@@ -1,0 +1,183 @@
+"""Section 5 of the paper computed again: figures, verdicts, tables and pictures."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from stewart_sym.kernel import FORMULATIONS
+from stewart_sym.reference import EXACT, PAPER
+from stewart_sym.studies import plots
+from stewart_sym.studies.claims import (
+    FAILS,
+    HOLDS,
+    PAPER_FLOPS,
+    PARTLY,
+    SERIAL_ARM_FLOPS,
+    claims,
+    counted_fractions,
+    crossing_legs,
+    rank_correlation,
+)
+from stewart_sym.studies.report import WIDTH, report
+from stewart_sym.studies.reproduce import Reproduction, paper_machine, reproduce, run_columns, singular_time
+from stewart_sym.trajectory import PATHS
+
+
+@pytest.fixture(scope="module")
+def found() -> Reproduction:
+    return reproduce()
+
+
+def test_forces_of_the_papers_first_instant(found: Reproduction) -> None:
+    expected = [388.20, -1118.99, 1419.36, -618.53, -75.55, 386.97]
+    np.testing.assert_allclose(found.runs["I", "paper"].F[0], expected, atol=0.005)
+
+
+def test_condition_number_of_path_one(found: Reproduction) -> None:
+    condition = found.runs["I", "paper"].condition
+    assert condition.min() == pytest.approx(34.69, abs=0.005)
+    assert condition.max() == pytest.approx(47.19, abs=0.005)
+
+
+def test_peaks_of_path_three(found: Reproduction) -> None:
+    for form, force in (("paper", 9.6e5), ("exact", 9.7e5)):
+        run = found.runs["III", form]
+        assert run.condition.max() == pytest.approx(2.1e4, rel=0.01)
+        assert run.time[run.condition.argmax()] == pytest.approx(3.7)
+        assert np.abs(run.F).max() == pytest.approx(force, rel=0.005)
+
+
+def test_path_three_is_singular_between_two_instants_of_the_grid(found: Reproduction) -> None:
+    assert found.pole == pytest.approx(3.6705, abs=1e-4)
+    path = PATHS["III"].path
+    with pytest.raises(ValueError, match="keeps its sign between 0 s and 1 s"):
+        singular_time(paper_machine(), path, 0.0, 1.0)
+
+
+def test_both_formulations_share_massless_forces_and_condition(found: Reproduction) -> None:
+    for path in PATHS:
+        paper, exact = found.runs[path, "paper"], found.runs[path, "exact"]
+        np.testing.assert_array_equal(paper.F0, exact.F0)
+        np.testing.assert_allclose(paper.condition, exact.condition, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("faults", "one", "two"),
+    [({1}, 0.0001, 0.005), ({2}, 0.0193, 0.0172), ({3}, 0.0008, 0.058), (PAPER, 0.019, 0.058)],
+)
+def test_cost_of_the_printed_faults(found: Reproduction, faults: set[int], one: float, two: float) -> None:
+    cost = next(cost for cost in found.fault_costs if cost.faults == faults)
+    assert cost.moving["I"] == pytest.approx(one, abs=5e-4)
+    assert cost.moving["II"] == pytest.approx(two, abs=5e-4)
+
+
+def test_only_the_joint_moment_and_the_sign_cost_anything_at_rest(found: Reproduction) -> None:
+    felt = {cost.faults for cost in found.fault_costs if max(cost.at_rest.values()) > 1e-12}
+    assert felt == {frozenset({2}), PAPER, frozenset({4})}
+
+
+@pytest.mark.parametrize(("path", "percent"), [("I", -0.71), ("II", -1.13), ("III", -0.045)])
+def test_paper_misses_the_gain_of_energy(found: Reproduction, path: str, percent: float) -> None:
+    mismatch = _mismatch(found, path, PAPER)
+    assert 100 * mismatch == pytest.approx(percent, abs=0.005)
+
+
+def test_exact_meets_the_gain_of_energy_even_through_the_singular_pose(found: Reproduction) -> None:
+    assert abs(_mismatch(found, "I", EXACT)) < 1e-13
+    assert abs(_mismatch(found, "II", EXACT)) < 1e-13
+    assert abs(_mismatch(found, "III", EXACT)) < 1e-10
+
+
+def test_operations_add_up(found: Reproduction) -> None:
+    assert len(found.operations) == 4
+    for row in found.operations:
+        parts = 6 * np.array(row.leg) + row.platform + row.final
+        assert parts.tolist() == list(row.total)
+        assert min(row.final) >= 0
+        assert sum(row.total) <= (3600 if row.friction else 3300)
+    assert 6 * PAPER_FLOPS["leg"] + PAPER_FLOPS["platform"] + PAPER_FLOPS["final"] == PAPER_FLOPS["total"]
+    assert PAPER_FLOPS["total"] / SERIAL_ARM_FLOPS == pytest.approx(3.36, abs=0.005)
+
+
+def test_verdicts_on_the_text(found: Reproduction) -> None:
+    rows = claims(found)
+    assert {row.says for row in rows if row.paper.verdict == PARTLY} == {
+        "leg inertia generally contributes 20 to 50% of the forces",
+        "the higher the condition number, the higher the forces",
+    }
+    assert not [row.says for row in rows if row.paper.verdict == FAILS]
+    assert [row.says for row in rows if row.exact.verdict != row.paper.verdict] == [
+        "Path I: its maximum may even go up to 40%"
+    ]
+
+
+def test_a_false_claim_is_called_false(found: Reproduction) -> None:
+    heavier = {key: dataclasses.replace(run, F=100 * run.F) for key, run in found.runs.items()}
+    row = next(r for r in claims(dataclasses.replace(found, runs=heavier)) if "order as the weight" in r.says)
+    assert (row.paper.verdict, row.exact.verdict) == (FAILS, FAILS)
+    assert next(r for r in claims(found) if r.says == row.says).paper.verdict == HOLDS
+
+
+def test_dynamic_fractions_of_path_one_as_the_paper_tells_them(found: Reproduction) -> None:
+    run = found.runs["I", "paper"]
+    assert np.median(counted_fractions(run)) == pytest.approx(0.184, abs=1e-3)
+    assert crossing_legs(run) == [5, 6]
+    assert np.abs(run.fraction[:, :4]).max() == pytest.approx(0.405, abs=1e-3)
+
+
+def test_a_light_platform_leaves_most_of_the_force_to_the_legs(found: Reproduction) -> None:
+    for form in FORMULATIONS:
+        assert np.mean(counted_fractions(found.light[form]) > 0.6) > 0.8
+
+
+def test_rank_correlation() -> None:
+    x = np.array([1.0, 2.0, 5.0, 3.0])
+    assert rank_correlation(x, x**3) == pytest.approx(1.0)
+    assert rank_correlation(x, -x) == pytest.approx(-1.0)
+    assert rank_correlation(x, np.array([2.0, 1.0, 4.0, 3.0])) == pytest.approx(0.8)
+
+
+def test_columns_of_a_run_keep_the_papers_decomposition(found: Reproduction) -> None:
+    columns = run_columns(found.runs["II", "exact"])
+    assert len(columns) == 27
+    np.testing.assert_allclose(columns["F0_4"] + columns["Fd_4"], columns["F4"], rtol=1e-12)
+    np.testing.assert_allclose(columns["dynamic_fraction_4"] * columns["F4"], columns["Fd_4"], rtol=1e-12)
+
+
+def test_report_shows_every_claim_and_fits_its_width(found: Reproduction) -> None:
+    text = report(found)
+    words = " ".join(text.split())
+    for number in ("34.69 to 47.19", "-0.7130%", "-1.1288%", "5.80%", "40.5%", "4889", "694", "273", "452"):
+        assert number in words
+    tables = text[text.index("(a)") :]
+    assert max(map(len, tables.splitlines())) <= WIDTH
+
+
+def test_pictures_are_drawn_and_their_svg_is_reproducible(found: Reproduction, tmp_path: Path) -> None:
+    folders = [tmp_path / "one", tmp_path / "two"]
+    for folder in folders:
+        folder.mkdir()
+        plots.draw(found, folder)
+    names = sorted(path.name for path in folders[0].iterdir())
+    assert [name[:5] for name in names] == [f"fig{n:02d}" for n in range(4, 11) for _ in range(2)]
+    for name in names:
+        content = (folders[0] / name).read_bytes()
+        assert content == (folders[1] / name).read_bytes()
+        assert len(content) > 10_000
+        assert name.endswith(".png") == content.startswith(b"\x89PNG")
+
+
+def test_force_panels_hold_all_three_letters_apart(found: Reproduction) -> None:
+    figure = plots.forces_figure(9, found.runs["III", "paper"], found.runs["III", "exact"])
+    figure.draw_without_rendering()
+    assert len(figure.axes) == 6
+    for axes in figure.axes:
+        boxes = [text.get_window_extent() for text in axes.texts]
+        assert sorted(text.get_text() for text in axes.texts) == ["D", "S", "T"]
+        assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])
+
+
+def _mismatch(found: Reproduction, path: str, faults: frozenset[int]) -> float:
+    return next(row for row in found.work_energy if (row.path, row.faults) == (path, faults)).mismatch
