@@ -1,1 +1,18 @@
-"""Derivation."""
+"""The derivation: from the paper's equations to the files of ``generated/``. SymPy only, no runtime.
+
+In the order of the flow, each knowing only what stands before it:
+
+    notation        every quantity with unit, frame and meaning
+    block           straight-line programs with named steps; operation counts
+    formulation     the switches between `paper` and `exact`, universal and spherical base joint
+    leg             one leg: kinematics, twelve equations, solved by SymPy
+    isotropic       leg-frame results back to vectors, for legs alike all round
+    platform        the platform's equations, H and c read off
+    kernels         leg and platform put together, closed into blocks
+    reduce          blocks made cheaper
+    operations      what a whole kernel costs
+    emit            blocks as C, as NumPy, as a kit for one robot
+    generate        all of it, written to files
+
+``derivation.ipynb`` reads this beside the paper.
+"""

@@ -159,9 +159,7 @@ class Block:
 
     def formula(self, name: str) -> tuple[sp.Expr, ...]:
         """Output ``name`` as expressions of the inputs alone, all steps substituted back."""
-        back: dict[sp.Symbol, sp.Expr] = {}
-        for step in self.steps:
-            back[step.symbol] = step.expr.xreplace(back)
+        back = substitution(self.steps)
         out = next(o for o in self.outputs if o.quantity.name == name)
         return tuple(sp.sympify(e).xreplace(back) for e in out.exprs)
 
@@ -195,6 +193,10 @@ class Builder:
         }
         return sp.Matrix(3, 3, lambda i, j: named[min(i, j), max(i, j)])
 
+    def substitution(self) -> dict[sp.Symbol, sp.Expr]:
+        """Each named quantity as an expression of what the program was given."""
+        return substitution(self.steps)
+
     def block(
         self,
         name: str,
@@ -207,6 +209,14 @@ class Builder:
         block = Block(name, meaning, tuple(inputs), tuple(self.steps), listed)
         block = replace(block, steps=_needed(block))
         return replace(block, inputs=block.used_inputs())
+
+
+def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
+    """Each step's symbol with all earlier steps substituted back into its expression."""
+    back: dict[sp.Symbol, sp.Expr] = {}
+    for step in steps:
+        back[step.symbol] = step.expr.xreplace(back)
+    return back
 
 
 def _components(quantity: Quantity, value: sp.Expr | sp.Matrix) -> tuple[sp.Expr, ...]:

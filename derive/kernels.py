@@ -97,7 +97,7 @@ def leg_block(form: Formulation, share: LegShare, friction: bool) -> Block:
 
 def place_share(share: LegShare, leg: BaseFrameLeg) -> tuple[sp.Matrix, sp.Matrix]:
     """The leg's column of H and part of c with its own s, q, K and f."""
-    values = {}
+    values: dict[sp.Symbol, sp.Expr] = {}
     for quantity, value in ((n.s, leg.s), (n.q, leg.q), (n.K, leg.K), (n.f, leg.f)):
         values.update(zip(quantity.symbols, value, strict=True))
     return share.column.xreplace(values), share.wrench.xreplace(values)
@@ -173,21 +173,10 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         name: build.scalar(f"{name}_x", s.dot(vector), "", f"part of {name} along the leg")
         for name, vector in base.items()
     }
-    across = tuple(
-        Transverse(
-            name,
-            *_PAIRS[name],
-            build.vector(
-                f"{name}_across", base[name] - axial[name] * s, "", f"part of {name} across the leg"
-            ),
-        )
-        for name in base
-    )
-    square = build.scalar(
-        "u_square", across[1].base.dot(across[1].base), "", "square of the part of u across"
-    )
+    across = {name: _across(build, name, vector, axial[name], s) for name, vector in base.items()}
+    u_across = across["u"]
+    square = build.scalar("u_square", u_across.base.dot(u_across.base), "", "square of u across the leg")
 
-    inner = Builder()
     motion = LegFrameMotion(
         L,
         inv_L,
@@ -195,30 +184,23 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         kappa=sp.S.Zero,
         **{name: sp.Matrix([axial[name], *_PAIRS[name]]) for name in base},
     )
+    inner = Builder()
     leg = leg_dynamics(inner, form, constants(friction, axisymmetric=True), motion, with_reactions)
-    back: dict[sp.Symbol, sp.Expr] = {}
-    for step in inner.steps:
-        back[step.symbol] = step.expr.xreplace(back)
+    back = inner.substitution()
 
     def base_vector(name: str, local: sp.Matrix) -> sp.Matrix:
         local = local.xreplace(back)
-        along = scalar_form(local[0], across[1], square)
-        turned = sp.Matrix(local[1:])
-        return build.vector(
-            name, along * s + vector_form(build, name, turned, across, s), "", f"{name}, base frame"
-        )
+        along = scalar_form(local[0], u_across, square) * s
+        turned = vector_form(build, name, sp.Matrix(local[1:]), tuple(across.values()), s)
+        return build.vector(name, along + turned, "", f"{name}, base frame")
 
+    D = scalar_form(leg.D.xreplace(back), u_across, square)
     return BaseFrameLeg(
         q,
         s,
         L,
         None,
-        D=build.scalar(
-            "D",
-            scalar_form(leg.D.xreplace(back), across[1], square),
-            "(24)",
-            "known part of the actuator force",
-        ),
+        D=build.scalar("D", D, "(24)", "known part of the actuator force"),
         K=base_vector("K", leg.K),
         f=base_vector("f", leg.f),
         reactions={
@@ -228,3 +210,9 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         if with_reactions
         else {},
     )
+
+
+def _across(build: Builder, name: str, vector: sp.Matrix, along: sp.Expr, s: sp.Matrix) -> Transverse:
+    y, z = _PAIRS[name]
+    base = build.vector(f"{name}_across", vector - along * s, "", f"part of {name} across the leg")
+    return Transverse(name, y, z, base)

@@ -72,15 +72,22 @@ class LegDynamics:
 def constants(friction: bool = True, axisymmetric: bool = False) -> LegConstants:
     """The leg's constants as symbols; without friction, or about the axis, those that vanish are zero."""
     C_u, C_p, C_s = (q.value if friction else sp.S.Zero for q in n.FRICTION)
-    values = [q.value for q in (n.m_d, n.r_d0, n.I_d0, n.m_u, n.r_u0, n.I_u0)]
-    if axisymmetric:
-        values = [_about_axis(value) for value in values]
-    return LegConstants(*values, C_u, C_p, C_s)
+    keep = _about_axis if axisymmetric else lambda value: value
+    return LegConstants(
+        m_d=n.m_d.value,
+        r_d0=keep(n.r_d0.value),
+        I_d0=keep(n.I_d0.value),
+        m_u=n.m_u.value,
+        r_u0=keep(n.r_u0.value),
+        I_u0=keep(n.I_u0.value),
+        C_u=C_u,
+        C_p=C_p,
+        C_s=C_s,
+    )
 
 
-def _about_axis(value: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
-    if not isinstance(value, sp.MatrixBase):
-        return value
+def _about_axis(value: sp.Matrix) -> sp.Matrix:
+    """What axial symmetry leaves of a centre of mass or of an inertia."""
     if value.shape == (3, 1):
         return sp.Matrix([value[0], 0, 0])
     return sp.diag(value[0, 0], value[1, 1], value[1, 1])

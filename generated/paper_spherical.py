@@ -155,7 +155,7 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     w_across_x = omega_x - c1
     w_across_y = omega_y - c2
     w_across_z = omega_z - c3
-    # square of the part of u across
+    # square of u across the leg
     u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z
     c4 = inv_L*inv_L
     c5 = m_u*r_u0_x
@@ -395,7 +395,7 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     w_across_x = omega_x - s_x*w_x
     w_across_y = omega_y - s_y*w_x
     w_across_z = omega_z - s_z*w_x
-    # square of the part of u across
+    # square of u across the leg
     u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z
     c1 = inv_L*inv_L
     c2 = m_d*r_d0_x*r_d0_x

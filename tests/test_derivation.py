@@ -93,9 +93,7 @@ def rotation(form: Formulation) -> tuple[sp.Expr, sp.Matrix, sp.Expr, sp.Matrix]
     """L_dot, W, L_ddot, A as expressions of u, e, L, k1, k3."""
     build = Builder()
     found = leg.rotation(build, form, leg_frame_motion())
-    back: dict[sp.Symbol, sp.Expr] = {}
-    for step in build.steps:
-        back[step.symbol] = step.expr.xreplace(back)
+    back = build.substitution()
     return tuple(value.xreplace(back) for value in found)  # type: ignore[return-value]
 
 

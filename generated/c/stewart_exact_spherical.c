@@ -125,7 +125,7 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real w_across_x = omega_x - c1;
     const stewart_real w_across_y = omega_y - c2;
     const stewart_real w_across_z = omega_z - c3;
-    /* square of the part of u across */
+    /* square of u across the leg */
     const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
     const stewart_real c4 = inv_L*inv_L;
     const stewart_real c5 = m_u*r_u0_x;
@@ -318,7 +318,7 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real w_across_x = omega_x - s_x*w_x;
     const stewart_real w_across_y = omega_y - s_y*w_x;
     const stewart_real w_across_z = omega_z - s_z*w_x;
-    /* square of the part of u across */
+    /* square of u across the leg */
     const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
     const stewart_real c1 = inv_L*inv_L;
     const stewart_real c2 = m_u*L*L;
