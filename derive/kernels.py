@@ -125,11 +125,12 @@ def base_frame_leg(build: Builder, form: Formulation, friction: bool, with_react
 def _universal_leg(build: Builder, form: Formulation, friction: bool, with_reactions: bool) -> BaseFrameLeg:
     q, _, L, inv_L, s = leg_vector(build)
     S_dot, S_ddot = platform_point_motion(build, q)
-    T, k, kappa = leg_frame(build, s)
+    T, k, inv_k3, kappa = leg_frame(build, s)
     motion = LegFrameMotion(
         L,
         inv_L,
         k,
+        inv_k3,
         kappa,
         u=build.vector(
             "u", T.T * S_dot, "(4), (5)", "velocity of the platform point, leg frame; u_x is L_dot"
@@ -181,6 +182,7 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         L,
         inv_L,
         k=sp.zeros(3, 1),
+        inv_k3=sp.S.Zero,
         kappa=sp.S.Zero,
         **{name: sp.Matrix([axial[name], *_PAIRS[name]]) for name in base},
     )

@@ -23,12 +23,13 @@ class LegFrameMotion:
     """What the leg frame sees: S = (L, 0, 0), k = (k1, 0, k3), and base-frame vectors by components.
 
     u, e, gamma, w: first and second derivative of S, gravity, and the platform's angular velocity.
-    inv_L, kappa: 1/L and k1/k3.
+    inv_L, inv_k3, kappa: 1/L, 1/k3 and k1/k3.
     """
 
     L: sp.Expr
     inv_L: sp.Expr
     k: sp.Matrix
+    inv_k3: sp.Expr
     kappa: sp.Expr
     u: sp.Matrix
     e: sp.Matrix
@@ -124,8 +125,8 @@ def platform_point_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.M
     return S_dot, S_ddot
 
 
-def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
-    """T = [x y z] of (10), the axis k in it, and kappa = k1 / k3."""
+def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
+    """T = [x y z] of (10), the axis k in it, 1 / k3, and kappa = k1 / k3."""
     k = n.k.value
     ks = build.vector("k_cross_s", cross(k, s), "(10)", "normal to the fixed axis and the leg")
     k3 = build.scalar("k3", sp.sqrt(ks.dot(ks)), "(10)", "k = (k1, 0, k3) in the leg frame")
@@ -134,7 +135,7 @@ def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Ex
     kappa = build.scalar("kappa", k1 * inv_k3, "", "spin of the leg about s for each turn about z")
     y = build.vector("y", ks * inv_k3, "(10)", "rotating axis of the universal joint")
     z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
-    return sp.Matrix.hstack(s, y, z), sp.Matrix([k1, 0, k3]), kappa
+    return sp.Matrix.hstack(s, y, z), sp.Matrix([k1, 0, k3]), inv_k3, kappa
 
 
 # ---------------------------------------------------------------- rotation of the leg
@@ -193,6 +194,7 @@ def _tidy(expr: sp.Expr, m: LegFrameMotion) -> sp.Expr:
     expr = sp.expand(expr)
     if not m.k.is_zero_matrix and not m.k[2].is_number:
         expr = sp.expand(expr.subs(m.k[0], m.kappa * m.k[2]))
+        expr = expr.subs(1 / m.k[2], m.inv_k3)
     expr = expr.subs(1 / m.L, m.inv_L)
     return sp.collect(sp.collect(expr, m.inv_L), m.kappa) if m.kappa.is_Symbol else sp.collect(expr, m.inv_L)
 

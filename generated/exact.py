@@ -45,7 +45,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""
     with np.errstate(all="ignore"):
-        return solve(leg_dynamics(robot, motion), platform_wrench(robot, motion))
+        return solve(robot, motion, leg_dynamics(robot, motion), platform_wrench(robot, motion))
 
 
 def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
@@ -464,8 +464,7 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     # (10) k = (k1, 0, k3) in the leg frame
     k3 = np.sqrt(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z)
     k1 = k_x*s_x + k_y*s_y + k_z*s_z
-    c1 = 1/k3
-    inv_k3 = c1
+    inv_k3 = 1/k3
     # spin of the leg about s for each turn about z
     kappa = inv_k3*k1
     # (10) rotating axis of the universal joint
@@ -498,30 +497,30 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     W_x = W_z*kappa
     # (8) sliding acceleration
     L_ddot = L*W_y*W_y + L*W_z*W_z + e_x
-    c2 = W_x*W_y
-    c3 = 2*u_x
-    c4 = W_z*c3
-    c5 = W_y*c3
+    c1 = W_x*W_y
+    c2 = 2*u_x
+    c3 = W_z*c2
+    c4 = W_y*c2
     # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4) - c2
-    A_y = W_x*W_z + inv_L*(-c5 - e_z)
-    A_x = kappa*(A_z - c2) - W_y*W_z
+    A_z = inv_L*(e_y - c3) - c1
+    A_y = W_x*W_z + inv_L*(-c4 - e_z)
+    A_x = kappa*(A_z - c1) - W_y*W_z
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    c6 = W_x*r_d0_y - W_y*r_d0_x
-    c7 = W_z*r_d0_x - W_x*r_d0_z
-    c8 = W_y*r_d0_z - W_z*r_d0_y
+    c5 = W_x*r_d0_y - W_y*r_d0_x
+    c6 = W_z*r_d0_x - W_x*r_d0_z
+    c7 = W_y*r_d0_z - W_z*r_d0_y
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z + W_y*c6 - A_z*r_d0_y - W_z*c7
-    a_d_y = A_z*r_d0_x + W_z*c8 - A_x*r_d0_z - W_x*c6
-    a_d_z = A_x*r_d0_y + W_x*c7 - A_y*r_d0_x - W_y*c8
-    c9 = W_x*r_u0_y - W_y*r_u_x
-    c10 = W_z*r_u_x - W_x*r_u0_z
-    c11 = W_y*r_u0_z - W_z*r_u0_y
+    a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6
+    a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5
+    a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7
+    c8 = W_x*r_u0_y - W_y*r_u_x
+    c9 = W_z*r_u_x - W_x*r_u0_z
+    c10 = W_y*r_u0_z - W_z*r_u0_y
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot + W_y*c9 - A_z*r_u0_y - W_z*c10
-    a_u_y = A_z*r_u_x + W_z*c11 + c4 - A_x*r_u0_z - W_x*c9
-    a_u_z = A_x*r_u0_y + W_x*c10 - A_y*r_u_x - W_y*c11 - c5
+    a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9
+    a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8
+    a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4
     # (25) m_d (a_d - g)
     N_d_x = m_d*(a_d_x - gamma_x)
     N_d_y = m_d*(a_d_y - gamma_y)
@@ -541,51 +540,51 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     I_yy = I_d0_yy + I_u0_yy
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz
-    c15 = I_xz*W_x + I_yz*W_y + I_zz*W_z
-    c16 = I_xy*W_x + I_yy*W_y + I_yz*W_z
-    c17 = I_xx*W_x + I_xy*W_y + I_xz*W_z
+    c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z
+    c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z
+    c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z
     # (19) I A + W x I W
-    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c15 - W_z*c16
-    E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c17 - W_x*c15
-    E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c16 - W_y*c17
-    c18 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z
-    c19 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z
-    c20 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z
+    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15
+    E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14
+    E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16
+    c17 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z
+    c18 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z
+    c19 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z
     # (17) I_d A + W x I_d W
-    E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c18 - W_z*c19
-    E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c20 - W_x*c18
-    E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c19 - W_y*c20
-    c21 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z
-    c22 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
-    c23 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
+    E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c17 - W_z*c18
+    E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c19 - W_x*c17
+    E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c18 - W_y*c19
+    c20 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z
+    c21 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
+    c22 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
     # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z*r_u0_y + c21 + f_leg_x - N_u_y*r_u0_z
-    C_y = E_y + N_u_x*r_u0_z + c22 + f_leg_y - N_u_z*r_u_x
-    C_z = E_z + N_u_y*r_u_x + c23 + f_leg_z - N_u_x*r_u0_y
-    c24 = C_x*kappa
-    c25 = C_z + c24
-    c26 = C_y*inv_L
+    C_x = E_x + N_u_z*r_u0_y + c20 + f_leg_x - N_u_y*r_u0_z
+    C_y = E_y + N_u_x*r_u0_z + c21 + f_leg_y - N_u_z*r_u_x
+    C_z = E_z + N_u_y*r_u_x + c22 + f_leg_z - N_u_x*r_u0_y
+    c23 = C_x*kappa
+    c24 = C_z + c23
+    c25 = C_y*inv_L
     # (21) transverse force at the spherical joint, leg frame
-    K_leg_y = c25*inv_L
-    K_leg_z = -c26
-    c27 = N_u_x - x
-    c28 = N_u_y - c25*inv_L
-    c29 = N_u_z + c26
+    K_leg_y = c24*inv_L
+    K_leg_z = -c25
+    c26 = N_u_x - x
+    c27 = N_u_y - c24*inv_L
+    c28 = N_u_z + c25
     # F_u, leg frame
-    F_u_leg_x = N_d_x + c27
-    F_u_leg_y = N_d_y + c28
-    F_u_leg_z = N_d_z + c29
+    F_u_leg_x = N_d_x + c26
+    F_u_leg_y = N_d_y + c27
+    F_u_leg_z = N_d_z + c28
     # F_p, leg frame
-    F_p_leg_x = C_p*u_x + c27
-    F_p_leg_y = c28
-    F_p_leg_z = c29
+    F_p_leg_x = C_p*u_x + c26
+    F_p_leg_y = c27
+    F_p_leg_z = c28
     # F_c, leg frame
-    F_c_leg_y = c28
-    F_c_leg_z = c29
+    F_c_leg_y = c27
+    F_c_leg_z = c28
     # M_p, leg frame
-    M_p_leg_x = C_x - E_d_x - c21
-    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c22
-    M_p_leg_z = inv_L*(C_z*bearing + bearing*c24) - E_d_z - N_u_y*bearing - c23 - c24
+    M_p_leg_x = C_x - E_d_x - c20
+    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c21
+    M_p_leg_z = inv_L*(C_z*bearing + bearing*c23) - E_d_z - N_u_y*bearing - c22 - c23
     shape = (*motion.t.shape[:-1], 6)
     return {
         "F_s": stack(
@@ -618,5 +617,5 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
             M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y,
             M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z,
         ),
-        "M_u": np.broadcast_to(-C_x*c1, shape),
+        "M_u": np.broadcast_to(-C_x*inv_k3, shape),
     }

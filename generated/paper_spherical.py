@@ -45,7 +45,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""
     with np.errstate(all="ignore"):
-        return solve(leg_dynamics(robot, motion), platform_wrench(robot, motion))
+        return solve(robot, motion, leg_dynamics(robot, motion), platform_wrench(robot, motion))
 
 
 def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:

@@ -143,7 +143,7 @@ from .assembly import Array, solve, stack
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""
     with np.errstate(all="ignore"):
-        return solve(leg_dynamics(robot, motion), platform_wrench(robot, motion))
+        return solve(robot, motion, leg_dynamics(robot, motion), platform_wrench(robot, motion))
 
 
 def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
@@ -177,7 +177,7 @@ Array = NDArray[Any]
 OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR = range(5)
 
 # A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else.
-ROUNDING = 8 * np.finfo(np.float64).eps
+ROUNDING = 16 * np.finfo(np.float64).eps
 
 
 def stack(shape: tuple[int, ...], *components: Any) -> Array:
@@ -185,7 +185,7 @@ def stack(shape: tuple[int, ...], *components: Any) -> Array:
     return np.stack([np.broadcast_to(component, shape) for component in components], axis=-1)
 
 
-def solve(leg: dict[str, Array], platform: dict[str, Array]) -> dict[str, Array]:
+def solve(robot: Any, motion: Any, leg: dict[str, Array], platform: dict[str, Array]) -> dict[str, Array]:
     """H x = c and F = D - x, (35)-(37); poses with a status other than 0 are NaN."""
     H = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).swapaxes(-1, -2)
     c = np.concatenate([platform["c_force"], platform["c_moment"]], axis=-1)
@@ -195,7 +195,7 @@ def solve(leg: dict[str, Array], platform: dict[str, Array]) -> dict[str, Array]
     x, status = eliminate(H, c)
     F = leg["D"] - x
     status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
-    fault = leg_status(leg)
+    fault = leg_status(robot, motion, leg)
     status = np.where(fault == OK, status, fault).astype(np.int32)
     found = {{"F": F, "D": leg["D"], "x": x, "K": leg["K"], "H": H, "c": c}}
     return {{**{{name: only_good(value, status) for name, value in found.items()}}, "status": status}}
@@ -233,9 +233,13 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
     return x, status
 
 
-def leg_status(leg: dict[str, Array]) -> Array:
-    """The first leg's fault of each pose: not finite, too short, along its universal axis."""
-    L, reach = leg["L"], np.abs(leg["q"]).max(axis=-1)
+def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:
+    """The first leg's fault of each pose: not finite, too short, along its universal axis.
+
+    S = q + t - b is known to within rounding of its largest term.
+    """
+    terms = np.broadcast_arrays(leg["q"], motion.t[..., None, :], robot.b)
+    L, reach = leg["L"], np.abs(terms).max(axis=(0, -1))
     clear = leg["k3"] > ROUNDING if "k3" in leg else np.full(L.shape, True)
     fault = np.where(clear, 0, POLE)
     fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)

@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (8 * STEWART_EPSILON)
+#define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -365,8 +365,7 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
         + k_cross_s_z*k_cross_s_z);
     const stewart_real k1 = k_x*s_x + k_y*s_y + k_z*s_z;
-    const stewart_real c1 = 1/k3;
-    const stewart_real inv_k3 = c1;
+    const stewart_real inv_k3 = 1/k3;
     /* spin of the leg about s for each turn about z */
     const stewart_real kappa = inv_k3*k1;
     /* (10) rotating axis of the universal joint */
@@ -399,30 +398,30 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real W_x = W_z*kappa;
     /* (8) sliding acceleration */
     const stewart_real L_ddot = L*W_y*W_y + L*W_z*W_z + e_x;
-    const stewart_real c2 = W_x*W_y;
-    const stewart_real c3 = 2*u_x;
-    const stewart_real c4 = W_z*c3;
-    const stewart_real c5 = W_y*c3;
+    const stewart_real c1 = W_x*W_y;
+    const stewart_real c2 = 2*u_x;
+    const stewart_real c3 = W_z*c2;
+    const stewart_real c4 = W_y*c2;
     /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_z = inv_L*(e_y - c4) - c2;
-    const stewart_real A_y = W_x*W_z + inv_L*(-c5 - e_z);
-    const stewart_real A_x = kappa*(A_z - c2) - W_y*W_z;
+    const stewart_real A_z = inv_L*(e_y - c3) - c1;
+    const stewart_real A_y = W_x*W_z + inv_L*(-c4 - e_z);
+    const stewart_real A_x = kappa*(A_z - c1) - W_y*W_z;
     /* (12) centre of mass of the upper part from the base point */
     const stewart_real r_u_x = L + r_u0_x;
-    const stewart_real c6 = W_x*r_d0_y - W_y*r_d0_x;
-    const stewart_real c7 = W_z*r_d0_x - W_x*r_d0_z;
-    const stewart_real c8 = W_y*r_d0_z - W_z*r_d0_y;
+    const stewart_real c5 = W_x*r_d0_y - W_y*r_d0_x;
+    const stewart_real c6 = W_z*r_d0_x - W_x*r_d0_z;
+    const stewart_real c7 = W_y*r_d0_z - W_z*r_d0_y;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y*r_d0_z + W_y*c6 - A_z*r_d0_y - W_z*c7;
-    const stewart_real a_d_y = A_z*r_d0_x + W_z*c8 - A_x*r_d0_z - W_x*c6;
-    const stewart_real a_d_z = A_x*r_d0_y + W_x*c7 - A_y*r_d0_x - W_y*c8;
-    const stewart_real c9 = W_x*r_u0_y - W_y*r_u_x;
-    const stewart_real c10 = W_z*r_u_x - W_x*r_u0_z;
-    const stewart_real c11 = W_y*r_u0_z - W_z*r_u0_y;
+    const stewart_real a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6;
+    const stewart_real a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5;
+    const stewart_real a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7;
+    const stewart_real c8 = W_x*r_u0_y - W_y*r_u_x;
+    const stewart_real c9 = W_z*r_u_x - W_x*r_u0_z;
+    const stewart_real c10 = W_y*r_u0_z - W_z*r_u0_y;
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c9 - A_z*r_u0_y - W_z*c10;
-    const stewart_real a_u_y = A_z*r_u_x + W_z*c11 + c4 - A_x*r_u0_z - W_x*c9;
-    const stewart_real a_u_z = A_x*r_u0_y + W_x*c10 - A_y*r_u_x - W_y*c11 - c5;
+    const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9;
+    const stewart_real a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8;
+    const stewart_real a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4;
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -442,51 +441,51 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real I_yy = I_d0_yy + I_u0_yy;
     const stewart_real I_yz = I_d0_yz + I_u0_yz;
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
-    const stewart_real c15 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
-    const stewart_real c16 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
-    const stewart_real c17 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
+    const stewart_real c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
+    const stewart_real c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
+    const stewart_real c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c15 - W_z*c16;
-    const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c17 - W_x*c15;
-    const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c16 - W_y*c17;
-    const stewart_real c18 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z;
-    const stewart_real c19 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z;
-    const stewart_real c20 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z;
+    const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15;
+    const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14;
+    const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16;
+    const stewart_real c17 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z;
+    const stewart_real c18 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z;
+    const stewart_real c19 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z;
     /* (17) I_d A + W x I_d W */
-    const stewart_real E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c18 - W_z*c19;
-    const stewart_real E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c20 - W_x*c18;
-    const stewart_real E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c19 - W_y*c20;
-    const stewart_real c21 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
-    const stewart_real c22 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
-    const stewart_real c23 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
+    const stewart_real E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c17 - W_z*c18;
+    const stewart_real E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c19 - W_x*c17;
+    const stewart_real E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c18 - W_y*c19;
+    const stewart_real c20 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
+    const stewart_real c21 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
+    const stewart_real c22 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = E_x + N_u_z*r_u0_y + c21 + f_leg_x - N_u_y*r_u0_z;
-    const stewart_real C_y = E_y + N_u_x*r_u0_z + c22 + f_leg_y - N_u_z*r_u_x;
-    const stewart_real C_z = E_z + N_u_y*r_u_x + c23 + f_leg_z - N_u_x*r_u0_y;
-    const stewart_real c24 = C_x*kappa;
-    const stewart_real c25 = C_z + c24;
-    const stewart_real c26 = C_y*inv_L;
+    const stewart_real C_x = E_x + N_u_z*r_u0_y + c20 + f_leg_x - N_u_y*r_u0_z;
+    const stewart_real C_y = E_y + N_u_x*r_u0_z + c21 + f_leg_y - N_u_z*r_u_x;
+    const stewart_real C_z = E_z + N_u_y*r_u_x + c22 + f_leg_z - N_u_x*r_u0_y;
+    const stewart_real c23 = C_x*kappa;
+    const stewart_real c24 = C_z + c23;
+    const stewart_real c25 = C_y*inv_L;
     /* (21) transverse force at the spherical joint, leg frame */
-    const stewart_real K_leg_y = c25*inv_L;
-    const stewart_real K_leg_z = -c26;
-    const stewart_real c27 = N_u_x - x;
-    const stewart_real c28 = N_u_y - c25*inv_L;
-    const stewart_real c29 = N_u_z + c26;
+    const stewart_real K_leg_y = c24*inv_L;
+    const stewart_real K_leg_z = -c25;
+    const stewart_real c26 = N_u_x - x;
+    const stewart_real c27 = N_u_y - c24*inv_L;
+    const stewart_real c28 = N_u_z + c25;
     /* F_u, leg frame */
-    const stewart_real F_u_leg_x = N_d_x + c27;
-    const stewart_real F_u_leg_y = N_d_y + c28;
-    const stewart_real F_u_leg_z = N_d_z + c29;
+    const stewart_real F_u_leg_x = N_d_x + c26;
+    const stewart_real F_u_leg_y = N_d_y + c27;
+    const stewart_real F_u_leg_z = N_d_z + c28;
     /* F_p, leg frame */
-    const stewart_real F_p_leg_x = C_p*u_x + c27;
-    const stewart_real F_p_leg_y = c28;
-    const stewart_real F_p_leg_z = c29;
+    const stewart_real F_p_leg_x = C_p*u_x + c26;
+    const stewart_real F_p_leg_y = c27;
+    const stewart_real F_p_leg_z = c28;
     /* F_c, leg frame */
-    const stewart_real F_c_leg_y = c28;
-    const stewart_real F_c_leg_z = c29;
+    const stewart_real F_c_leg_y = c27;
+    const stewart_real F_c_leg_z = c28;
     /* M_p, leg frame */
-    const stewart_real M_p_leg_x = C_x - E_d_x - c21;
-    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c22;
-    const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c24) - E_d_z - N_u_y*bearing - c23 - c24;
+    const stewart_real M_p_leg_x = C_x - E_d_x - c20;
+    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c21;
+    const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c23) - E_d_z - N_u_y*bearing - c22 - c23;
     out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
     out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
     out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
@@ -502,12 +501,12 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     out->M_p[0] = M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x;
     out->M_p[1] = M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y;
     out->M_p[2] = M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z;
-    out->M_u = -C_x*c1;
+    out->M_u = -C_x*inv_k3;
 }
 
-static stewart_real largest(const stewart_real *values, int count)
+/* The largest of `result` and the sizes of the values. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real result)
 {
-    stewart_real result = 0;
     int i;
     for (i = 0; i < count; ++i) {
         if (STEWART_FABS(values[i]) > result) {
@@ -528,12 +527,16 @@ static int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
-static int leg_status(const leg_terms *terms)
+/* S = q + t - b is known to within rounding of its largest term. */
+static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
 {
+    stewart_real reach = largest(terms->q, 3, 0);
     if (!is_finite(&terms->L, 1)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(terms->L > STEWART_ROUNDING * largest(terms->q, 3))) {
+    reach = largest(at->t, 3, reach);
+    reach = largest(leg->b, 3, reach);
+    if (!(terms->L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
     if (!(terms->k3 > STEWART_ROUNDING)) {
@@ -630,6 +633,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7];
+    stewart_real moment = 0;
     int i, j, status;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -638,7 +642,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        status = leg_status(&terms);
+        status = leg_status(&terms, &robot->leg[i], at);
         if (status != STEWART_OK) {
             return status;
         }
@@ -657,7 +661,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    status = solve(A, largest(out->H[3], 18), out->x);
+    for (i = 3; i < 6; ++i) {
+        moment = largest(out->H[i], 6, moment);
+    }
+    status = solve(A, moment, out->x);
     if (status != STEWART_OK) {
         return status;
     }
@@ -750,8 +757,8 @@ int stewart_exact_inverse_dynamics_batch(
             copy(forces->F, pose, result.F, 6);
             copy(forces->D, pose, result.D, 6);
             copy(forces->x, pose, result.x, 6);
-            copy(forces->K, pose, result.K[0], 18);
-            copy(forces->H, pose, result.H[0], 36);
+            copy(forces->K, pose, (const stewart_real *)result.K, 18);
+            copy(forces->H, pose, (const stewart_real *)result.H, 36);
             copy(forces->c, pose, result.c, 6);
         } else if (first == STEWART_OK) {
             first = code;
@@ -779,11 +786,11 @@ int stewart_exact_joint_reactions_batch(
         const int code = pose_forces(robot, &at, &forces);
         if (code == STEWART_OK) {
             pose_reactions(robot, &at, bearing, forces.x, &result);
-            copy(reactions->F_s, pose, result.F_s[0], 18);
-            copy(reactions->F_u, pose, result.F_u[0], 18);
-            copy(reactions->F_p, pose, result.F_p[0], 18);
-            copy(reactions->F_c, pose, result.F_c[0], 18);
-            copy(reactions->M_p, pose, result.M_p[0], 18);
+            copy(reactions->F_s, pose, (const stewart_real *)result.F_s, 18);
+            copy(reactions->F_u, pose, (const stewart_real *)result.F_u, 18);
+            copy(reactions->F_p, pose, (const stewart_real *)result.F_p, 18);
+            copy(reactions->F_c, pose, (const stewart_real *)result.F_c, 18);
+            copy(reactions->M_p, pose, (const stewart_real *)result.M_p, 18);
             copy(reactions->M_u, pose, result.M_u, 6);
         } else if (first == STEWART_OK) {
             first = code;

@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (8 * STEWART_EPSILON)
+#define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -438,9 +438,9 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     out->M_u = 0;
 }
 
-static stewart_real largest(const stewart_real *values, int count)
+/* The largest of `result` and the sizes of the values. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real result)
 {
-    stewart_real result = 0;
     int i;
     for (i = 0; i < count; ++i) {
         if (STEWART_FABS(values[i]) > result) {
@@ -461,12 +461,16 @@ static int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
-static int leg_status(const leg_terms *terms)
+/* S = q + t - b is known to within rounding of its largest term. */
+static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
 {
+    stewart_real reach = largest(terms->q, 3, 0);
     if (!is_finite(&terms->L, 1)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(terms->L > STEWART_ROUNDING * largest(terms->q, 3))) {
+    reach = largest(at->t, 3, reach);
+    reach = largest(leg->b, 3, reach);
+    if (!(terms->L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
     return STEWART_OK;
@@ -560,6 +564,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7];
+    stewart_real moment = 0;
     int i, j, status;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -568,7 +573,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        status = leg_status(&terms);
+        status = leg_status(&terms, &robot->leg[i], at);
         if (status != STEWART_OK) {
             return status;
         }
@@ -587,7 +592,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    status = solve(A, largest(out->H[3], 18), out->x);
+    for (i = 3; i < 6; ++i) {
+        moment = largest(out->H[i], 6, moment);
+    }
+    status = solve(A, moment, out->x);
     if (status != STEWART_OK) {
         return status;
     }
@@ -680,8 +688,8 @@ int stewart_exact_spherical_inverse_dynamics_batch(
             copy(forces->F, pose, result.F, 6);
             copy(forces->D, pose, result.D, 6);
             copy(forces->x, pose, result.x, 6);
-            copy(forces->K, pose, result.K[0], 18);
-            copy(forces->H, pose, result.H[0], 36);
+            copy(forces->K, pose, (const stewart_real *)result.K, 18);
+            copy(forces->H, pose, (const stewart_real *)result.H, 36);
             copy(forces->c, pose, result.c, 6);
         } else if (first == STEWART_OK) {
             first = code;
@@ -709,11 +717,11 @@ int stewart_exact_spherical_joint_reactions_batch(
         const int code = pose_forces(robot, &at, &forces);
         if (code == STEWART_OK) {
             pose_reactions(robot, &at, bearing, forces.x, &result);
-            copy(reactions->F_s, pose, result.F_s[0], 18);
-            copy(reactions->F_u, pose, result.F_u[0], 18);
-            copy(reactions->F_p, pose, result.F_p[0], 18);
-            copy(reactions->F_c, pose, result.F_c[0], 18);
-            copy(reactions->M_p, pose, result.M_p[0], 18);
+            copy(reactions->F_s, pose, (const stewart_real *)result.F_s, 18);
+            copy(reactions->F_u, pose, (const stewart_real *)result.F_u, 18);
+            copy(reactions->F_p, pose, (const stewart_real *)result.F_p, 18);
+            copy(reactions->F_c, pose, (const stewart_real *)result.F_c, 18);
+            copy(reactions->M_p, pose, (const stewart_real *)result.M_p, 18);
             copy(reactions->M_u, pose, result.M_u, 6);
         } else if (first == STEWART_OK) {
             first = code;
