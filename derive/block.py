@@ -241,13 +241,15 @@ def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> 
         return known[expr.name]
     if expr.is_Integer:
         return int(expr)
-    values = [run(arg, known, sqrt) for arg in expr.args if not arg.is_Rational or arg.is_Integer]
+    if expr == sp.Rational(1, 2):
+        return 0.5
+    if expr.is_Pow and expr.exp == sp.Rational(1, 2):
+        return sqrt(run(expr.base, known, sqrt))
+    values = [run(arg, known, sqrt) for arg in expr.args]
     if expr.is_Add:
         return sum(values[1:], values[0])
     if expr.is_Mul:
         return reduce(mul, values)
-    if expr.is_Pow and expr.exp == sp.Rational(1, 2):
-        return sqrt(values[0])
     if expr.is_Pow and expr.exp == -1:
         return 1 / values[0]
     if expr.is_Pow and expr.exp.is_Integer and expr.exp > 1:

@@ -7,15 +7,15 @@ path, no order of a set. Knows nothing of the runtime.
 from collections.abc import Callable
 from dataclasses import replace
 from importlib.metadata import version as installed_version
-from pathlib import Path
 
 import sympy as sp
 
-from .emit import c, numpy
+from .emit import c, lanes, numpy
 from .formulation import FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
-from .operations import kernel_operations
+from .operations import force_operations, kernel_operations
 from .reduce import share
+from .regroup import force_kernel
 
 
 def generator_version() -> str:
@@ -43,17 +43,15 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
         files[f"c/stewart_{form.kernel_name}.h"] = c.header(built, *counts, version)
         files[f"c/stewart_{form.kernel_name}.c"] = c.source(built, version)
-        files[f"{form.kernel_name}.py"] = numpy.module(built, *counts, version)
+        forces, smooth = force_kernel(form), force_kernel(form, friction=False)
+        force_counts = force_operations(forces), force_operations(smooth)
+        fast = f"c/stewart_{form.kernel_name}_forces"
+        files[f"{fast}.h"] = lanes.header(forces, smooth, version)
+        files[f"{fast}.c"] = lanes.source(forces, version)
+        files[f"{form.kernel_name}.py"] = numpy.module(
+            built, counts, force_counts, lanes.model_numbers(forces), version
+        )
     return files
-
-
-def write(directory: Path, progress: Callable[[str], None] = lambda _: None) -> list[Path]:
-    """Write ``generated_files`` below ``directory``; nothing is written unless everything was derived."""
-    files = generated_files(progress)
-    (directory / "c").mkdir(parents=True, exist_ok=True)
-    for name, text in files.items():
-        (directory / name).write_text(text, encoding="utf-8", newline="\n")
-    return [directory / name for name in files]
 
 
 _PACKAGE = '''\

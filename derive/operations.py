@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 from .block import Operations
 from .kernels import Kernel
+from .reduce import share
+from .regroup import ForceKernel
 
 LEGS = 6
 
@@ -52,6 +54,17 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
     return KernelOperations(
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
+        sum_c=Operations(add=6 * LEGS),
+        solve=elimination(LEGS),
+        forces=Operations(add=LEGS),
+    )
+
+
+def force_operations(kernel: ForceKernel) -> KernelOperations:
+    """Counts of a regrouped kernel after sharing; ``platform`` holds what the pose has for all legs."""
+    return KernelOperations(
+        leg=share(kernel.leg).operations(),
+        platform=share(kernel.shared).operations(),
         sum_c=Operations(add=6 * LEGS),
         solve=elimination(LEGS),
         forces=Operations(add=LEGS),

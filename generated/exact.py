@@ -41,6 +41,27 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
+# The same of stewart_exact_forces.h, and how many numbers its prepared model holds.
+FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
+    "friction": {
+        "leg": (170, 114, 2, 2),
+        "platform": (93, 87, 0, 0),
+        "sum of c": (0, 36, 0, 0),
+        "solve": (106, 85, 6, 0),
+        "forces": (0, 6, 0, 0),
+        "total": (1219, 898, 18, 12),
+    },
+    "frictionless": {
+        "leg": (150, 99, 2, 2),
+        "platform": (90, 84, 0, 0),
+        "sum of c": (0, 36, 0, 0),
+        "solve": (106, 85, 6, 0),
+        "forces": (0, 6, 0, 0),
+        "total": (1096, 805, 18, 12),
+    },
+}
+MODEL_NUMBERS = 273
+
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""

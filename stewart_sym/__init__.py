@@ -6,7 +6,7 @@ motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
 forces = ss.inverse_dynamics(robot, motion).F
 """
 
-from . import robots
+from . import results, robots
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import (
     SingularPoseWarning,
@@ -15,6 +15,7 @@ from .dynamics import (
     joint_reactions,
     massless_forces,
 )
+from .forces import ForceKernel, prepare
 from .kinematics import inverse_kinematics
 from .motion import Motion
 from .results import Forces, Reactions
@@ -23,6 +24,7 @@ from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "ForceKernel",
     "Forces",
     "Motion",
     "PhysicalityWarning",
@@ -37,6 +39,8 @@ __all__ = [
     "inverse_kinematics",
     "joint_reactions",
     "massless_forces",
+    "prepare",
+    "results",
     "robots",
     "scaled_condition_number",
 ]

@@ -19,6 +19,7 @@ from types import ModuleType
 from typing import NoReturn, TextIO
 
 from .native import CompilerError
+from .publish import named
 
 PROGRAM = "stewart-sym"
 
@@ -27,18 +28,23 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one verb; ``argv`` without the program's name, None for this process's. Returns the exit code."""
     try:
         arguments = _parser().parse_args(argv)
-        with _warnings_in_lines():
-            code: int = arguments.run(arguments)
-        sys.stdout.flush()
+        # An error of the system that names no file is one of printing: all that write files name theirs.
+        with named("standard output"):
+            with _warnings_in_lines():
+                code: int = arguments.run(arguments)
+            sys.stdout.flush()
         return code
     except BrokenPipeError:
-        # The reader is gone; the interpreter's own flush at exit must not complain either.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _give_up_stdout()
         return 2
     except KeyboardInterrupt:
         return 130
     except (ValueError, OSError, ImportError, CompilerError) as error:
         print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
+        try:
+            sys.stdout.flush()
+        except OSError:
+            _give_up_stdout()
         return 2
 
 
@@ -46,7 +52,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _reproduce(arguments: argparse.Namespace) -> int:
-    from .studies.output import csv_lines, replaced_file, staged_folder
+    from .publish import replaced_file, staged_folder
+    from .studies.output import csv_lines
     from .studies.report import report
     from .studies.reproduce import reproduce, run_columns
 
@@ -76,8 +83,9 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _forces(arguments: argparse.Namespace) -> int:
+    from .publish import replaced_file
     from .robot import Robot
-    from .studies.output import csv_lines, replaced_file
+    from .studies.output import csv_lines
     from .studies.track import track
     from .trajectory import read_csv
 
@@ -85,20 +93,16 @@ def _forces(arguments: argparse.Namespace) -> int:
     robot = Robot.from_toml(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
         progress("reading the trajectory")
-        instants, motion = read_csv(arguments.trajectory)
-        progress(f"computing {len(instants)} instants")
-        try:
-            columns, exceeded = track(
-                robot,
-                instants,
-                motion,
-                arguments.formulation,
-                arguments.backend,
-                arguments.reactions,
-                arguments.allow_singular,
-            )
-        except ValueError as error:
-            raise ValueError(f"{arguments.trajectory}: {error}") from None
+        trajectory = read_csv(arguments.trajectory)
+        progress(f"computing {len(trajectory.time)} instants")
+        columns, exceeded = track(
+            robot,
+            trajectory,
+            arguments.formulation,
+            arguments.backend,
+            arguments.reactions,
+            arguments.allow_singular,
+        )
         progress("writing")
         stream.writelines(csv_lines(columns))
     for line in exceeded:
@@ -107,7 +111,7 @@ def _forces(arguments: argparse.Namespace) -> int:
 
 
 def _derive(arguments: argparse.Namespace) -> int:
-    from .studies.output import staged_folder
+    from .publish import staged_folder
 
     directory = arguments.output or _generated_folder()
     if arguments.check:
@@ -136,16 +140,47 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _bench(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .publish import staged_folder
+    from .robot import Robot
+
+    bench, bench_plot = _benchmark()
+    robot = None if arguments.robot is None else Robot.from_toml(arguments.robot)
+    with staged_folder(arguments.output) as folder:
+        with _progress() as progress:
+            found = bench.bench(robot, arguments.quick, progress)
+            progress("drawing")
+            bench_plot.draw(found, folder)
+        text = bench_plot.report(found)
+        (folder / "bench.txt").write_text(text, encoding="utf-8", newline="\n")
+        figures = json.dumps(found.as_json(), indent=1) + "\n"
+        (folder / "bench.json").write_text(figures, encoding="utf-8", newline="\n")
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
 # Their parts
+
+
+def _benchmark() -> tuple[ModuleType, ModuleType]:
+    try:
+        from .studies import bench, bench_plot
+    except ImportError:
+        raise ImportError(
+            'bench needs CasADi, Pinocchio and Matplotlib: pip install casadi pin matplotlib'
+        ) from None
+    return bench, bench_plot
 
 
 def _plots() -> ModuleType:
     try:
         from .studies import plots
     except ImportError:
-        raise ImportError(
-            'pictures need Matplotlib: pip install "stewart-sym[plot]", or give --no-pictures'
-        ) from None
+        raise ImportError("pictures need Matplotlib: pip install matplotlib, or give --no-pictures") from None
     return plots
 
 
@@ -218,6 +253,11 @@ def _refuse_overwrite(output: Path, *inputs: Path) -> None:
 
 
 # Talking to the user
+
+
+def _give_up_stdout() -> None:
+    """Its reader has gone or its disk is full: the interpreter's own flush at exit must not complain."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextlib.contextmanager
@@ -342,6 +382,20 @@ def _parser() -> argparse.ArgumentParser:
     _output(verb, "DIR", "folder to write to", None)
     _formulation(verb)
     verb.add_argument("--force", action="store_true", help="replace files that are there already")
+
+    verb = _verb(
+        verbs,
+        "bench",
+        _bench,
+        "time the kernels beside CasADi, Pinocchio and the processor's limit: tables, JSON and a picture",
+        "stewart-sym bench -o bench",
+        "Forces are compared before anything is timed. Takes a minute or two on an otherwise idle machine.",
+    )
+    _output(verb, "DIR", "folder to write to", Path("bench"))
+    verb.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
+    verb.add_argument(
+        "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
+    )
     return parser
 
 

@@ -8,7 +8,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stewart_sym.robot import Robot
+from .checks import real_array
+from .robot import Robot
 
 Array = NDArray[np.float64]
 
@@ -34,9 +35,10 @@ def scaled_condition_number(H: ArrayLike, length: float) -> Array:
     It has no units.  H: (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.  length: see
     ``characteristic_length``; must be > 0.
     """
-    if not (math.isfinite(length) and length > 0.0):
-        raise ValueError(f"length: expected a finite length > 0 m, got {length:g}")
-    return condition_number(_matrices(H) / np.array([1.0, 1.0, 1.0, length, length, length])[:, None])
+    scale = real_array(length, "length", "a finite length > 0 m")
+    if scale.shape != () or not (math.isfinite(scale) and scale > 0.0):
+        raise ValueError(f"length: expected a finite length > 0 m, got {length!r}")
+    return condition_number(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
 
 
 def characteristic_length(robot: Robot) -> float:
@@ -45,7 +47,7 @@ def characteristic_length(robot: Robot) -> float:
 
 
 def _matrices(H: ArrayLike) -> Array:
-    H = np.asarray(H, dtype=np.float64)
+    H = real_array(H, "H", "real numbers of shape (..., 6, 6)")
     if H.shape[-2:] != (6, 6):
         raise ValueError(f"H: expected shape (..., 6, 6), got {H.shape}")
     return H

@@ -13,16 +13,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import reference
-from .kernel import CKernel, NumpyKernel, kernel_name
+from .checks import instance, option, real_array
+from .kernel import FORMULATIONS, CKernel, NumpyKernel, kernel_name
 from .motion import Motion
 from .native import CompilerError
-from .results import POLE, SHORT_LEG, STATUS_TEXT, Forces, Reactions
+from .results import NOT_FINITE, OK, POLE, SHORT_LEG, STATUS_TEXT, Forces, Reactions
 from .robot import Robot
 
 Array = NDArray[np.float64]
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
 OnSingular = Literal["raise", "warn", "nan"]
+ON_SINGULAR = ("raise", "warn", "nan")
 
 
 class SingularPoseWarning(UserWarning):
@@ -80,38 +82,49 @@ def joint_reactions(
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
     bearing: where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the
-    base point. Other arguments, errors: as for ``inverse_dynamics``. Returns Reactions.
+    base point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
+    answer either. Returns Reactions.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    return _checked(kernel.reactions(motion, _bearing(bearing)), robot, motion, on_singular)
+    found = _without_overflow(kernel.reactions(motion, _bearing(bearing)))
+    return _checked(found, robot, motion, on_singular)
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
     """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6)."""
-    _need_accelerations(motion)
+    need_motion(robot, motion)
     return reference.massless_forces(robot, motion)
 
 
-def dynamic_fraction(robot: Robot, motion: Motion, F: Array) -> Array:
-    """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F."""
-    return (F - massless_forces(robot, motion)) / F
+def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
+    """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F.
+
+    F: actuator forces along the motion, N, of its shape, (..., 6). Raises ValueError for any other shape.
+    """
+    F0 = massless_forces(robot, motion)
+    forces = real_array(F, "F", f"forces of shape {F0.shape}")
+    if forces.shape != F0.shape:
+        raise ValueError(f"F: expected forces of shape {F0.shape}, got {forces.shape}")
+    return (forces - F0) / forces
 
 
 def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> _Kernel:
-    if on_singular not in ("raise", "warn", "nan"):
-        raise ValueError(f'on_singular: expected "raise", "warn" or "nan", got {on_singular!r}')
-    _need_accelerations(motion)
+    need_motion(robot, motion)
+    option(formulation, FORMULATIONS, "formulation")
+    option(on_singular, ON_SINGULAR, "on_singular")
     kernels: dict[str, Callable[[Robot, str], _Kernel]] = {
         "c": _compiled_or_numpy,
         "numpy": NumpyKernel.prepare,
         "reference": _Reference,
     }
-    if backend not in kernels:
-        raise ValueError(f'backend: expected "c", "numpy" or "reference", got {backend!r}')
+    option(backend, tuple(kernels), "backend")
     return kernels[backend](robot, formulation)
 
 
-def _need_accelerations(motion: Motion) -> None:
+def need_motion(robot: Robot, motion: Motion) -> None:
+    """Refuse, by ValueError, what is no robot and no motion with accelerations."""
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
     if motion.alpha is None or motion.a is None:
         raise ValueError("motion: expected accelerations alpha and a, got none")
 
@@ -131,33 +144,58 @@ def _say_once(text: str) -> None:
 
 
 def _bearing(bearing: ArrayLike | None) -> Array:
-    values = np.zeros(6) if bearing is None else np.asarray(bearing, dtype=np.float64)
-    if values.shape not in ((), (6,)) or not np.isfinite(values).all():
-        raise ValueError(f"bearing: expected one finite distance or six, got shape {values.shape}")
+    expected = "one finite distance or six"
+    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing", expected)
+    if values.shape not in ((), (6,)):
+        raise ValueError(f"bearing: expected {expected}, got shape {values.shape}")
+    if not np.isfinite(values).all():
+        raise ValueError(f"bearing: expected {expected}, got {values[~np.isfinite(values)][0]}")
     return np.broadcast_to(values, (6,))
+
+
+def _without_overflow(found: Reactions) -> Reactions:
+    """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
+    values = {name: getattr(found, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")}
+    lead = found.status.ndim
+    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in values.values()]
+    overflown = (found.status == OK) & ~np.logical_and.reduce(finite)
+    if not overflown.any():
+        return found
+    for name, value in values.items():
+        values[name] = np.where(overflown[(..., *(None,) * (value.ndim - lead))], np.nan, value)
+    return Reactions(**values, status=np.where(overflown, NOT_FINITE, found.status).astype(np.int32))
 
 
 Result = TypeVar("Result", Forces, Reactions)
 
 
 def _checked(result: Result, robot: Robot, motion: Motion, on_singular: str) -> Result:
-    if on_singular != "nan" and result.status.any():
-        text = _first_fault(result.status, robot, motion)
-        if on_singular == "raise":
-            raise ValueError(text)
-        warnings.warn(text, SingularPoseWarning, stacklevel=3)
+    report_faults(result.status, robot, motion, on_singular)
     return result
 
 
-def _first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> str:
-    """One line on the first pose without an answer."""
+def report_faults(status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str) -> None:
+    """Raise or warn, as ``on_singular`` says, if a pose has no answer."""
+    if on_singular == "nan" or not status.any():
+        return
+    where, reason = first_fault(status, robot, motion)
+    text = f"motion[{', '.join(map(str, where))}]: {reason}" if where else f"motion: {reason}"
+    if on_singular == "raise":
+        raise ValueError(text)
+    warnings.warn(text, SingularPoseWarning, stacklevel=4)
+
+
+def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
+    """Index of the first pose without an answer, and in one line why it has none.
+
+    status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
+    """
     where = tuple(int(i) for i in np.argwhere(status)[0])
     code = int(status[where])
-    pose = f"motion[{', '.join(map(str, where))}]" if where else "motion"
     leg = f" (leg {_worst_leg(code, robot, motion[where]) + 1})" if code in (SHORT_LEG, POLE) else ""
     more = int(np.count_nonzero(status)) - 1
     others = f"; {more} more poses have no answer either" if more else ""
-    return f"{pose}: {STATUS_TEXT[code]}{leg}{others}"
+    return where, f"{STATUS_TEXT[code]}{leg}{others}"
 
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:

@@ -64,9 +64,12 @@ def module(name: str) -> ModuleType:
 
 
 @functools.cache
-def library(name: str) -> ctypes.CDLL:
-    """The compiled C of one kernel. Raises native.CompilerError where there is no working compiler."""
-    return native.load(f"stewart_{name}", c_sources(name))
+def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
+    """The compiled C of one kernel, with macros defined.
+
+    Raises native.CompilerError where there is no working compiler.
+    """
+    return native.load(f"stewart_{name}", c_sources(name), defines=dict.fromkeys(defines, 1))
 
 
 def robot_numbers(robot: Robot) -> Array:

@@ -8,10 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from .checks import instance
+from .motion import Motion
+from .robot import Robot
 
 Array = NDArray[np.float64]
+
+ROUNDING = 16 * np.finfo(np.float64).eps
+"""A leg no longer than this share of the terms it is the sum of is rounding error and nothing else."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,13 +40,16 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero to rounding.
+    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
+    rounding units of the largest component of the terms of S = q + t - b, (2).
     """
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
     q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
     S = q + motion.t[..., None, :] - robot.b
     L = np.linalg.norm(S, axis=-1)
-    reach = np.linalg.norm(q, axis=-1) + np.linalg.norm(motion.t, axis=-1)[..., None]
-    _refuse_short(L, rounding=4.0 * np.finfo(np.float64).eps * reach)
+    reach = np.max(np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)), axis=(0, -1))
+    _refuse_short(L, ROUNDING * reach)
     s = S / L[..., None]
     omega = motion.omega[..., None, :]
     S_dot = np.cross(omega, q) + motion.v[..., None, :]

@@ -1,15 +1,13 @@
 """Writes the C kit of one robot: the committed kernel, the robot's constants, an example that checks itself.
 
-Takes a checked Robot; chooses the example's pose, has its forces computed, and puts the files in place all at
-once or not at all. The texts are those of ``derive.emit.kit``; knows nothing of their syntax.
+Takes a checked Robot; chooses the example's pose, has its forces computed, and has the files put in place all
+at once or not at all. The texts are those of ``derive.emit.kit``; knows nothing of their syntax.
 """
 
-import contextlib
 import itertools
 import math
 import os
-import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 from typing import cast
@@ -25,6 +23,7 @@ from .dynamics import Formulation, inverse_dynamics
 from .kernel import c_sources, kernel_name
 from .kinematics import inverse_kinematics
 from .motion import Motion
+from .publish import staged_folder
 from .results import Forces
 from .robot import Robot
 
@@ -52,11 +51,16 @@ def write_kit(robot: Robot, directory: Path, formulation: str = "exact", force: 
     would be overwritten, a folder that cannot be written.
     """
     files = kit_files(robot, formulation)
+    contents = {name: text.encode() for name, text in files.items()}
     try:
-        _publish(files, directory, force)
+        changed = [name for name, content in contents.items() if _differs(directory / name, content, force)]
+        if changed:
+            with staged_folder(directory) as folder:
+                for name in changed:
+                    (folder / name).write_bytes(contents[name])
     except OSError as error:
         reason = error.strerror or str(error)
-        raise ValueError(f"{directory}: cannot write the kit: {reason}") from error
+        raise ValueError(f"{error.filename or directory}: {reason}") from error
     return [directory / name for name in files]
 
 
@@ -176,24 +180,6 @@ def _significant(values: ArrayLike, digits: int) -> Array:
 # --- files ------------------------------------------------------------------------------------
 
 
-def _publish(files: Mapping[str, str], directory: Path, force: bool) -> None:
-    """Put all files in place or, whatever happens, none."""
-    contents = {name: text.encode() for name, text in files.items()}
-    for folder in (*reversed(directory.parents), directory):
-        if os.path.lexists(folder) and not folder.is_dir():
-            raise ValueError(f"{folder}: expected a folder for the kit, found something else")
-    if not os.path.lexists(directory):
-        directory.parent.mkdir(parents=True, exist_ok=True)
-        with _staged(contents, directory.parent) as staged:
-            staged.rename(directory)
-        return
-    changed = [name for name, content in contents.items() if _differs(directory / name, content, force)]
-    if changed:
-        # Inside, as a folder may be a mount point or stand in one that is closed to us.
-        with _staged(contents, directory) as staged:
-            _exchange(staged, directory, changed)
-
-
 def _differs(path: Path, content: bytes, force: bool) -> bool:
     """Whether the file has to be written. ValueError if that takes ``force`` or is out of the question."""
     if not os.path.lexists(path):
@@ -205,39 +191,3 @@ def _differs(path: Path, content: bytes, force: bool) -> bool:
     if not force:
         raise ValueError(f"{path}: exists with other content; use --force to overwrite")
     return True
-
-
-@contextlib.contextmanager
-def _staged(contents: Mapping[str, bytes], parent: Path) -> Iterator[Path]:
-    """A folder with the new files, below a temporary one that goes away at the end."""
-    with tempfile.TemporaryDirectory(prefix=".stewart-kit-", dir=parent) as temporary:
-        # The temporary folder itself is closed to others; this one gets the user's own mode.
-        staged = Path(temporary) / "kit"
-        staged.mkdir()
-        for name, content in contents.items():
-            (staged / name).write_bytes(content)
-        yield staged
-
-
-def _exchange(staged: Path, directory: Path, names: Iterable[str]) -> None:
-    """Move files into the folder; if one cannot be moved, or on an interrupt, undo all."""
-    old = staged.parent / "old"
-    old.mkdir()
-    begun: list[str] = []
-    try:
-        for name in names:
-            begun.append(name)
-            if os.path.lexists(directory / name):
-                (directory / name).rename(old / name)
-            (staged / name).rename(directory / name)
-    except BaseException:
-        for name in begun:
-            _undo(directory / name, old / name, staged / name)
-        raise
-
-
-def _undo(path: Path, old: Path, new: Path) -> None:
-    if os.path.lexists(old):
-        old.replace(path)
-    elif not os.path.lexists(new):
-        path.unlink()

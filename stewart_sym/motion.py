@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stewart_sym.rotation import (
+from .checks import real_array
+from .rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
     rotation_from_rpy,
@@ -139,15 +140,9 @@ class Motion:
 def _finite(value: object, core: tuple[int, ...], name: str) -> Array:
     """Return a float64 copy of shape (..., *core) with finite entries."""
     expected = f"(..., {', '.join(str(n) for n in core)})"
-    try:
-        given = np.asarray(value)
-    except ValueError:
-        raise ValueError(f"{name}: expected numbers of shape {expected}, got a ragged sequence") from None
-    if given.dtype.kind not in "iuf":
-        raise ValueError(f"{name}: expected real numbers of shape {expected}, got {given.dtype} entries")
-    if given.shape[-len(core) :] != core:
-        raise ValueError(f"{name}: expected shape {expected}, got {given.shape}")
-    array = np.array(given, dtype=np.float64)
+    array = real_array(value, name, f"real numbers of shape {expected}")
+    if array.shape[-len(core) :] != core:
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
     finite = np.isfinite(array)
     if not np.all(finite):
         where = tuple(int(i) for i in np.argwhere(~finite)[0])

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stewart_sym.motion import Motion
-from stewart_sym.results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces, Reactions
-from stewart_sym.robot import Robot
+from .motion import Motion
+from .results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces, Reactions
+from .robot import Robot
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int32]
@@ -36,8 +36,9 @@ EXACT: frozenset[int] = frozenset()
 PAPER: frozenset[int] = frozenset({SPIN, MOMENT, TRANSPORT})
 """Formulation `paper`: the printed equations, with (35) and not (33) for the force rows."""
 
-ROUNDING = 8 * np.finfo(np.float64).eps
-"""Share at which a leg's length, the sine of its angle with k or a singular value of H counts as zero."""
+ROUNDING = 16 * np.finfo(np.float64).eps
+"""Share at which a leg's length (of the terms of S), the sine of its angle with k or a singular value of H is
+rounding error and counts as zero."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,8 +164,8 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
         leg = _positions(robot, motion)
         H = _H(leg)
         c_0 = _platform_wrench(robot, motion)
-        status = np.where(_finite(H, 2) & _finite(c_0, 1), OK, NOT_FINITE).astype(np.int32)
-        status[_has_short_leg(leg)] = SHORT_LEG
+        finite = _finite(H, 2) & _finite(c_0, 1)
+        status = _status(_leg_faults(robot, motion, leg), finite)
         x_0, _ = _solve_linear(robot, H, c_0, status)
         return -x_0
 
@@ -327,9 +328,10 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     force_rows = sum_K if SIGN in faults else -sum_K  # (33) as printed, else (35)
     c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
 
-    status = np.where(_finite(H, 2) & _finite(c, 1) & _finite(D, 1), OK, NOT_FINITE).astype(np.int32)
-    status[np.any(leg.sin_pole[..., 0] <= ROUNDING, axis=-1)] = POLE
-    status[_has_short_leg(leg)] = SHORT_LEG
+    faults_of_legs = _leg_faults(robot, motion, leg)
+    at_pole = (faults_of_legs == OK) & ~(leg.sin_pole[..., 0] > ROUNDING)
+    finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
+    status = _status(np.where(at_pole, POLE, faults_of_legs), finite)
     x, status = _solve_linear(robot, H, c, status)  # (36)
     F = D - x  # (37)
     bad = status != OK
@@ -392,16 +394,27 @@ def _bearing(bearing: ArrayLike | None) -> Array:
     """Distance of the bearing from the base point as a column of legs, (6, 1)."""
     if bearing is None:
         return np.zeros((6, 1))
-    value = np.asarray(bearing, dtype=np.float64)
+    try:
+        value = np.asarray(bearing, dtype=np.float64)
+    except (TypeError, ValueError):
+        value = np.array(np.nan)
     if value.shape not in ((), (6,)) or not np.all(np.isfinite(value)):
         raise ValueError("bearing: expected a finite number of metres, or six, one for each leg")
     return np.broadcast_to(value, 6)[:, None]
 
 
-def _has_short_leg(leg: _Positions) -> NDArray[np.bool_]:
-    """Whether some leg's length is rounding beside the size of the platform."""
-    short: NDArray[np.bool_] = np.any(ROUNDING * np.abs(leg.q) >= leg.L, axis=(-2, -1))
-    return short
+def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
+    """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
+    L = leg.L[..., 0]
+    reach = np.max(np.abs(np.broadcast_arrays(leg.q, motion.t[..., None, :], robot.b)), axis=(0, -1))
+    return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, SHORT_LEG, OK), NOT_FINITE)
+
+
+def _status(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
+    """Of each pose: the first faulty leg's code, (..., 6); if there is none, whether all is finite."""
+    first = np.argmax(faults_of_legs != OK, axis=-1)[..., None]
+    of_legs = np.take_along_axis(faults_of_legs, first, axis=-1)[..., 0]
+    return np.where((of_legs == OK) & ~finite, NOT_FINITE, of_legs).astype(np.int32)
 
 
 def _solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:

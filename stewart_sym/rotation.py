@@ -7,6 +7,8 @@ they know nothing of robots or motions.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .checks import real_array
+
 Array = NDArray[np.float64]
 
 
@@ -30,7 +32,7 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     R: rotations, (..., 3, 3).  Result: rad, (..., 3).  theta_x is read off Rz^T R, so the angles give R back
     to rounding through theta_y = +-pi/2 too, where only theta_x -+ theta_z is determined.
     """
-    R = np.asarray(R, dtype=np.float64)
+    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
     if R.shape[-2:] != (3, 3):
         raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
     theta = np.empty(R.shape[:-1])
@@ -89,7 +91,7 @@ def _split(vector: Array) -> tuple[Array, Array, Array]:
 
 
 def _angles(value: ArrayLike, name: str) -> Array:
-    angles = np.asarray(value, dtype=np.float64)
+    angles = real_array(value, name, "real numbers of shape (..., 3)")
     if angles.shape[-1:] != (3,):
         raise ValueError(f"{name}: expected shape (..., 3), got {angles.shape}")
     return angles

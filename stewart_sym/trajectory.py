@@ -8,7 +8,7 @@ import csv
 import io
 import math
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 from types import MappingProxyType
@@ -17,13 +17,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from stewart_sym.motion import Motion
+from .checks import real_array
+from .motion import Motion
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
 
 # Times that differ by rounding only are the same time: share of tau_f.
 _ROUNDING = 1e-12
+# Ten million instants take up a gigabyte as motions do.
+_MOST_STEPS = 10_000_000
 
 
 # Straight lines with parabolic blends
@@ -99,10 +102,15 @@ class StraightLinePath:
         return np.array([*distinct[:-1], self.tau_f])
 
     def times(self, dtau: float) -> Array:
-        """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last."""
+        """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last; at most ten million steps."""
         dtau = _real(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
             raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
+        if self.tau_f > _MOST_STEPS * dtau:
+            raise ValueError(
+                f"dtau: expected at most {_MOST_STEPS:,} steps, so {self.tau_f / _MOST_STEPS:g} s or more, "
+                f"got {dtau:g}"
+            )
         steps = round(self.tau_f / dtau)
         if math.isclose(steps * dtau, self.tau_f, rel_tol=1e-9):
             return np.arange(steps + 1) * self.tau_f / steps
@@ -122,7 +130,7 @@ class StraightLinePath:
         return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
 
     def _checked(self, tau: ArrayLike) -> Array:
-        time = np.asarray(tau, dtype=np.float64)
+        time = real_array(tau, "tau", "times")
         slack = _ROUNDING * self.tau_f
         outside = ~((time >= -slack) & (time <= self.tau_f + slack))
         if np.any(outside):
@@ -246,7 +254,19 @@ _LOADS = ("F_ext", "M_ext")
 _MIN_SPLINE_POINTS = 4
 
 
-def read_csv(path: str | os.PathLike[str]) -> tuple[Array, Motion]:
+class Trajectory(NamedTuple):
+    """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
+
+    source: the file it comes from. rows: where in it the instants stand; the header is row 1.
+    """
+
+    time: Array
+    motion: Motion
+    source: str
+    rows: tuple[int, ...]
+
+
+def read_csv(path: str | os.PathLike[str]) -> Trajectory:
     """Read a trajectory: a header line that names the columns, then one row per instant in order of time.
 
     Columns, in any order: ``time`` (s); ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad, (38));
@@ -254,12 +274,11 @@ def read_csv(path: str | os.PathLike[str]) -> tuple[Array, Motion]:
     ``M_ext_*`` (N m), platform frame.  Derivatives that are not given are those of an interpolating spline
     of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
 
-    Returns time, (n,), and the motion, of shape (n,).  Raises ``ValueError`` of one line that names the
-    file and the row (the header is row 1) or column, and ``ImportError`` when a spline is needed and SciPy is
-    missing.
+    Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
+    ``ImportError`` when a spline is needed and SciPy is missing.
     """
     source = os.fspath(path)
-    columns = _columns(_read_text(source), source)
+    columns, rows = _columns(_read_text(source), source)
     time = columns["time"]
     pose = {name: _stack(columns, name) for name in _POSE}
     loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
@@ -269,10 +288,22 @@ def read_csv(path: str | os.PathLike[str]) -> tuple[Array, Motion]:
         v, a = _differentiate(time, pose["t"], source)
         theta_dot, theta_ddot = _differentiate(time, np.unwrap(pose["theta"], axis=0), source)
         derivatives = {"v": v, "theta_dot": theta_dot, "a": a, "theta_ddot": theta_ddot}
+    numbers = pose | derivatives | loads
     try:
-        return time, Motion.from_rpy(**pose, **derivatives, **loads)
+        motion = Motion.from_rpy(**numbers)
     except ValueError as error:
-        raise ValueError(f"{source}: {error}") from None
+        raise ValueError(f"{source}: {_first_bad_row(numbers, rows)}{error}") from None
+    return Trajectory(time, motion, source, rows)
+
+
+def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
+    """Name the first row that makes no motion by itself, as a prefix."""
+    for i, row in enumerate(rows):
+        try:
+            Motion.from_rpy(**{name: values[i] for name, values in numbers.items()})
+        except ValueError:
+            return f"row {row}: "
+    return ""
 
 
 def _read_text(source: str) -> str:
@@ -285,8 +316,8 @@ def _read_text(source: str) -> str:
         raise ValueError(f"{source}: cannot read the trajectory: {reason}") from None
 
 
-def _columns(text: str, source: str) -> dict[str, Array]:
-    """Return the checked columns of a CSV text by name."""
+def _columns(text: str, source: str) -> tuple[dict[str, Array], tuple[int, ...]]:
+    """Return the checked columns of a CSV text by name, and the rows where their numbers stand."""
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     try:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
@@ -307,7 +338,7 @@ def _columns(text: str, source: str) -> dict[str, Array]:
         raise ValueError(
             f"{source}: row {rows[i + 2][0]}: time: expected increasing times, got {after:g} after {before:g}"
         )
-    return columns
+    return columns, tuple(number for number, _ in rows[1:])
 
 
 def _row(cells: list[str], header: list[str], where: str) -> list[float]:
@@ -334,6 +365,9 @@ def _check_header(header: list[str], source: str) -> None:
     known = ["time", *(c for name in (*_POSE, *_DERIVATIVES, *_LOADS) for c in _components(name))]
     for column in header:
         if column not in known:
+            for other, name in ((";", "semicolons"), ("\t", "tabs")):
+                if other in column:
+                    raise ValueError(f"{source}: expected commas between the columns, got {name}")
             raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
         if header.count(column) > 1:
             raise ValueError(f"{source}: column {column} is given twice")
@@ -378,7 +412,5 @@ def _spline_maker() -> Callable[..., Callable[..., Array]]:
     try:
         from scipy.interpolate import make_interp_spline
     except ImportError:
-        raise ImportError(
-            'a trajectory without derivatives needs SciPy: pip install "stewart-sym[sim]"'
-        ) from None
+        raise ImportError("a trajectory without derivatives needs SciPy: pip install scipy") from None
     return make_interp_spline  # type: ignore[no-any-return]

@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 
 import stewart_sym as ss
-from stewart_sym import cli
+from stewart_sym import cli, kernel
 from stewart_sym.cli import main
-from stewart_sym.studies.output import csv_lines, replaced_file, staged_folder
+from stewart_sym.publish import replaced_file, staged_folder
+from stewart_sym.studies import track
+from stewart_sym.studies.output import csv_lines
 
 POSES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 
@@ -109,7 +111,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
-    assert 'pip install "stewart-sym[plot]"' in line
+    assert "pip install matplotlib" in line
     assert not list(tmp_path.iterdir())
 
 
@@ -220,7 +222,7 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
     output = robot.parent / "forces.csv"
     assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
     rows = read(output)
-    time, motion = ss.trajectory.read_csv(trajectory)
+    time, motion, *_ = ss.trajectory.read_csv(trajectory)
     with pytest.warns(ss.PhysicalityWarning):
         expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
     for i, row in enumerate(rows):
@@ -321,13 +323,13 @@ def test_a_pose_without_an_answer_is_refused_unless_it_is_allowed(
     trajectory.write_text("".join(csv_lines(columns)))
     output = robot.parent / "f.csv"
     line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
-    assert "motion[1]: a leg has length zero (leg 1)" in line
+    assert line.endswith(f"{trajectory}: row 3: a leg has length zero (leg 1)")
     assert not output.exists()
     assert (
         main(["forces", str(robot), str(trajectory), "-o", str(output), "--allow-singular", "--reactions"])
         == 0
     )
-    assert "length zero (leg 1)" in capsys.readouterr().err
+    assert f"{trajectory}: row 3: a leg has length zero (leg 1)" in capsys.readouterr().err
     rows = read(output)
     assert [row["status"] for row in rows] == ["0", "2", "0"]
     assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
@@ -341,6 +343,56 @@ def test_an_output_that_cannot_be_written_is_named_before_the_trajectory_is_read
         line = fails_in_one_line(capsys, "forces", robot, robot.parent / "none.csv", "-o", output)
         assert str(output) in line
     assert list(robot.parent.iterdir()) == [robot]
+
+
+def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> None:
+    done = run("forces", robot, trajectory, "-o", "/dev/full")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "stewart-sym: error: /dev/full: No space left on device\n"
+
+
+@pytest.mark.parametrize("arguments", [["check"], ["forces", "-o", "-"]], ids=["check", "forces"])
+def test_a_standard_output_that_takes_nothing_is_one_line(
+    robot: Path, trajectory: Path, arguments: list[str]
+) -> None:
+    verb, *options = arguments
+    inputs = [robot, trajectory][: 1 if verb == "check" else 2]
+    command = [sys.executable, "-W", "ignore", "-m", "stewart_sym.cli", verb, *map(str, inputs), *options]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    lines = [line for line in done.stderr.splitlines() if "warning" not in line]
+    assert done.returncode == 2
+    assert lines == ["stewart-sym: error: standard output: No space left on device"]
+
+
+def test_a_refused_compiler_flag_is_not_blamed_on_the_trajectory(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kernel.library.cache_clear()
+    monkeypatch.setenv("CC", "gcc -ffast-math")
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
+    assert line.startswith("stewart-sym: error: CC: -ffast-math is refused")
+    assert str(trajectory) not in line
+
+
+def test_reactions_that_overflow_are_a_pose_without_an_answer(
+    robot: Path, trajectory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = track.joint_reactions
+
+    def far(*arguments: object, **options: object) -> ss.Reactions:
+        return real(*arguments, **options, bearing=1e308)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(track, "joint_reactions", far)
+    read_back = ss.trajectory.read_csv(trajectory)
+    with pytest.warns(ss.PhysicalityWarning):
+        machine = ss.Robot.from_toml(robot)
+    with pytest.raises(ValueError, match=r"csv: row 2: an input is not finite, or a result overflows"):
+        track.track(machine, read_back, reactions=True)
+    with pytest.warns(ss.SingularPoseWarning, match=r"csv: row 2: "):
+        columns, _ = track.track(machine, read_back, reactions=True, allow_singular=True)
+    assert np.all(columns["status"] == 1)
+    assert np.all(np.isnan(columns["M_p1_x"]))
 
 
 def test_forces_does_not_overwrite_its_inputs(
@@ -402,6 +454,25 @@ def test_derive_refuses_a_folder_it_cannot_write_before_deriving(
         line = fails_in_one_line(capsys, "derive", "-o", tmp_path / "file", *extra)
         assert str(tmp_path / "file") in line
     assert folder_state(tmp_path) == {"file": b"x"}
+
+
+def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files = {"__init__.py": "", "assembly.py": "", "c/stewart.h": "", "exact.py": ""}
+
+    def derived(progress: Callable[[str], None]) -> dict[str, str]:
+        progress("deriving exact")
+        return files
+
+    monkeypatch.setattr("stewart_sym.derive.generate.generated_files", derived)
+    (tmp_path / "dd").mkdir()
+    for name in ("c", "exact.py"):
+        (tmp_path / "dd" / name).write_text("x")
+    before = folder_state(tmp_path)
+    assert main(["derive", "-o", str(tmp_path / "dd")]) == 2
+    assert f"{tmp_path / 'dd' / 'c'}: is in the way, expected a folder" in capsys.readouterr().err
+    assert folder_state(tmp_path) == before
 
 
 def _two_files(progress: Callable[[str], None]) -> dict[str, str]:
@@ -475,6 +546,12 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
 # writing
 
 
+def test_the_default_folder_of_reproduce_is_no_part_of_the_repository() -> None:
+    folder = cli._parser().parse_args(["reproduce"]).output
+    ignored = (Path(__file__).parent.parent / ".gitignore").read_text().splitlines()
+    assert f"/{folder}/" in ignored
+
+
 def write_file(path: Path, text: str, failure: Exception | None = None) -> None:
     with replaced_file(path) as stream:
         stream.write(text)
@@ -521,6 +598,31 @@ def test_a_folder_is_filled_all_or_nothing(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError):
         fill_folder(target, "wz")
     assert folder_state(target) == {"x": b"x", "y": b"y", "z": b"folder"}
+
+
+@pytest.mark.parametrize("fault", [OSError(5, "Input/output error"), KeyboardInterrupt()])
+@pytest.mark.parametrize("call", range(1, 6))
+def test_a_folder_whose_filling_fails_is_as_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
+) -> None:
+    """Five moves: an old x aside and a new one in, an old y aside and a new one in, a new z in."""
+    target = tmp_path / "a"
+    fill_folder(target, "xyw")
+    (target / "x").write_text("old")
+    before = folder_state(tmp_path)
+    real, calls = Path.rename, iter(range(1, 100))
+
+    def failing(self: Path, to: Path) -> Path:
+        if next(calls) == call:
+            raise fault
+        return real(self, to)
+
+    monkeypatch.setattr(Path, "rename", failing)
+    with pytest.raises((OSError, KeyboardInterrupt)) as caught:
+        fill_folder(target, "xyz")
+    assert folder_state(tmp_path) == before
+    if isinstance(caught.value, OSError):
+        assert caught.value.filename == str(target / "xxyyz"[call - 1])
 
 
 def edit(path: Path, old: str, new: str) -> None:

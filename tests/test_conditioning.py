@@ -2,6 +2,7 @@
 
 import dataclasses
 import warnings
+from typing import Any
 
 import numpy as np
 import pytest
@@ -90,10 +91,16 @@ def test_characteristic_length_is_the_rms_radius_of_the_platform() -> None:
     assert characteristic_length(robot) == pytest.approx((sum(radii) / 6.0) ** 0.5)
 
 
-@pytest.mark.parametrize("length", [0.0, -1.0, np.nan, np.inf])
-def test_length_out_of_range_is_named(length: float) -> None:
+@pytest.mark.parametrize("length", [0.0, -1.0, np.nan, np.inf, "a", [1.0, 1.0]])
+def test_length_out_of_range_is_named(length: Any) -> None:
     with pytest.raises(ValueError, match=r"^length: expected a finite length > 0 m, got"):
         scaled_condition_number(np.eye(6), length)
+
+
+@pytest.mark.parametrize("H", ["a", 1j * np.eye(6), [[1.0], [1.0, 2.0]], None], ids=str)
+def test_what_is_no_matrix_of_real_numbers_is_named(H: Any) -> None:
+    with pytest.raises(ValueError, match=r"\AH: expected real numbers of shape \(\.\.\., 6, 6\), got .*\Z"):
+        condition_number(H)
 
 
 def test_wrong_shape_is_named() -> None:

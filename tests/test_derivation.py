@@ -20,7 +20,15 @@ def vector(name: str) -> sp.Matrix:
 
 def leg_frame_motion() -> leg.LegFrameMotion:
     return leg.LegFrameMotion(
-        L, 1 / L, sp.Matrix([K1, 0, K3]), 1 / K3, K1 / K3, vector("u"), vector("e"), vector("gamma"), vector("w")
+        L,
+        1 / L,
+        sp.Matrix([K1, 0, K3]),
+        1 / K3,
+        K1 / K3,
+        vector("u"),
+        vector("e"),
+        vector("gamma"),
+        vector("w"),
     )
 
 

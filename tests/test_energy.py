@@ -1,4 +1,8 @@
-"""Work and energy: what the actuators and the load put in is what the bodies gain and friction takes."""
+"""Work and energy: what the actuators and the load put in is what the bodies gain and friction takes.
+
+The forces of `exact` and `paper` are the compiled kernel's; powers and energy are the reference's. Single
+faults only the reference has.
+"""
 
 import dataclasses
 from collections.abc import Callable
@@ -9,6 +13,7 @@ from machines import dasgupta, path_period, random_path, random_robot
 from numpy.typing import NDArray
 
 from stewart_sym import reference
+from stewart_sym.dynamics import Formulation, inverse_dynamics
 from stewart_sym.motion import Motion
 from stewart_sym.reference import EXACT, PAPER
 from stewart_sym.robot import Robot
@@ -18,6 +23,7 @@ Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
 
 RELATIVE = 1e-12
+FORMULATIONS: dict[frozenset[int], Formulation] = {EXACT: "exact", PAPER: "paper"}
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -38,10 +44,11 @@ class Balance:
 
 
 @pytest.mark.parametrize("friction", [True, False], ids=["friction", "frictionless"])
-@pytest.mark.parametrize("path", ["I", "II"])
+@pytest.mark.parametrize("path", ["I", "II", "III"])
 def test_exact_balances_on_the_papers_paths(path: str, friction: bool) -> None:
     balance = _balance(dasgupta(friction), *_paper_path(path), EXACT)
-    assert abs(balance.mismatch) < RELATIVE * balance.turnover
+    # Path III passes a singular pose: condition numbers of 4e5 at the nodes leave 1e-13 there.
+    assert abs(balance.mismatch) < RELATIVE * abs(balance.gain)
     assert (balance.friction > 0) == friction
 
 
@@ -51,6 +58,11 @@ def test_exact_balances_on_the_papers_paths(path: str, friction: bool) -> None:
 def test_exact_balances_on_random_machines_and_smooth_paths(
     seed: int, base_joint: str, friction: bool
 ) -> None:
+    """Relative to the turnover, what all powers move to and fro.
+
+    The gain is no measure here: the path swings about a home pose, so the energy at its end may happen to be
+    that at its start, and the work of actuators and load then only balances itself and friction.
+    """
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, base_joint=base_joint, friction=friction)
     breaks = np.linspace(0, 0.7 * path_period(robot), 9)
@@ -90,9 +102,13 @@ def _balance(robot: Robot, path: Path, breaks: Array, faults: frozenset[int]) ->
     time = (breaks[:-1, None] + half * (NODES + 1)).ravel()
     weights = (half * WEIGHTS).ravel()
     motion = path(time)
-    forces = reference.inverse_dynamics(robot, motion, faults)
-    assert np.all(forces.status == 0)
-    actuators = reference.actuator_power(robot, motion, forces.F)
+    if faults in FORMULATIONS:
+        F = inverse_dynamics(robot, motion, FORMULATIONS[faults], backend="c").F
+    else:
+        forces = reference.inverse_dynamics(robot, motion, faults)
+        assert np.all(forces.status == 0)
+        F = forces.F
+    actuators = reference.actuator_power(robot, motion, F)
     load = reference.external_power(robot, motion)
     friction = reference.friction_power(robot, motion)
     ends = reference.energy(robot, path(breaks[[0, -1]]))

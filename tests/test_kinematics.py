@@ -1,6 +1,7 @@
 """Leg kinematics: rates are derivatives of lengths, and geometry does what geometry does."""
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 import pytest
@@ -84,6 +85,26 @@ def test_batch_is_its_poses() -> None:
         np.testing.assert_allclose(
             whole[2, 1], getattr(inverse_kinematics(robot, motion[2, 1]), name), rtol=1e-14, atol=1e-15
         )
+
+
+def test_zero_length_is_judged_beside_the_terms_of_the_leg() -> None:
+    """A leg from a base far away is known to rounding of the base's distance, one nearby much better."""
+    robot = random_robot(np.random.default_rng(11), scale=1.0)
+    still, far = np.zeros(3), np.array([1e4, 0.0, 0.0])
+    gap = np.array([0.0, 0.0, 1e-12])
+    near = Motion(np.eye(3), robot.b[3] - robot.p[3] + gap, still, still)
+    assert inverse_kinematics(robot, near).L[3] == pytest.approx(1e-12, rel=1e-3)
+    away = dataclasses.replace(robot, b=robot.b + far)
+    with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero$"):
+        inverse_kinematics(away, Motion(np.eye(3), away.b[3] - away.p[3] + gap, still, still))
+
+
+@pytest.mark.parametrize(("wrong", "name"), [((None, 0), "robot"), ((0, None), "motion")])
+def test_what_is_no_robot_or_motion_is_named(wrong: tuple[Any, Any], name: str) -> None:
+    robot, still = random_robot(np.random.default_rng(12)), np.zeros(3)
+    motion = Motion(np.eye(3), [0, 0, 9], still, still)
+    with pytest.raises(ValueError, match=rf"^{name}: expected a {name.title()}, got NoneType$"):
+        inverse_kinematics(*(g if w == 0 else w for g, w in zip((robot, motion), wrong, strict=True)))  # type: ignore[arg-type]
 
 
 def test_leg_of_length_zero_is_named() -> None:

@@ -228,7 +228,7 @@ def test_failure_while_writing_leaves_no_trace(
         write_kit(machines.dasgupta(), tmp_path / "kit")
     assert os.listdir(tmp_path) == []
     if isinstance(fault, OSError):
-        assert str(caught.value) == f"{tmp_path / 'kit'}: cannot write the kit: No space left on device"
+        assert str(caught.value) == f"{tmp_path / 'kit'}: No space left on device"
 
 
 @pytest.mark.parametrize("fault", [OSError(errno.EIO, "Input/output error"), KeyboardInterrupt()])
@@ -260,7 +260,7 @@ def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault:
 def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("x", encoding="utf-8")
     # The kernel's own file system takes no files, not even root's.
-    unwritable = dict.fromkeys((Path("/proc/kit"), Path("/proc/self")), "cannot write the kit")
+    unwritable = dict.fromkeys((Path("/proc/kit"), Path("/proc/self")), "can't write here")
     blocked = dict.fromkeys((tmp_path / "file", tmp_path / "file" / "kit"), "expected a folder")
     for folder, message in (unwritable | blocked).items():
         with pytest.raises(ValueError, match=rf"\A\S+: {message}.*\Z"):

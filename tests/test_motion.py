@@ -217,7 +217,7 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"omega": ["1", "2", "3"]}, "omega: expected real numbers"),
     ({"omega": [1j, 0, 0]}, "omega: expected real numbers"),
     ({"omega": [True, False, True]}, "omega: expected real numbers"),
-    ({"omega": [[1, 2, 3], [1]]}, "omega: expected numbers of shape (..., 3), got a ragged sequence"),
+    ({"omega": [[1, 2, 3], [1]]}, "omega: expected real numbers of shape (..., 3), got a ragged sequence"),
     ({"omega": None}, "omega: expected real numbers"),
     ({"F_ext": np.zeros(2)}, "F_ext: expected shape (..., 3), got (2,)"),
     ({"M_ext": NAN}, "M_ext: expected finite numbers"),
@@ -262,3 +262,5 @@ def test_rotation_functions_name_the_wrong_shape() -> None:
     assert error_of(lambda: rotation_from_rpy(np.zeros(4))).startswith("theta: expected shape (..., 3)")
     assert error_of(lambda: rpy_from_rotation(ZERO)).startswith("R: expected shape (..., 3, 3)")
     assert error_of(lambda: angular_velocity_from_rpy(ZERO, 1.0)).startswith("theta_dot: expected")
+    assert error_of(lambda: rotation_from_rpy(["a"] * 3)).startswith("theta: expected real numbers")  # type: ignore[list-item]
+    assert error_of(lambda: rpy_from_rotation("a")).startswith("R: expected real numbers")  # type: ignore[arg-type]

@@ -43,30 +43,41 @@ static Threshold operator*(int, Threshold t) { return t; }
 #define STEWART_FABS(v) Real(std::fabs((v).value))
 #define STEWART_EPSILON Threshold()
 #define STEWART_MAX Real(1e308)
-#include "stewart_@KERNEL@.c"
+#include "stewart_@SOURCE@.c"
 int main() {
     static stewart_robot robot;
     static stewart_motion motion;
-    static stewart_forces forces;
     const double robot_numbers[] = {@ROBOT@};
     const double motion_numbers[] = {@MOTION@};
     for (size_t i = 0; i < sizeof robot / sizeof(Real); ++i) ((Real *)&robot)[i] = robot_numbers[i];
     for (size_t i = 0; i < sizeof motion / sizeof(Real); ++i) ((Real *)&motion)[i] = motion_numbers[i];
-    counts = Counts();
-    int status = stewart_@KERNEL@_inverse_dynamics(&robot, &motion, &forces);
+    @CALL@
     std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);
     return 0;
 }
 """
 
 
-def executed(kernel: str, robot: Robot, motion: Motion, folder: Path) -> tuple[int, ...]:
-    """(mul, add, div, sqrt) that the C executes for one pose, counted by its own arithmetic type."""
-    for name, text in c_sources(kernel).items():
+PLAIN = """static stewart_forces forces;
+    counts = Counts();
+    int status = stewart_@KERNEL@_inverse_dynamics(&robot, &motion, &forces);"""
+BLOCK = """static stewart_@KERNEL@_model model;
+    stewart_@KERNEL@_prepare(&robot, &model);
+    static Real F[48];
+    stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
+    counts = Counts();
+    int status = stewart_@KERNEL@_forces_batch(&model, 1, &all, F, 0);"""
+
+
+def executed(
+    kernel: str, source: str, call: str, robot: Robot, motion: Motion, folder: Path
+) -> tuple[int, ...]:
+    """(mul, add, div, sqrt) that a call executes, counted by the C's own arithmetic type."""
+    for name, text in c_sources(source).items():
         (folder / name).write_text(text)
     parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
     numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
-    program = COUNTING.replace("@KERNEL@", kernel)
+    program = COUNTING.replace("@CALL@", call).replace("@SOURCE@", source).replace("@KERNEL@", kernel)
     for mark, values in (("@ROBOT@", robot_numbers(robot)), ("@MOTION@", numbers)):
         program = program.replace(mark, ", ".join(repr(float(v)) for v in values))
     (folder / "count.cpp").write_text(program)
@@ -81,8 +92,18 @@ def executed(kernel: str, robot: Robot, motion: Motion, folder: Path) -> tuple[i
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
     robot = random_robot(rng, form.base_joint)
-    counted = executed(form.kernel_name, robot, random_motion(rng, robot), tmp_path)
-    assert counted == module(form.kernel_name).OPERATIONS["friction"]["total"]
+    name = form.kernel_name
+    counted = executed(name, name, PLAIN, robot, random_motion(rng, robot), tmp_path)
+    assert counted == module(name).OPERATIONS["friction"]["total"]
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
+    rng = np.random.default_rng(4)
+    robot = random_robot(rng, form.base_joint)
+    name = form.kernel_name
+    counted = executed(name, f"{name}_forces", BLOCK, robot, random_motion(rng, robot), tmp_path)
+    assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
 
 
 def test_printed_counts_are_those_of_the_blocks() -> None:
@@ -91,6 +112,12 @@ def test_printed_counts_are_those_of_the_blocks() -> None:
             parts = kernel_operations(reduced(form, friction)).parts()
             claimed = module(form.kernel_name).OPERATIONS[label]
             assert claimed == {name: (o.mul, o.add, o.div, o.sqrt) for name, o in parts.items()}
+
+
+def test_force_kernel_stays_within_its_limits() -> None:
+    counts = module("exact").FORCE_OPERATIONS
+    assert sum(counts["frictionless"]["total"]) <= 1931
+    assert sum(counts["friction"]["total"]) <= 2147
 
 
 def test_exact_stays_within_its_limits() -> None:
@@ -125,4 +152,7 @@ def test_elimination_count_is_that_of_counting_an_elimination() -> None:
 def test_dasgupta_machine_counts_like_any_other(tmp_path: Path) -> None:
     robot = dasgupta()
     motion = random_motion(np.random.default_rng(5), robot)
-    assert executed("exact", robot, motion, tmp_path) == module("exact").OPERATIONS["friction"]["total"]
+    assert (
+        executed("exact", "exact", PLAIN, robot, motion, tmp_path)
+        == module("exact").OPERATIONS["friction"]["total"]
+    )

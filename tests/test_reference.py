@@ -273,7 +273,7 @@ def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
             function(robot, slow)
 
 
-@pytest.mark.parametrize("bearing", [np.zeros(5), np.nan, np.zeros((6, 1))], ids=str)
+@pytest.mark.parametrize("bearing", [np.zeros(5), np.nan, np.zeros((6, 1)), "a", 1j], ids=str)
 def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^bearing: expected"):
@@ -309,6 +309,12 @@ def _parallel_legs() -> tuple[Robot, Motion]:
     return dataclasses.replace(robot, b=points, p=points, k=np.tile([1.0, 0, 0], (6, 1))), _at_rest([0, 0, 1])
 
 
+def _far_away() -> tuple[Robot, Motion]:
+    """L is finite and its square is not: no pole, though s comes out as zero."""
+    robot, motion = _random_case()
+    return robot, dataclasses.replace(motion[0], t=np.full(3, 1e155))
+
+
 def _overflow() -> tuple[Robot, Motion]:
     robot, motion = _random_case()
     return robot, dataclasses.replace(motion[0], omega=np.full(3, 1e200))
@@ -320,6 +326,7 @@ NO_ANSWER = {
     "oblique pole": (lambda: _pole(np.array([1.0, 2.0, 3.0])), POLE),
     "parallel legs": (_parallel_legs, SINGULAR),
     "overflow": (_overflow, NOT_FINITE),
+    "far away": (_far_away, NOT_FINITE),
 }
 
 

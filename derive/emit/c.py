@@ -169,11 +169,7 @@ def block_function(block: Block, struct: str) -> str:
         wrap_list(f"static void {block.name}({arguments}, {struct} *out)", "    "),
         "{",
         *loads,
-        *(
-            line
-            for step, before in zip(block.steps, (None, *block.steps), strict=False)
-            for line in _step(step, before)
-        ),
+        *step_lines(block.steps, "    "),
         *(line for out in block.outputs for line in _store(out)),
         "}",
         "",
@@ -223,12 +219,17 @@ def wrap_list(text: str, indent: str = " " * 8) -> str:
     return "\n".join([*lines, line])
 
 
-def _step(step: Step, before: Step | None) -> list[str]:
-    text = f"    const stewart_real {step.name} = {infix(step.expr, 'STEWART_SQRT')};"
-    lines = [wrap(text, " " * 8)]
-    said = (step.equation, step.meaning)
-    if any(said) and (before is None or said != (before.equation, before.meaning)):
-        lines.insert(0, f"    /* {' '.join(part for part in said if part)} */")
+def step_lines(steps: tuple[Step, ...], indent: str) -> list[str]:
+    """Each step as a constant, with its equation and meaning before the first of a run that shares them."""
+    lines = []
+    before = None
+    for step in steps:
+        said = (step.equation, step.meaning)
+        if any(said) and said != before:
+            lines.append(f"{indent}/* {' '.join(part for part in said if part)} */")
+        before = said
+        text = f"{indent}const stewart_real {step.name} = {infix(step.expr, 'STEWART_SQRT')};"
+        lines.append(wrap(text, indent + " " * 4))
     return lines
 
 

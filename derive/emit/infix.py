@@ -19,6 +19,8 @@ def infix(expr: sp.Expr, sqrt: str) -> str:
         return str(expr.name)
     if expr.is_Integer:
         return str(int(expr))
+    if expr == sp.Rational(1, 2):
+        return "STEWART_HALF"
     if expr.is_Add:
         return _sum(expr, sqrt)
     if expr.is_Mul:

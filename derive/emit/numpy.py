@@ -13,23 +13,33 @@ from .infix import WIDTH, infix, wrap
 
 
 def module(
-    kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str
+    kernel: Kernel,
+    counts: tuple[KernelOperations, KernelOperations],
+    force_counts: tuple[KernelOperations, KernelOperations],
+    model_numbers: int,
+    version: str,
 ) -> str:
-    """``<kernel>.py``: the blocks as functions, and inverse dynamics and joint reactions made of them."""
+    """``<kernel>.py``: the blocks as functions, and inverse dynamics and joint reactions made of them.
+
+    counts, force_counts: operations with and without friction, of this kernel and of the regrouped one.
+    model_numbers: size of the regrouped kernel's prepared model.
+    """
     name = kernel.formulation.kernel_name
     return _MODULE.format(
         name=name,
         version=version,
-        operations=operations_table(with_friction, frictionless, ""),
-        table=_operations_literal(with_friction, frictionless),
+        operations=operations_table(*counts, ""),
+        table=_operations_literal("OPERATIONS", *counts),
+        force_table=_operations_literal("FORCE_OPERATIONS", *force_counts),
+        model_numbers=model_numbers,
         leg=block_function(kernel.leg, legs=True),
         platform=block_function(kernel.platform, legs=False),
         reactions=block_function(kernel.reactions, legs=True),
     )
 
 
-def _operations_literal(with_friction: KernelOperations, frictionless: KernelOperations) -> str:
-    lines = ["OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {"]
+def _operations_literal(name: str, with_friction: KernelOperations, frictionless: KernelOperations) -> str:
+    lines = [f"{name}: dict[str, dict[str, tuple[int, int, int, int]]] = {{"]
     for label, counts in (("friction", with_friction), ("frictionless", frictionless)):
         lines.append(f'    "{label}": {{')
         for part, count in counts.parts().items():
@@ -138,6 +148,10 @@ from .assembly import Array, solve, stack
 
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 {table}
+
+# The same of stewart_{name}_forces.h, and how many numbers its prepared model holds.
+{force_table}
+MODEL_NUMBERS = {model_numbers}
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

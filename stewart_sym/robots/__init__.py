@@ -2,7 +2,7 @@
 
 from importlib import resources
 
-from stewart_sym.robot import Robot
+from ..robot import Robot
 
 
 def dasgupta1998() -> Robot:

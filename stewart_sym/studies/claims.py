@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.studies.reproduce import LIGHT_PLATFORM, Operations, PathRun, Reproduction
-from stewart_sym.trajectory import PATHS
+from ..trajectory import PATHS
+from .reproduce import LIGHT_PLATFORM, Operations, PathRun, Reproduction
 
 Array = NDArray[np.float64]
 

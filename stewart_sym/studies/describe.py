@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.conditioning import characteristic_length, condition_number, scaled_condition_number
-from stewart_sym.dynamics import inverse_dynamics
-from stewart_sym.motion import Motion
-from stewart_sym.results import STATUS_TEXT
-from stewart_sym.robot import Robot
+from ..conditioning import characteristic_length, condition_number, scaled_condition_number
+from ..dynamics import inverse_dynamics
+from ..motion import Motion
+from ..results import STATUS_TEXT
+from ..robot import Robot
 
 Array = NDArray[np.float64]
 

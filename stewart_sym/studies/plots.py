@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from stewart_sym.studies.reproduce import PathRun, Reproduction
+from .reproduce import PathRun, Reproduction
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from stewart_sym.reference import EXACT, PAPER
-from stewart_sym.studies.claims import (
+from ..reference import EXACT, PAPER
+from ..trajectory import PATHS
+from .claims import (
     NEAR_ZERO,
     PAPER_FLOPS,
     SERIAL_ARM_FLOPS,
@@ -17,8 +18,7 @@ from stewart_sym.studies.claims import (
     claims,
     counted_fractions,
 )
-from stewart_sym.studies.reproduce import Operations, Reproduction
-from stewart_sym.trajectory import PATHS
+from .reproduce import Operations, Reproduction
 
 WIDTH = 110
 
@@ -107,7 +107,8 @@ def _energy_table(found: Reproduction) -> str:
         "(c) Work of the actuators beside the gain of energy",
         _aligned(header, cells, left=2),
         "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
-        "acceleration. Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
+        "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
+        "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
         f"passes a singular pose at {found.pole:.3f} s, where F has no bound; the power has one, "
         "F.Ldot = D.Ldot - c.twist, so the integral exists, with rounding enlarged by the condition number.",
     )

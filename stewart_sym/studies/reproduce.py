@@ -14,13 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym import native, reference, robots
-from stewart_sym.conditioning import characteristic_length, condition_number, scaled_condition_number
-from stewart_sym.dynamics import Formulation, inverse_dynamics, massless_forces
-from stewart_sym.kernel import FORMULATIONS, kernel_name, library
-from stewart_sym.motion import Motion
-from stewart_sym.robot import PhysicalityWarning, Robot
-from stewart_sym.trajectory import PATHS, StraightLinePath
+from .. import native, reference, robots
+from ..conditioning import characteristic_length, condition_number, scaled_condition_number
+from ..dynamics import Formulation, inverse_dynamics, massless_forces
+from ..kernel import FORMULATIONS, kernel_name, library
+from ..motion import Motion
+from ..robot import PhysicalityWarning, Robot
+from ..trajectory import PATHS, StraightLinePath
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
@@ -37,6 +37,7 @@ FAULTS: tuple[frozenset[int], ...] = (
 )
 """Sets of printed faults whose cost is measured: one at a time, and those of `paper` together."""
 
+_FORMULATION: Mapping[frozenset[int], Formulation] = {reference.EXACT: "exact", reference.PAPER: "paper"}
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -214,6 +215,9 @@ def fault_cost(robot: Robot, faults: frozenset[int]) -> FaultCost:
 def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> WorkEnergy:
     """Integrate the actuators' power along a path, Gauss-Legendre between the jumps of acceleration.
 
+    The forces of `exact` and `paper` are the kernels'; those of other faults, powers and energy are the
+    reference's.
+
     It works through the singular pose of Path III as well: F grows without bound there, but its power
     F.Ldot = D.Ldot - c.twist does not.
     """
@@ -222,11 +226,19 @@ def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> WorkEnergy:
     breaks = path.breaks()
     half = np.diff(breaks)[:, None] / 2
     motion = path.sample((breaks[:-1, None] + half * (_NODES + 1)).ravel())
-    F = reference.inverse_dynamics(frictionless, motion, faults).F
+    F = _kernel_forces(frictionless, motion, faults)
     power = reference.actuator_power(frictionless, motion, F)
     ends = reference.energy(frictionless, path.sample(breaks[[0, -1]]))
     work = float((half * _WEIGHTS).ravel() @ power)
     return WorkEnergy(name, faults, work, float(ends[1] - ends[0]))
+
+
+def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Array:
+    """The kernel's forces for `exact` and `paper`; single faults are the reference's alone."""
+    formulation = _FORMULATION.get(faults)
+    if formulation is None:
+        return reference.inverse_dynamics(robot, motion, faults).F
+    return inverse_dynamics(robot, motion, formulation).F
 
 
 def singular_time(robot: Robot, path: StraightLinePath, before: float, after: float) -> float:

@@ -1,20 +1,29 @@
 """A trajectory run through the dynamics, as ``forces`` writes it: columns by name and limits exceeded.
 
-Takes a Robot, times and a Motion; reads and writes no file.
+Takes a Robot and a Trajectory; reads and writes no file.
 """
 
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.conditioning import condition_number
-from stewart_sym.dynamics import Backend, Formulation, inverse_dynamics, joint_reactions
-from stewart_sym.kinematics import LegKinematics, inverse_kinematics
-from stewart_sym.motion import Motion
-from stewart_sym.results import NOT_FINITE, SHORT_LEG
-from stewart_sym.robot import Robot
+from ..conditioning import condition_number
+from ..dynamics import (
+    Backend,
+    Formulation,
+    SingularPoseWarning,
+    first_fault,
+    inverse_dynamics,
+    joint_reactions,
+)
+from ..kinematics import LegKinematics, inverse_kinematics
+from ..motion import Motion
+from ..results import NOT_FINITE, OK, SHORT_LEG, Reactions
+from ..robot import Robot
+from ..trajectory import Trajectory
 
 Array = NDArray[np.float64]
 Columns = dict[str, NDArray[Any]]
@@ -22,29 +31,34 @@ Columns = dict[str, NDArray[Any]]
 
 def track(
     robot: Robot,
-    time: Array,
-    motion: Motion,
+    trajectory: Trajectory,
     formulation: Formulation = "exact",
     backend: Backend = "c",
     reactions: bool = False,
     allow_singular: bool = False,
 ) -> tuple[Columns, list[str]]:
-    """Run a trajectory of n instants; time, s, (n,), motion of shape (n,).
+    """Run a trajectory of n instants.
 
     Returns columns (n,) in SI units: time, F1..F6, L1..L6, condition_number, status and, with ``reactions``,
     the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg; and one line for each
-    kind of limit that is exceeded.  Raises ValueError for a pose without an answer; ``allow_singular``
-    leaves nan and a status there and warns instead.
+    kind of limit that is exceeded.  Raises ValueError, naming file and row, for a pose without an answer;
+    ``allow_singular`` leaves nan and a status there and warns instead.
     """
-    on_singular = "warn" if allow_singular else "raise"
-    forces = inverse_dynamics(robot, motion, formulation, backend, on_singular)  # type: ignore[arg-type]
+    time, motion = trajectory.time, trajectory.motion
+    forces = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
+    status, more = forces.status, None
+    if reactions:
+        more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
+        status = np.where(status == OK, more.status, status)
+    if status.any():
+        _tell(trajectory, *first_fault(status, robot, motion), allow_singular)
     L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(forces.status, (SHORT_LEG, NOT_FINITE)))
     columns: Columns = {"time": time}
     columns |= {f"F{i + 1}": forces.F[:, i] for i in range(6)}
     columns |= {f"L{i + 1}": L[:, i] for i in range(6)}
-    columns |= {"condition_number": condition_number(forces.H), "status": forces.status}
-    if reactions:
-        columns |= _reaction_columns(robot, motion, formulation, backend)
+    columns |= {"condition_number": condition_number(forces.H), "status": status}
+    if more is not None:
+        columns |= _reaction_columns(more)
     return columns, exceeded(robot, time, forces.F, L, L_dot)
 
 
@@ -73,6 +87,13 @@ def _first(name: str, beyond: NDArray[np.bool_], time: Array, values: Array, lim
     )
 
 
+def _tell(trajectory: Trajectory, where: tuple[int, ...], reason: str, allowed: bool) -> None:
+    text = f"{trajectory.source}: row {trajectory.rows[where[0]]}: {reason}"
+    if not allowed:
+        raise ValueError(text)
+    warnings.warn(text, SingularPoseWarning, stacklevel=3)
+
+
 def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) -> tuple[Array, Array]:
     L, L_dot = np.full((2, *motion.shape, 6), np.nan)
     if np.any(good):
@@ -81,10 +102,7 @@ def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) ->
     return L, L_dot
 
 
-def _reaction_columns(
-    robot: Robot, motion: Motion, formulation: Formulation, backend: Backend
-) -> Mapping[str, Array]:
-    found = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
+def _reaction_columns(found: Reactions) -> Mapping[str, Array]:
     columns: dict[str, Array] = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
         values = getattr(found, name)

@@ -1,0 +1,1556 @@
+/* stewart_paper_forces.c: see stewart_paper_forces.h.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ */
+#include "stewart_paper_forces.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+#if defined(__cplusplus)
+#define STEWART_RESTRICT __restrict
+#else
+#define STEWART_RESTRICT restrict
+#endif
+
+/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
+#define LANES 8
+
+/* Motions of eight poses, component by component. */
+typedef struct {
+    stewart_real R[9][8];
+    stewart_real t[3][8];
+    stewart_real omega[3][8];
+    stewart_real v[3][8];
+    stewart_real alpha[3][8];
+    stewart_real a[3][8];
+    stewart_real F_ext[3][8];
+    stewart_real M_ext[3][8];
+} motion_lanes;
+
+/* What a pose has for all legs. */
+typedef struct {
+    stewart_real B[9], c_force[3], c_moment[3];
+} shared_terms;
+
+typedef struct {
+    stewart_real B[9][LANES], c_force[3][LANES], c_moment[3][LANES];
+} shared_lanes;
+
+/* Six legs of one pose, or one leg of eight poses. */
+typedef struct {
+    stewart_real D[8];
+    stewart_real H_force[3][8];
+    stewart_real H_moment[3][8];
+    stewart_real c_force[3][8];
+    stewart_real c_moment[3][8];
+    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
+} leg_lanes;
+
+/* Status of the leg in one lane. */
+static int leg_status(const leg_lanes *leg, int l)
+{
+    if (!(leg->L[l] <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
+        return STEWART_SHORT_LEG;
+    }
+    return leg->k3[l] > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+}
+
+typedef struct {
+    stewart_real b[3];
+    stewart_real p[3];
+    stewart_real k[3];
+    stewart_real h[3];
+    stewart_real w[3];
+    stewart_real J[6];
+    stewart_real C_us;
+    stewart_real C_p;
+    stewart_real C_s;
+    stewart_real m_L2;
+    stewart_real M_add;
+    stewart_real h_add[3];
+    stewart_real J_add[6];
+    stewart_real C_add;
+} prepared_leg;
+
+/* Constants of one leg, and what it adds to the platform. */
+static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
+{
+    (void)robot;
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
+    const stewart_real m_d = leg->m_d;
+    const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2],
+        I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
+    const stewart_real m_u = leg->m_u;
+    const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2],
+        I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
+    const stewart_real C_u = leg->C_u;
+    const stewart_real C_p = leg->C_p;
+    const stewart_real C_s = leg->C_s;
+    const stewart_real c1 = m_u*r_u0_x;
+    const stewart_real h_x = c1;
+    const stewart_real c2 = m_u*r_u0_y;
+    const stewart_real h_y = c2;
+    const stewart_real h_z = m_u*r_u0_z;
+    const stewart_real c3 = m_d*r_d0_x;
+    const stewart_real w_x = c3 + h_x;
+    const stewart_real c4 = m_d*r_d0_y;
+    const stewart_real w_y = c4 + h_y;
+    const stewart_real w_z = h_z + m_d*r_d0_z;
+    const stewart_real c5 = r_d0_y*r_d0_y;
+    const stewart_real c6 = r_d0_z*r_d0_z;
+    const stewart_real c7 = r_u0_y*r_u0_y;
+    const stewart_real c8 = r_u0_z*r_u0_z;
+    const stewart_real J_xx = I_d0_xx + I_u0_xx + m_d*(c5 + c6) + m_u*(c7 + c8);
+    const stewart_real J_xy = I_d0_xy + I_u0_xy - c1*r_u0_y - c3*r_d0_y;
+    const stewart_real J_xz = I_d0_xz + I_u0_xz - c1*r_u0_z - c3*r_d0_z;
+    const stewart_real c9 = r_d0_x*r_d0_x;
+    const stewart_real c10 = r_u0_x*r_u0_x;
+    const stewart_real J_yy = I_d0_yy + I_u0_yy + m_d*(c6 + c9) + m_u*(c10 + c8);
+    const stewart_real J_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c4*r_d0_z;
+    const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
+    const stewart_real c11 = m_u*p_x;
+    const stewart_real c12 = m_u*p_y;
+    const stewart_real c13 = p_y*p_y;
+    const stewart_real c14 = p_z*p_z;
+    const stewart_real c15 = p_x*p_x;
+    out->b[0] = b_x;
+    out->b[1] = b_y;
+    out->b[2] = b_z;
+    out->p[0] = p_x;
+    out->p[1] = p_y;
+    out->p[2] = p_z;
+    out->k[0] = k_x;
+    out->k[1] = k_y;
+    out->k[2] = k_z;
+    out->h[0] = h_x;
+    out->h[1] = h_y;
+    out->h[2] = h_z;
+    out->w[0] = w_x;
+    out->w[1] = w_y;
+    out->w[2] = w_z;
+    out->J[0] = J_xx;
+    out->J[1] = J_xy;
+    out->J[2] = J_xz;
+    out->J[3] = J_yy;
+    out->J[4] = J_yz;
+    out->J[5] = J_zz;
+    out->C_us = C_s + C_u;
+    out->C_p = C_p;
+    out->C_s = C_s;
+    out->m_L2 = m_u;
+    out->M_add = m_u;
+    out->h_add[0] = c11;
+    out->h_add[1] = c12;
+    out->h_add[2] = m_u*p_z;
+    out->J_add[0] = m_u*(c13 + c14);
+    out->J_add[1] = -c11*p_y;
+    out->J_add[2] = -c11*p_z;
+    out->J_add[3] = m_u*(c14 + c15);
+    out->J_add[4] = -c12*p_z;
+    out->J_add[5] = m_u*(c13 + c15);
+    out->C_add = C_s;
+}
+
+typedef struct {
+    stewart_real M_P;
+    stewart_real h_P[3];
+    stewart_real J_P[6];
+    stewart_real dJ_P[3];
+    stewart_real C_P;
+    stewart_real g[3];
+} prepared_platform;
+
+/* Constants of the platform. */
+static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum, prepared_platform *out)
+{
+    const stewart_real M = robot->M;
+    const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
+        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real M_add = sum->M_add;
+    const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
+    const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
+        J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
+    const stewart_real C_add = sum->C_add;
+    const stewart_real c1 = R_0_y*R_0_y;
+    const stewart_real c2 = R_0_z*R_0_z;
+    const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
+    const stewart_real c3 = M*R_0_x;
+    const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
+    const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
+    const stewart_real c4 = R_0_x*R_0_x;
+    const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
+    const stewart_real c5 = M*R_0_y;
+    const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
+    const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
+    out->M_P = M + M_add;
+    out->h_P[0] = c3 + h_add_x;
+    out->h_P[1] = c5 + h_add_y;
+    out->h_P[2] = M*R_0_z + h_add_z;
+    out->J_P[0] = J_P_xx;
+    out->J_P[1] = J_P_xy;
+    out->J_P[2] = J_P_xz;
+    out->J_P[3] = J_P_yy;
+    out->J_P[4] = J_P_yz;
+    out->J_P[5] = J_P_zz;
+    out->dJ_P[0] = J_P_zz - J_P_yy;
+    out->dJ_P[1] = J_P_xx - J_P_zz;
+    out->dJ_P[2] = J_P_yy - J_P_xx;
+    out->C_P = C_add;
+    out->g[0] = g_x;
+    out->g[1] = g_y;
+    out->g[2] = g_z;
+}
+
+int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model)
+{
+    prepared_leg found, sum;
+    prepared_platform platform;
+    int i;
+    if (!robot || !model) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    prepare_leg(robot, &robot->leg[0], &sum);
+    sum.M_add = 0;
+    sum.h_add[0] = 0;
+    sum.h_add[1] = 0;
+    sum.h_add[2] = 0;
+    sum.J_add[0] = 0;
+    sum.J_add[1] = 0;
+    sum.J_add[2] = 0;
+    sum.J_add[3] = 0;
+    sum.J_add[4] = 0;
+    sum.J_add[5] = 0;
+    sum.C_add = 0;
+    for (i = 0; i < LANES; ++i) {
+        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
+        model->b[0][i] = found.b[0];
+        model->b[1][i] = found.b[1];
+        model->b[2][i] = found.b[2];
+        model->p[0][i] = found.p[0];
+        model->p[1][i] = found.p[1];
+        model->p[2][i] = found.p[2];
+        model->k[0][i] = found.k[0];
+        model->k[1][i] = found.k[1];
+        model->k[2][i] = found.k[2];
+        model->h[0][i] = found.h[0];
+        model->h[1][i] = found.h[1];
+        model->h[2][i] = found.h[2];
+        model->w[0][i] = found.w[0];
+        model->w[1][i] = found.w[1];
+        model->w[2][i] = found.w[2];
+        model->J[0][i] = found.J[0];
+        model->J[1][i] = found.J[1];
+        model->J[2][i] = found.J[2];
+        model->J[3][i] = found.J[3];
+        model->J[4][i] = found.J[4];
+        model->J[5][i] = found.J[5];
+        model->C_us[i] = found.C_us;
+        model->C_p[i] = found.C_p;
+        model->C_s[i] = found.C_s;
+        model->m_L2[i] = found.m_L2;
+        if (i >= 6) {
+            continue;
+        }
+        sum.M_add = sum.M_add + found.M_add;
+        sum.h_add[0] = sum.h_add[0] + found.h_add[0];
+        sum.h_add[1] = sum.h_add[1] + found.h_add[1];
+        sum.h_add[2] = sum.h_add[2] + found.h_add[2];
+        sum.J_add[0] = sum.J_add[0] + found.J_add[0];
+        sum.J_add[1] = sum.J_add[1] + found.J_add[1];
+        sum.J_add[2] = sum.J_add[2] + found.J_add[2];
+        sum.J_add[3] = sum.J_add[3] + found.J_add[3];
+        sum.J_add[4] = sum.J_add[4] + found.J_add[4];
+        sum.J_add[5] = sum.J_add[5] + found.J_add[5];
+        sum.C_add = sum.C_add + found.C_add;
+    }
+    prepare_platform(robot, &sum, &platform);
+    model->M_P = platform.M_P;
+    model->h_P[0] = platform.h_P[0];
+    model->h_P[1] = platform.h_P[1];
+    model->h_P[2] = platform.h_P[2];
+    model->J_P[0] = platform.J_P[0];
+    model->J_P[1] = platform.J_P[1];
+    model->J_P[2] = platform.J_P[2];
+    model->J_P[3] = platform.J_P[3];
+    model->J_P[4] = platform.J_P[4];
+    model->J_P[5] = platform.J_P[5];
+    model->dJ_P[0] = platform.dJ_P[0];
+    model->dJ_P[1] = platform.dJ_P[1];
+    model->dJ_P[2] = platform.dJ_P[2];
+    model->C_P = platform.C_P;
+    model->g[0] = platform.g[0];
+    model->g[1] = platform.g[1];
+    model->g[2] = platform.g[2];
+    return STEWART_OK;
+}
+
+/* What one pose has for all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt) operations. */
+static void shared_of_pose(const stewart_paper_model *model, const stewart_motion *at, shared_terms *out)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_xy = omega_xy - alpha_z;
+    const stewart_real B_xz = alpha_y + omega_xz;
+    const stewart_real B_yx = alpha_z + omega_xy;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_yz = omega_yz - alpha_x;
+    const stewart_real B_zx = omega_xz - alpha_y;
+    const stewart_real B_zy = alpha_x + omega_yz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+    /* (33) g - a */
+    const stewart_real fall_x = g_x - a_x;
+    const stewart_real fall_y = g_y - a_y;
+    const stewart_real fall_z = g_z - a_z;
+    /* angular velocity, platform frame */
+    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
+    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
+    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    /* angular acceleration, platform frame */
+    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
+    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
+    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real P_xy = omega_P_x*omega_P_y;
+    const stewart_real P_xz = omega_P_x*omega_P_z;
+    const stewart_real P_yz = omega_P_y*omega_P_z;
+    const stewart_real P_xx = omega_P_x*omega_P_x;
+    const stewart_real P_yy = omega_P_y*omega_P_y;
+    const stewart_real P_zz = omega_P_z*omega_P_z;
+    /* (34) external moment less I alpha + omega x I omega, platform frame */
+    const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz) - J_P_xz*(P_xy
+        + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+    const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
+        - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
+    const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+        - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    out->B[0] = B_xx;
+    out->B[1] = B_xy;
+    out->B[2] = B_xz;
+    out->B[3] = B_yx;
+    out->B[4] = B_yy;
+    out->B[5] = B_yz;
+    out->B[6] = B_zx;
+    out->B[7] = B_zy;
+    out->B[8] = B_zz;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+        - B_xy*h_base_y - B_xz*h_base_z;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+        - B_yy*h_base_y - B_yz*h_base_z;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+        - B_zy*h_base_y - B_zz*h_base_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
+        - fall_y*h_base_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
+        - fall_z*h_base_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
+        - fall_x*h_base_y;
+}
+
+/* The same for eight poses. */
+static void shared_of_block(
+    const stewart_paper_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
+    shared_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
+            alpha_z = in->alpha[2][l];
+        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
+        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
+            F_ext_z = in->F_ext[2][l];
+        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
+            M_ext_z = in->M_ext[2][l];
+        /* products of omega */
+        const stewart_real omega_xx = omega_x*omega_x;
+        const stewart_real omega_xy = omega_x*omega_y;
+        const stewart_real omega_xz = omega_x*omega_z;
+        const stewart_real omega_yy = omega_y*omega_y;
+        const stewart_real omega_yz = omega_y*omega_z;
+        const stewart_real omega_zz = omega_z*omega_z;
+        /* (7) S_ddot = B q + a */
+        const stewart_real B_xx = -omega_yy - omega_zz;
+        const stewart_real B_xy = omega_xy - alpha_z;
+        const stewart_real B_xz = alpha_y + omega_xz;
+        const stewart_real B_yx = alpha_z + omega_xy;
+        const stewart_real B_yy = -omega_xx - omega_zz;
+        const stewart_real B_yz = omega_yz - alpha_x;
+        const stewart_real B_zx = omega_xz - alpha_y;
+        const stewart_real B_zy = alpha_x + omega_yz;
+        const stewart_real B_zz = -omega_xx - omega_yy;
+        /* (30) first moment of the platform, base frame */
+        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+        /* (33) g - a */
+        const stewart_real fall_x = g_x - a_x;
+        const stewart_real fall_y = g_y - a_y;
+        const stewart_real fall_z = g_z - a_z;
+        /* angular velocity, platform frame */
+        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
+        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
+        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        /* angular acceleration, platform frame */
+        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
+        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
+        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        const stewart_real P_xy = omega_P_x*omega_P_y;
+        const stewart_real P_xz = omega_P_x*omega_P_z;
+        const stewart_real P_yz = omega_P_y*omega_P_z;
+        const stewart_real P_xx = omega_P_x*omega_P_x;
+        const stewart_real P_yy = omega_P_y*omega_P_y;
+        const stewart_real P_zz = omega_P_z*omega_P_z;
+        /* (34) external moment less I alpha + omega x I omega, platform frame */
+        const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz)
+            - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+        const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
+            - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
+        const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+            - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+        out->B[0][l] = B_xx;
+        out->B[1][l] = B_xy;
+        out->B[2][l] = B_xz;
+        out->B[3][l] = B_yx;
+        out->B[4][l] = B_yy;
+        out->B[5][l] = B_yz;
+        out->B[6][l] = B_zx;
+        out->B[7][l] = B_zy;
+        out->B[8][l] = B_zz;
+        out->c_force[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+            - B_xy*h_base_y - B_xz*h_base_z;
+        out->c_force[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+            - B_yy*h_base_y - B_yz*h_base_z;
+        out->c_force[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+            - B_zy*h_base_y - B_zz*h_base_z;
+        out->c_moment[0][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
+            - C_P*omega_x - fall_y*h_base_z;
+        out->c_moment[1][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
+            - C_P*omega_y - fall_z*h_base_x;
+        out->c_moment[2][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
+            - C_P*omega_z - fall_x*h_base_y;
+    }
+}
+
+/* The legs of one pose side by side: 264 (154 mul, 106 add, 2 div, 2 sqrt) operations each. */
+static void legs_of_pose(
+    const stewart_paper_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
+        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
+        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    (void)shared;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real m_L2 = model->m_L2[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_x - b_x;
+        const stewart_real S_y = q_y + t_y - b_y;
+        const stewart_real S_z = q_z + t_z - b_z;
+        /* (2) leg length */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = 1/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) normal to the fixed axis and the leg */
+        const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+        const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+        const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+        /* (10) |k x s| */
+        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
+            + k_cross_s_z*k_cross_s_z);
+        const stewart_real inv_k3 = 1/k3;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_k3*k_cross_s_x;
+        const stewart_real y_y = inv_k3*k_cross_s_y;
+        const stewart_real y_z = inv_k3*k_cross_s_z;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = s_y*y_z - s_z*y_y;
+        const stewart_real z_y = s_z*y_x - s_x*y_z;
+        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
+        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+        /* (7) acceleration of the platform point, leg frame */
+        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+        const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+        /* gravity, leg frame */
+        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+        /* (6) angular velocity of the leg, leg frame */
+        const stewart_real W_y = -inv_L*u_z;
+        const stewart_real W_z = inv_L*u_y;
+        const stewart_real shrink = 2*inv_L*u_x;
+        /* (9) angular acceleration of the leg, leg frame */
+        const stewart_real A_y = -W_y*shrink - e_z*inv_L;
+        const stewart_real A_z = e_y*inv_L - W_z*shrink;
+        const stewart_real W_yy = W_y*W_y;
+        const stewart_real W_zz = W_z*W_z;
+        const stewart_real W_yz = W_y*W_z;
+        /* (14) force that moves the upper part about the platform point, leg frame */
+        const stewart_real N_x = A_y*h_z - A_z*h_y - h_x*(W_yy + W_zz);
+        const stewart_real N_y = A_z*h_x + W_yz*h_z - W_zz*h_y;
+        const stewart_real N_z = W_yz*h_y - A_y*h_x - W_yy*h_z;
+        /* (16) m_u L^2, counted twice */
+        const stewart_real m_L2_twice = m_L2*L*L;
+        /* (20) moment that the joints' forces must make */
+        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz
+            + e_x*h_z + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
+        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y
+            - C_s*(omega_x*z_x + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
+        /* (21) transverse force, leg frame */
+        const stewart_real K_y_leg = C_z*inv_L + N_y;
+        const stewart_real K_z_leg = N_z - C_y*inv_L;
+        /* (21) transverse force, base frame */
+        const stewart_real K_x = K_y_leg*y_x + K_z_leg*z_x;
+        const stewart_real K_y = K_y_leg*y_y + K_z_leg*z_y;
+        const stewart_real K_z = K_y_leg*y_z + K_z_leg*z_z;
+        /* (24) known part of the actuator force */
+        const stewart_real D = C_p*u_x + N_x;
+        const stewart_real c1 = C_s*W_y;
+        const stewart_real c2 = C_s*W_z;
+        out->D[l] = D;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = K_y*q_z + c1*y_x + c2*z_x - K_z*q_y;
+        out->c_moment[1][l] = K_z*q_x + c1*y_y + c2*z_y - K_x*q_z;
+        out->c_moment[2][l] = K_x*q_y + c1*y_z + c2*z_z - K_y*q_x;
+        stewart_real bad;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        bad = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
+        bad = L > STEWART_ROUNDING * reach ? bad : (stewart_real)1;
+        out->bad[l] = k3 > STEWART_ROUNDING ? bad : (stewart_real)1;
+    }
+}
+
+/* One leg of eight poses side by side: 264 (154 mul, 106 add, 2 div, 2 sqrt) operations each. */
+static void leg_of_block(
+    const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
+    const shared_lanes *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+    const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
+    const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
+    const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg],
+        J_yz = model->J[4][leg], J_zz = model->J[5][leg];
+    const stewart_real C_us = model->C_us[leg];
+    const stewart_real C_p = model->C_p[leg];
+    const stewart_real C_s = model->C_s[leg];
+    const stewart_real m_L2 = model->m_L2[leg];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    (void)shared;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
+        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l],
+            B_yx = shared->B[3][l], B_yy = shared->B[4][l], B_yz = shared->B[5][l],
+            B_zx = shared->B[6][l], B_zy = shared->B[7][l], B_zz = shared->B[8][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_x - b_x;
+        const stewart_real S_y = q_y + t_y - b_y;
+        const stewart_real S_z = q_z + t_z - b_z;
+        /* (2) leg length */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = 1/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) normal to the fixed axis and the leg */
+        const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
+        const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
+        const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+        /* (10) |k x s| */
+        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
+            + k_cross_s_z*k_cross_s_z);
+        const stewart_real inv_k3 = 1/k3;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_k3*k_cross_s_x;
+        const stewart_real y_y = inv_k3*k_cross_s_y;
+        const stewart_real y_z = inv_k3*k_cross_s_z;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = s_y*y_z - s_z*y_y;
+        const stewart_real z_y = s_z*y_x - s_x*y_z;
+        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
+        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+        /* (7) acceleration of the platform point, leg frame */
+        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
+        const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+        /* gravity, leg frame */
+        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+        /* (6) angular velocity of the leg, leg frame */
+        const stewart_real W_y = -inv_L*u_z;
+        const stewart_real W_z = inv_L*u_y;
+        const stewart_real shrink = 2*inv_L*u_x;
+        /* (9) angular acceleration of the leg, leg frame */
+        const stewart_real A_y = -W_y*shrink - e_z*inv_L;
+        const stewart_real A_z = e_y*inv_L - W_z*shrink;
+        const stewart_real W_yy = W_y*W_y;
+        const stewart_real W_zz = W_z*W_z;
+        const stewart_real W_yz = W_y*W_z;
+        /* (14) force that moves the upper part about the platform point, leg frame */
+        const stewart_real N_x = A_y*h_z - A_z*h_y - h_x*(W_yy + W_zz);
+        const stewart_real N_y = A_z*h_x + W_yz*h_z - W_zz*h_y;
+        const stewart_real N_z = W_yz*h_y - A_y*h_x - W_yy*h_z;
+        /* (16) m_u L^2, counted twice */
+        const stewart_real m_L2_twice = m_L2*L*L;
+        /* (20) moment that the joints' forces must make */
+        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz
+            + e_x*h_z + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
+        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y
+            - C_s*(omega_x*z_x + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
+        /* (21) transverse force, leg frame */
+        const stewart_real K_y_leg = C_z*inv_L + N_y;
+        const stewart_real K_z_leg = N_z - C_y*inv_L;
+        /* (21) transverse force, base frame */
+        const stewart_real K_x = K_y_leg*y_x + K_z_leg*z_x;
+        const stewart_real K_y = K_y_leg*y_y + K_z_leg*z_y;
+        const stewart_real K_z = K_y_leg*y_z + K_z_leg*z_z;
+        /* (24) known part of the actuator force */
+        const stewart_real D = C_p*u_x + N_x;
+        const stewart_real c1 = C_s*W_y;
+        const stewart_real c2 = C_s*W_z;
+        out->D[l] = D;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = K_y*q_z + c1*y_x + c2*z_x - K_z*q_y;
+        out->c_moment[1][l] = K_z*q_x + c1*y_y + c2*z_y - K_x*q_z;
+        out->c_moment[2][l] = K_x*q_y + c1*y_z + c2*z_z - K_y*q_x;
+        stewart_real bad;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        bad = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
+        bad = L > STEWART_ROUNDING * reach ? bad : (stewart_real)1;
+        out->bad[l] = k3 > STEWART_ROUNDING ? bad : (stewart_real)1;
+    }
+}
+
+static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        const stewart_real moved = upper[j];
+        upper[j] = lower[j];
+        lower[j] = moved;
+    }
+}
+
+static void subtract_row(
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        to[j] = to[j] - factor * from[j];
+    }
+}
+
+/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
+ * updated, so that a row is one vector. `moment` is the size of the moment rows. */
+static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
+{
+    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
+    stewart_real inverse[6];
+    int i, j, k;
+    for (i = 3; i < 6; ++i) {
+        scale[i] = moment;
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real size = STEWART_FABS(A[k][k]);
+        stewart_real row_scale;
+        for (i = k + 1; i < 6; ++i) {
+            if (STEWART_FABS(A[i][k]) > size) {
+                size = STEWART_FABS(A[i][k]);
+                pivot = i;
+            }
+        }
+        row_scale = scale[pivot];
+        scale[pivot] = scale[k];
+        if (!(size > STEWART_ROUNDING * row_scale)) {
+            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+        if (pivot != k) {
+            exchange_rows(A[k], A[pivot]);
+        }
+        inverse[k] = 1 / A[k][k];
+        for (i = k + 1; i < 6; ++i) {
+            subtract_row(A[i], A[i][k] * inverse[k], A[k]);
+        }
+    }
+    for (i = 5; i >= 0; --i) {
+        stewart_real sum = A[i][6];
+        for (j = i + 1; j < 6; ++j) {
+            sum = sum - A[i][j] * x[j];
+        }
+        x[i] = sum * inverse[i];
+    }
+    return STEWART_OK;
+}
+
+int stewart_paper_forces(const stewart_paper_model *model, const stewart_motion *motion, stewart_real F[6])
+{
+    shared_terms shared;
+    leg_lanes legs;
+    stewart_real A[6][LANES];
+    stewart_real x[6], found[6];
+    stewart_real moment = 0;
+    int i, j, status;
+    if (!model || !motion || !F) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    shared_of_pose(model, motion, &shared);
+    legs_of_pose(model, motion, &shared, &legs);
+    for (i = 0; i < 6; ++i) {
+        if (legs.bad[i] > 0) {
+            return leg_status(&legs, i);
+        }
+    }
+    for (j = 0; j < 3; ++j) {
+        stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
+        for (i = 0; i < 6; ++i) {
+            force = force + legs.c_force[j][i];
+            turn = turn + legs.c_moment[j][i];
+            moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
+        }
+        for (i = 0; i < LANES; ++i) {
+            A[j][i] = legs.H_force[j][i];
+            A[j + 3][i] = legs.H_moment[j][i];
+        }
+        A[j][6] = force;
+        A[j + 3][6] = turn;
+        A[j][7] = 0;
+        A[j + 3][7] = 0;
+    }
+    status = solve_pose(A, moment, x);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        found[i] = legs.D[i] - x[i];
+        if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        F[i] = found[i];
+    }
+    return STEWART_OK;
+}
+
+/* Eight poses, component by component; past the end, the last pose again. */
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+{
+    size_t l, i;
+    for (l = 0; l < LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1;
+        for (i = 0; i < 9; ++i) {
+            in->R[i][l] = motions->R[pose * 9 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->t[i][l] = motions->t[pose * 3 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->omega[i][l] = motions->omega[pose * 3 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->v[i][l] = motions->v[pose * 3 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->alpha[i][l] = motions->alpha[pose * 3 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->a[i][l] = motions->a[pose * 3 + i];
+        }
+        for (i = 0; i < 3; ++i) {
+            in->F_ext[i][l] = motions->F_ext ? motions->F_ext[pose * 3 + i] : 0;
+        }
+        for (i = 0; i < 3; ++i) {
+            in->M_ext[i][l] = motions->M_ext ? motions->M_ext[pose * 3 + i] : 0;
+        }
+    }
+}
+
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36). Hands back the
+ * size of each pivot and the least that is not rounding error; `moment` is the size of the moment rows. */
+STEWART_APART static void solve_block(
+    stewart_real (*STEWART_RESTRICT A)[7][LANES], const stewart_real *STEWART_RESTRICT moment,
+    stewart_real (*STEWART_RESTRICT x)[LANES], stewart_real (*STEWART_RESTRICT size)[LANES],
+    stewart_real (*STEWART_RESTRICT least)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        stewart_real a00 = A[0][0][l], a01 = A[0][1][l], a02 = A[0][2][l], a03 = A[0][3][l],
+            a04 = A[0][4][l], a05 = A[0][5][l], a06 = A[0][6][l];
+        stewart_real a10 = A[1][0][l], a11 = A[1][1][l], a12 = A[1][2][l], a13 = A[1][3][l],
+            a14 = A[1][4][l], a15 = A[1][5][l], a16 = A[1][6][l];
+        stewart_real a20 = A[2][0][l], a21 = A[2][1][l], a22 = A[2][2][l], a23 = A[2][3][l],
+            a24 = A[2][4][l], a25 = A[2][5][l], a26 = A[2][6][l];
+        stewart_real a30 = A[3][0][l], a31 = A[3][1][l], a32 = A[3][2][l], a33 = A[3][3][l],
+            a34 = A[3][4][l], a35 = A[3][5][l], a36 = A[3][6][l];
+        stewart_real a40 = A[4][0][l], a41 = A[4][1][l], a42 = A[4][2][l], a43 = A[4][3][l],
+            a44 = A[4][4][l], a45 = A[4][5][l], a46 = A[4][6][l];
+        stewart_real a50 = A[5][0][l], a51 = A[5][1][l], a52 = A[5][2][l], a53 = A[5][3][l],
+            a54 = A[5][4][l], a55 = A[5][5][l], a56 = A[5][6][l];
+        stewart_real s0 = 1, s1 = 1, s2 = 1, s3 = moment[l], s4 = moment[l], s5 = moment[l];
+        const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_1 = below10 > 0 ? s1 : s0;
+        s1 = below10 > 0 ? s0 : s1;
+        s0 = s0_1;
+        const stewart_real a00_1 = below10 > 0 ? a10 : a00;
+        a10 = below10 > 0 ? a00 : a10;
+        a00 = a00_1;
+        const stewart_real a01_1 = below10 > 0 ? a11 : a01;
+        a11 = below10 > 0 ? a01 : a11;
+        a01 = a01_1;
+        const stewart_real a02_1 = below10 > 0 ? a12 : a02;
+        a12 = below10 > 0 ? a02 : a12;
+        a02 = a02_1;
+        const stewart_real a03_1 = below10 > 0 ? a13 : a03;
+        a13 = below10 > 0 ? a03 : a13;
+        a03 = a03_1;
+        const stewart_real a04_1 = below10 > 0 ? a14 : a04;
+        a14 = below10 > 0 ? a04 : a14;
+        a04 = a04_1;
+        const stewart_real a05_1 = below10 > 0 ? a15 : a05;
+        a15 = below10 > 0 ? a05 : a15;
+        a05 = a05_1;
+        const stewart_real a06_1 = below10 > 0 ? a16 : a06;
+        a16 = below10 > 0 ? a06 : a16;
+        a06 = a06_1;
+        const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_2 = below20 > 0 ? s2 : s0;
+        s2 = below20 > 0 ? s0 : s2;
+        s0 = s0_2;
+        const stewart_real a00_2 = below20 > 0 ? a20 : a00;
+        a20 = below20 > 0 ? a00 : a20;
+        a00 = a00_2;
+        const stewart_real a01_2 = below20 > 0 ? a21 : a01;
+        a21 = below20 > 0 ? a01 : a21;
+        a01 = a01_2;
+        const stewart_real a02_2 = below20 > 0 ? a22 : a02;
+        a22 = below20 > 0 ? a02 : a22;
+        a02 = a02_2;
+        const stewart_real a03_2 = below20 > 0 ? a23 : a03;
+        a23 = below20 > 0 ? a03 : a23;
+        a03 = a03_2;
+        const stewart_real a04_2 = below20 > 0 ? a24 : a04;
+        a24 = below20 > 0 ? a04 : a24;
+        a04 = a04_2;
+        const stewart_real a05_2 = below20 > 0 ? a25 : a05;
+        a25 = below20 > 0 ? a05 : a25;
+        a05 = a05_2;
+        const stewart_real a06_2 = below20 > 0 ? a26 : a06;
+        a26 = below20 > 0 ? a06 : a26;
+        a06 = a06_2;
+        const stewart_real below30 = STEWART_FABS(a30) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_3 = below30 > 0 ? s3 : s0;
+        s3 = below30 > 0 ? s0 : s3;
+        s0 = s0_3;
+        const stewart_real a00_3 = below30 > 0 ? a30 : a00;
+        a30 = below30 > 0 ? a00 : a30;
+        a00 = a00_3;
+        const stewart_real a01_3 = below30 > 0 ? a31 : a01;
+        a31 = below30 > 0 ? a01 : a31;
+        a01 = a01_3;
+        const stewart_real a02_3 = below30 > 0 ? a32 : a02;
+        a32 = below30 > 0 ? a02 : a32;
+        a02 = a02_3;
+        const stewart_real a03_3 = below30 > 0 ? a33 : a03;
+        a33 = below30 > 0 ? a03 : a33;
+        a03 = a03_3;
+        const stewart_real a04_3 = below30 > 0 ? a34 : a04;
+        a34 = below30 > 0 ? a04 : a34;
+        a04 = a04_3;
+        const stewart_real a05_3 = below30 > 0 ? a35 : a05;
+        a35 = below30 > 0 ? a05 : a35;
+        a05 = a05_3;
+        const stewart_real a06_3 = below30 > 0 ? a36 : a06;
+        a36 = below30 > 0 ? a06 : a36;
+        a06 = a06_3;
+        const stewart_real below40 = STEWART_FABS(a40) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_4 = below40 > 0 ? s4 : s0;
+        s4 = below40 > 0 ? s0 : s4;
+        s0 = s0_4;
+        const stewart_real a00_4 = below40 > 0 ? a40 : a00;
+        a40 = below40 > 0 ? a00 : a40;
+        a00 = a00_4;
+        const stewart_real a01_4 = below40 > 0 ? a41 : a01;
+        a41 = below40 > 0 ? a01 : a41;
+        a01 = a01_4;
+        const stewart_real a02_4 = below40 > 0 ? a42 : a02;
+        a42 = below40 > 0 ? a02 : a42;
+        a02 = a02_4;
+        const stewart_real a03_4 = below40 > 0 ? a43 : a03;
+        a43 = below40 > 0 ? a03 : a43;
+        a03 = a03_4;
+        const stewart_real a04_4 = below40 > 0 ? a44 : a04;
+        a44 = below40 > 0 ? a04 : a44;
+        a04 = a04_4;
+        const stewart_real a05_4 = below40 > 0 ? a45 : a05;
+        a45 = below40 > 0 ? a05 : a45;
+        a05 = a05_4;
+        const stewart_real a06_4 = below40 > 0 ? a46 : a06;
+        a46 = below40 > 0 ? a06 : a46;
+        a06 = a06_4;
+        const stewart_real below50 = STEWART_FABS(a50) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_5 = below50 > 0 ? s5 : s0;
+        s5 = below50 > 0 ? s0 : s5;
+        s0 = s0_5;
+        const stewart_real a00_5 = below50 > 0 ? a50 : a00;
+        a50 = below50 > 0 ? a00 : a50;
+        a00 = a00_5;
+        const stewart_real a01_5 = below50 > 0 ? a51 : a01;
+        a51 = below50 > 0 ? a01 : a51;
+        a01 = a01_5;
+        const stewart_real a02_5 = below50 > 0 ? a52 : a02;
+        a52 = below50 > 0 ? a02 : a52;
+        a02 = a02_5;
+        const stewart_real a03_5 = below50 > 0 ? a53 : a03;
+        a53 = below50 > 0 ? a03 : a53;
+        a03 = a03_5;
+        const stewart_real a04_5 = below50 > 0 ? a54 : a04;
+        a54 = below50 > 0 ? a04 : a54;
+        a04 = a04_5;
+        const stewart_real a05_5 = below50 > 0 ? a55 : a05;
+        a55 = below50 > 0 ? a05 : a55;
+        a05 = a05_5;
+        const stewart_real a06_5 = below50 > 0 ? a56 : a06;
+        a56 = below50 > 0 ? a06 : a56;
+        a06 = a06_5;
+        const stewart_real inverse0 = 1 / a00;
+        const stewart_real factor10 = a10 * inverse0;
+        a11 = a11 - factor10 * a01;
+        a12 = a12 - factor10 * a02;
+        a13 = a13 - factor10 * a03;
+        a14 = a14 - factor10 * a04;
+        a15 = a15 - factor10 * a05;
+        a16 = a16 - factor10 * a06;
+        const stewart_real factor20 = a20 * inverse0;
+        a21 = a21 - factor20 * a01;
+        a22 = a22 - factor20 * a02;
+        a23 = a23 - factor20 * a03;
+        a24 = a24 - factor20 * a04;
+        a25 = a25 - factor20 * a05;
+        a26 = a26 - factor20 * a06;
+        const stewart_real factor30 = a30 * inverse0;
+        a31 = a31 - factor30 * a01;
+        a32 = a32 - factor30 * a02;
+        a33 = a33 - factor30 * a03;
+        a34 = a34 - factor30 * a04;
+        a35 = a35 - factor30 * a05;
+        a36 = a36 - factor30 * a06;
+        const stewart_real factor40 = a40 * inverse0;
+        a41 = a41 - factor40 * a01;
+        a42 = a42 - factor40 * a02;
+        a43 = a43 - factor40 * a03;
+        a44 = a44 - factor40 * a04;
+        a45 = a45 - factor40 * a05;
+        a46 = a46 - factor40 * a06;
+        const stewart_real factor50 = a50 * inverse0;
+        a51 = a51 - factor50 * a01;
+        a52 = a52 - factor50 * a02;
+        a53 = a53 - factor50 * a03;
+        a54 = a54 - factor50 * a04;
+        a55 = a55 - factor50 * a05;
+        a56 = a56 - factor50 * a06;
+        size[0][l] = STEWART_FABS(a00);
+        least[0][l] = STEWART_ROUNDING * s0;
+        const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_2 = below21 > 0 ? s2 : s1;
+        s2 = below21 > 0 ? s1 : s2;
+        s1 = s1_2;
+        const stewart_real a11_2 = below21 > 0 ? a21 : a11;
+        a21 = below21 > 0 ? a11 : a21;
+        a11 = a11_2;
+        const stewart_real a12_2 = below21 > 0 ? a22 : a12;
+        a22 = below21 > 0 ? a12 : a22;
+        a12 = a12_2;
+        const stewart_real a13_2 = below21 > 0 ? a23 : a13;
+        a23 = below21 > 0 ? a13 : a23;
+        a13 = a13_2;
+        const stewart_real a14_2 = below21 > 0 ? a24 : a14;
+        a24 = below21 > 0 ? a14 : a24;
+        a14 = a14_2;
+        const stewart_real a15_2 = below21 > 0 ? a25 : a15;
+        a25 = below21 > 0 ? a15 : a25;
+        a15 = a15_2;
+        const stewart_real a16_2 = below21 > 0 ? a26 : a16;
+        a26 = below21 > 0 ? a16 : a26;
+        a16 = a16_2;
+        const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_3 = below31 > 0 ? s3 : s1;
+        s3 = below31 > 0 ? s1 : s3;
+        s1 = s1_3;
+        const stewart_real a11_3 = below31 > 0 ? a31 : a11;
+        a31 = below31 > 0 ? a11 : a31;
+        a11 = a11_3;
+        const stewart_real a12_3 = below31 > 0 ? a32 : a12;
+        a32 = below31 > 0 ? a12 : a32;
+        a12 = a12_3;
+        const stewart_real a13_3 = below31 > 0 ? a33 : a13;
+        a33 = below31 > 0 ? a13 : a33;
+        a13 = a13_3;
+        const stewart_real a14_3 = below31 > 0 ? a34 : a14;
+        a34 = below31 > 0 ? a14 : a34;
+        a14 = a14_3;
+        const stewart_real a15_3 = below31 > 0 ? a35 : a15;
+        a35 = below31 > 0 ? a15 : a35;
+        a15 = a15_3;
+        const stewart_real a16_3 = below31 > 0 ? a36 : a16;
+        a36 = below31 > 0 ? a16 : a36;
+        a16 = a16_3;
+        const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_4 = below41 > 0 ? s4 : s1;
+        s4 = below41 > 0 ? s1 : s4;
+        s1 = s1_4;
+        const stewart_real a11_4 = below41 > 0 ? a41 : a11;
+        a41 = below41 > 0 ? a11 : a41;
+        a11 = a11_4;
+        const stewart_real a12_4 = below41 > 0 ? a42 : a12;
+        a42 = below41 > 0 ? a12 : a42;
+        a12 = a12_4;
+        const stewart_real a13_4 = below41 > 0 ? a43 : a13;
+        a43 = below41 > 0 ? a13 : a43;
+        a13 = a13_4;
+        const stewart_real a14_4 = below41 > 0 ? a44 : a14;
+        a44 = below41 > 0 ? a14 : a44;
+        a14 = a14_4;
+        const stewart_real a15_4 = below41 > 0 ? a45 : a15;
+        a45 = below41 > 0 ? a15 : a45;
+        a15 = a15_4;
+        const stewart_real a16_4 = below41 > 0 ? a46 : a16;
+        a46 = below41 > 0 ? a16 : a46;
+        a16 = a16_4;
+        const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_5 = below51 > 0 ? s5 : s1;
+        s5 = below51 > 0 ? s1 : s5;
+        s1 = s1_5;
+        const stewart_real a11_5 = below51 > 0 ? a51 : a11;
+        a51 = below51 > 0 ? a11 : a51;
+        a11 = a11_5;
+        const stewart_real a12_5 = below51 > 0 ? a52 : a12;
+        a52 = below51 > 0 ? a12 : a52;
+        a12 = a12_5;
+        const stewart_real a13_5 = below51 > 0 ? a53 : a13;
+        a53 = below51 > 0 ? a13 : a53;
+        a13 = a13_5;
+        const stewart_real a14_5 = below51 > 0 ? a54 : a14;
+        a54 = below51 > 0 ? a14 : a54;
+        a14 = a14_5;
+        const stewart_real a15_5 = below51 > 0 ? a55 : a15;
+        a55 = below51 > 0 ? a15 : a55;
+        a15 = a15_5;
+        const stewart_real a16_5 = below51 > 0 ? a56 : a16;
+        a56 = below51 > 0 ? a16 : a56;
+        a16 = a16_5;
+        const stewart_real inverse1 = 1 / a11;
+        const stewart_real factor21 = a21 * inverse1;
+        a22 = a22 - factor21 * a12;
+        a23 = a23 - factor21 * a13;
+        a24 = a24 - factor21 * a14;
+        a25 = a25 - factor21 * a15;
+        a26 = a26 - factor21 * a16;
+        const stewart_real factor31 = a31 * inverse1;
+        a32 = a32 - factor31 * a12;
+        a33 = a33 - factor31 * a13;
+        a34 = a34 - factor31 * a14;
+        a35 = a35 - factor31 * a15;
+        a36 = a36 - factor31 * a16;
+        const stewart_real factor41 = a41 * inverse1;
+        a42 = a42 - factor41 * a12;
+        a43 = a43 - factor41 * a13;
+        a44 = a44 - factor41 * a14;
+        a45 = a45 - factor41 * a15;
+        a46 = a46 - factor41 * a16;
+        const stewart_real factor51 = a51 * inverse1;
+        a52 = a52 - factor51 * a12;
+        a53 = a53 - factor51 * a13;
+        a54 = a54 - factor51 * a14;
+        a55 = a55 - factor51 * a15;
+        a56 = a56 - factor51 * a16;
+        size[1][l] = STEWART_FABS(a11);
+        least[1][l] = STEWART_ROUNDING * s1;
+        const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_3 = below32 > 0 ? s3 : s2;
+        s3 = below32 > 0 ? s2 : s3;
+        s2 = s2_3;
+        const stewart_real a22_3 = below32 > 0 ? a32 : a22;
+        a32 = below32 > 0 ? a22 : a32;
+        a22 = a22_3;
+        const stewart_real a23_3 = below32 > 0 ? a33 : a23;
+        a33 = below32 > 0 ? a23 : a33;
+        a23 = a23_3;
+        const stewart_real a24_3 = below32 > 0 ? a34 : a24;
+        a34 = below32 > 0 ? a24 : a34;
+        a24 = a24_3;
+        const stewart_real a25_3 = below32 > 0 ? a35 : a25;
+        a35 = below32 > 0 ? a25 : a35;
+        a25 = a25_3;
+        const stewart_real a26_3 = below32 > 0 ? a36 : a26;
+        a36 = below32 > 0 ? a26 : a36;
+        a26 = a26_3;
+        const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_4 = below42 > 0 ? s4 : s2;
+        s4 = below42 > 0 ? s2 : s4;
+        s2 = s2_4;
+        const stewart_real a22_4 = below42 > 0 ? a42 : a22;
+        a42 = below42 > 0 ? a22 : a42;
+        a22 = a22_4;
+        const stewart_real a23_4 = below42 > 0 ? a43 : a23;
+        a43 = below42 > 0 ? a23 : a43;
+        a23 = a23_4;
+        const stewart_real a24_4 = below42 > 0 ? a44 : a24;
+        a44 = below42 > 0 ? a24 : a44;
+        a24 = a24_4;
+        const stewart_real a25_4 = below42 > 0 ? a45 : a25;
+        a45 = below42 > 0 ? a25 : a45;
+        a25 = a25_4;
+        const stewart_real a26_4 = below42 > 0 ? a46 : a26;
+        a46 = below42 > 0 ? a26 : a46;
+        a26 = a26_4;
+        const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_5 = below52 > 0 ? s5 : s2;
+        s5 = below52 > 0 ? s2 : s5;
+        s2 = s2_5;
+        const stewart_real a22_5 = below52 > 0 ? a52 : a22;
+        a52 = below52 > 0 ? a22 : a52;
+        a22 = a22_5;
+        const stewart_real a23_5 = below52 > 0 ? a53 : a23;
+        a53 = below52 > 0 ? a23 : a53;
+        a23 = a23_5;
+        const stewart_real a24_5 = below52 > 0 ? a54 : a24;
+        a54 = below52 > 0 ? a24 : a54;
+        a24 = a24_5;
+        const stewart_real a25_5 = below52 > 0 ? a55 : a25;
+        a55 = below52 > 0 ? a25 : a55;
+        a25 = a25_5;
+        const stewart_real a26_5 = below52 > 0 ? a56 : a26;
+        a56 = below52 > 0 ? a26 : a56;
+        a26 = a26_5;
+        const stewart_real inverse2 = 1 / a22;
+        const stewart_real factor32 = a32 * inverse2;
+        a33 = a33 - factor32 * a23;
+        a34 = a34 - factor32 * a24;
+        a35 = a35 - factor32 * a25;
+        a36 = a36 - factor32 * a26;
+        const stewart_real factor42 = a42 * inverse2;
+        a43 = a43 - factor42 * a23;
+        a44 = a44 - factor42 * a24;
+        a45 = a45 - factor42 * a25;
+        a46 = a46 - factor42 * a26;
+        const stewart_real factor52 = a52 * inverse2;
+        a53 = a53 - factor52 * a23;
+        a54 = a54 - factor52 * a24;
+        a55 = a55 - factor52 * a25;
+        a56 = a56 - factor52 * a26;
+        size[2][l] = STEWART_FABS(a22);
+        least[2][l] = STEWART_ROUNDING * s2;
+        const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s3_4 = below43 > 0 ? s4 : s3;
+        s4 = below43 > 0 ? s3 : s4;
+        s3 = s3_4;
+        const stewart_real a33_4 = below43 > 0 ? a43 : a33;
+        a43 = below43 > 0 ? a33 : a43;
+        a33 = a33_4;
+        const stewart_real a34_4 = below43 > 0 ? a44 : a34;
+        a44 = below43 > 0 ? a34 : a44;
+        a34 = a34_4;
+        const stewart_real a35_4 = below43 > 0 ? a45 : a35;
+        a45 = below43 > 0 ? a35 : a45;
+        a35 = a35_4;
+        const stewart_real a36_4 = below43 > 0 ? a46 : a36;
+        a46 = below43 > 0 ? a36 : a46;
+        a36 = a36_4;
+        const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s3_5 = below53 > 0 ? s5 : s3;
+        s5 = below53 > 0 ? s3 : s5;
+        s3 = s3_5;
+        const stewart_real a33_5 = below53 > 0 ? a53 : a33;
+        a53 = below53 > 0 ? a33 : a53;
+        a33 = a33_5;
+        const stewart_real a34_5 = below53 > 0 ? a54 : a34;
+        a54 = below53 > 0 ? a34 : a54;
+        a34 = a34_5;
+        const stewart_real a35_5 = below53 > 0 ? a55 : a35;
+        a55 = below53 > 0 ? a35 : a55;
+        a35 = a35_5;
+        const stewart_real a36_5 = below53 > 0 ? a56 : a36;
+        a56 = below53 > 0 ? a36 : a56;
+        a36 = a36_5;
+        const stewart_real inverse3 = 1 / a33;
+        const stewart_real factor43 = a43 * inverse3;
+        a44 = a44 - factor43 * a34;
+        a45 = a45 - factor43 * a35;
+        a46 = a46 - factor43 * a36;
+        const stewart_real factor53 = a53 * inverse3;
+        a54 = a54 - factor53 * a34;
+        a55 = a55 - factor53 * a35;
+        a56 = a56 - factor53 * a36;
+        size[3][l] = STEWART_FABS(a33);
+        least[3][l] = STEWART_ROUNDING * s3;
+        const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s4_5 = below54 > 0 ? s5 : s4;
+        s5 = below54 > 0 ? s4 : s5;
+        s4 = s4_5;
+        const stewart_real a44_5 = below54 > 0 ? a54 : a44;
+        a54 = below54 > 0 ? a44 : a54;
+        a44 = a44_5;
+        const stewart_real a45_5 = below54 > 0 ? a55 : a45;
+        a55 = below54 > 0 ? a45 : a55;
+        a45 = a45_5;
+        const stewart_real a46_5 = below54 > 0 ? a56 : a46;
+        a56 = below54 > 0 ? a46 : a56;
+        a46 = a46_5;
+        const stewart_real inverse4 = 1 / a44;
+        const stewart_real factor54 = a54 * inverse4;
+        a55 = a55 - factor54 * a45;
+        a56 = a56 - factor54 * a46;
+        size[4][l] = STEWART_FABS(a44);
+        least[4][l] = STEWART_ROUNDING * s4;
+        const stewart_real inverse5 = 1 / a55;
+        size[5][l] = STEWART_FABS(a55);
+        least[5][l] = STEWART_ROUNDING * s5;
+        a56 = a56 * inverse5;
+        x[5][l] = a56;
+        a46 = a46 - a45 * a56;
+        a46 = a46 * inverse4;
+        x[4][l] = a46;
+        a36 = a36 - a34 * a46;
+        a36 = a36 - a35 * a56;
+        a36 = a36 * inverse3;
+        x[3][l] = a36;
+        a26 = a26 - a23 * a36;
+        a26 = a26 - a24 * a46;
+        a26 = a26 - a25 * a56;
+        a26 = a26 * inverse2;
+        x[2][l] = a26;
+        a16 = a16 - a12 * a26;
+        a16 = a16 - a13 * a36;
+        a16 = a16 - a14 * a46;
+        a16 = a16 - a15 * a56;
+        a16 = a16 * inverse1;
+        x[1][l] = a16;
+        a06 = a06 - a01 * a16;
+        a06 = a06 - a02 * a26;
+        a06 = a06 - a03 * a36;
+        a06 = a06 - a04 * a46;
+        a06 = a06 - a05 * a56;
+        a06 = a06 * inverse0;
+        x[0][l] = a06;
+    }
+}
+
+/* A block of eight poses on its way: legs, pivots, forces. */
+typedef struct {
+    leg_lanes legs[6];
+    stewart_real size[6][LANES], least[6][LANES], F[6][LANES];
+    stewart_real bad[LANES]; /* 1 where `block_status` has something to say, else 0 */
+} block;
+
+/* Status of the pose in one lane. */
+static int block_status(const block *done, int l)
+{
+    int i, status;
+    for (i = 0; i < 6; ++i) {
+        status = leg_status(&done->legs[i], l);
+        if (status != STEWART_OK) {
+            return status;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        if (!(done->size[i][l] > done->least[i][l])) {
+            return done->size[i][l] <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        if (!(STEWART_FABS(done->F[i][l]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    return STEWART_OK;
+}
+
+/* Lane by lane: a column entry into the matrix, a part of c onto the right side. */
+static void place(
+    stewart_real *STEWART_RESTRICT entry, stewart_real *STEWART_RESTRICT right,
+    const stewart_real *STEWART_RESTRICT column, const stewart_real *STEWART_RESTRICT part)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        entry[l] = column[l];
+        right[l] = right[l] + part[l];
+    }
+}
+
+/* Lane by lane: the largest size so far. */
+static void grow(stewart_real *STEWART_RESTRICT largest, const stewart_real *STEWART_RESTRICT values)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        largest[l] = STEWART_LARGER(STEWART_FABS(values[l]), largest[l]);
+    }
+}
+
+/* Lane by lane: 1 where a leg, a pivot or a force is no good. */
+static void judge(
+    stewart_real *STEWART_RESTRICT bad, const stewart_real *STEWART_RESTRICT leg,
+    const stewart_real *STEWART_RESTRICT size, const stewart_real *STEWART_RESTRICT least,
+    const stewart_real *STEWART_RESTRICT force)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        stewart_real found = leg[l] > 0 ? (stewart_real)1 : bad[l];
+        found = size[l] > least[l] ? found : (stewart_real)1;
+        bad[l] = STEWART_FABS(force[l]) <= STEWART_MAX ? found : (stewart_real)1;
+    }
+}
+
+static void forces_of_block(const stewart_paper_model *model, const motion_lanes *in, block *out)
+{
+    shared_lanes shared;
+    stewart_real A[6][7][LANES];
+    stewart_real x[6][LANES];
+    stewart_real moment[LANES];
+    int i, j, l;
+    shared_of_block(model, in, &shared);
+    for (l = 0; l < LANES; ++l) {
+        moment[l] = 0;
+        out->bad[l] = 0;
+    }
+    for (j = 0; j < 3; ++j) {
+        for (l = 0; l < LANES; ++l) {
+            A[j][6][l] = shared.c_force[j][l];
+            A[j + 3][6][l] = shared.c_moment[j][l];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        leg_of_block(model, i, in, &shared, &out->legs[i]);
+        for (j = 0; j < 3; ++j) {
+            place(A[j][i], A[j][6], out->legs[i].H_force[j], out->legs[i].c_force[j]);
+            place(A[j + 3][i], A[j + 3][6], out->legs[i].H_moment[j], out->legs[i].c_moment[j]);
+            grow(moment, out->legs[i].H_moment[j]);
+        }
+    }
+    solve_block(A, moment, x, out->size, out->least);
+    for (i = 0; i < 6; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            out->F[i][l] = out->legs[i].D[l] - x[i][l];
+        }
+        judge(out->bad, out->legs[i].bad, out->size[i], out->least[i], out->F[i]);
+    }
+}
+
+int stewart_paper_forces_batch(
+    const stewart_paper_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    int *status)
+{
+    motion_lanes in;
+    block done;
+    size_t first;
+    int result = STEWART_OK;
+    int i, l;
+    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !motions->alpha || !motions->a) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (first = 0; first < count; first += LANES) {
+        load_block(motions, first, count, &in);
+        forces_of_block(model, &in, &done);
+        for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
+            const size_t pose = first + (size_t)l;
+            const int code = done.bad[l] > 0 ? block_status(&done, l) : STEWART_OK;
+            if (code == STEWART_OK) {
+                for (i = 0; i < 6; ++i) {
+                    F[pose * 6 + (size_t)i] = done.F[i][l];
+                }
+            } else if (result == STEWART_OK) {
+                result = code;
+            }
+            if (status) {
+                status[pose] = code;
+            }
+        }
+    }
+    return result;
+}

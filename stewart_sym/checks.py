@@ -1,0 +1,35 @@
+"""What an argument must be, asked in one place so that every refusal is one line that names it.
+
+Stands at the bottom; knows nothing of what the arguments mean.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:
+    """Return a float64 copy; ValueError that says what was ``expected`` if these are no real numbers."""
+    try:
+        given: NDArray[Any] = np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: expected {expected}, got a ragged sequence") from None
+    if given.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: expected {expected}, got {given.dtype} entries")
+    return np.array(given, dtype=np.float64)
+
+
+def instance(value: object, kind: type, name: str) -> None:
+    """Refuse, by ValueError, what is no ``kind``."""
+    if not isinstance(value, kind):
+        raise ValueError(f"{name}: expected a {kind.__name__}, got {type(value).__name__}")
+
+
+def option(value: object, options: Sequence[str], name: str) -> None:
+    """Refuse, by ValueError, what is none of the options."""
+    if not isinstance(value, str) or value not in options:
+        quoted = [f'"{text}"' for text in options]
+        choice = f"{', '.join(quoted[:-1])} or {quoted[-1]}"
+        raise ValueError(f"{name}: expected {choice}, got {value!r}")

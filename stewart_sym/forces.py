@@ -1,0 +1,182 @@
+"""Actuator forces alone, from a robot prepared once: the fast road of the C kernels.
+
+Stands beside ``dynamics``, which also hands back D, K, H and c. Knows the layout of the emitted headers,
+batches and threads, and no equation.
+"""
+
+import ctypes
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import instance, option
+from .dynamics import ON_SINGULAR, Formulation, OnSingular, need_motion, report_faults
+from .kernel import FORMULATIONS, kernel_name, library, module, robot_numbers
+from .motion import Motion
+from .robot import Robot
+
+Array = NDArray[Any]
+Precision = Literal["double", "float"]
+
+LANES = 8
+_MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
+_NUMBERS = 30
+
+
+@dataclass(frozen=True, eq=False)
+class ForceKernel:
+    """A robot's constants prepared for one formulation and precision; safe to share between threads.
+
+    model: the numbers of the C's ``stewart_<kernel>_model``.
+    """
+
+    robot: Robot
+    formulation: Formulation
+    precision: Precision
+    model: Array = field(repr=False)
+
+    @property
+    def dtype(self) -> type[np.floating[Any]]:
+        """Type of the numbers that the kernel computes with."""
+        return np.float64 if self.precision == "double" else np.float32
+
+    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
+        """Actuator forces, N, (..., 6), of every pose of ``motion``, (37).
+
+        threads: how many share the work; the result does not depend on it. on_singular: "raise" ValueError,
+        "warn" and return NaN, or return "nan" for poses without an answer.
+        """
+        option(on_singular, ON_SINGULAR, "on_singular")
+        need_motion(self.robot, motion)
+        F, status = self._batch(motion, threads)
+        report_faults(status, self.robot, motion, on_singular)
+        return F
+
+    def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
+        """Status of every pose, (...), a code of ``results.STATUS_TEXT``."""
+        need_motion(self.robot, motion)
+        return self._batch(motion, threads)[1]
+
+    def one_pose(self) -> "OnePose":
+        """Buffers for one pose at a time, for loops where every microsecond counts."""
+        numbers = np.zeros(_NUMBERS, dtype=self.dtype)
+        F = np.full(6, np.nan, dtype=self.dtype)
+        call = self._function("forces")
+        addresses = [ctypes.c_void_p(array.ctypes.data) for array in (self.model, numbers, F)]
+        return OnePose(self, F, numbers, lambda: int(call(*addresses)))
+
+    def forces_into(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
+    ) -> None:
+        """The same into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
+
+        arrays: R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load; all
+        C-contiguous and of the kernel's ``dtype``. Poses without an answer keep the F they had.
+
+        Raises ValueError naming the array whose type or layout is another.
+        """
+        for name, array in (*zip(_MOTION, arrays, strict=True), ("F", F)):
+            if array is not None and (array.dtype != self.dtype or not array.flags.c_contiguous):
+                raise ValueError(f"{name}: expected a C-contiguous array of {self.dtype.__name__}")
+        if status.dtype != np.int32 or not status.flags.c_contiguous:
+            raise ValueError("status: expected a C-contiguous array of int32")
+        count = status.size
+        share = -(-count // (_thread_count(threads) * LANES)) * LANES
+        parts = [(start, min(share, count - start)) for start in range(0, count, share)] if count else []
+        if len(parts) < 2:
+            for part in parts:
+                self._run(arrays, F, status, *part)
+        else:
+            with ThreadPoolExecutor(len(parts)) as pool:
+                list(pool.map(lambda part: self._run(arrays, F, status, *part), parts))
+
+    def _batch(self, motion: Motion, threads: int) -> tuple[Array, NDArray[np.int32]]:
+        arrays = [self._laid_out(motion, name) for name in _MOTION]
+        F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
+        status = np.zeros(motion.shape, dtype=np.int32)
+        self.forces_into(arrays, F, status, threads)
+        return F, status
+
+    def _run(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
+    ) -> None:
+        widths = [int(np.prod(shape)) for shape in _MOTION.values()]
+        pointers = [_offset(array, start * width) for array, width in zip(arrays, widths, strict=True)]
+        self._function("forces_batch")(
+            ctypes.c_void_p(self.model.ctypes.data),
+            ctypes.c_size_t(count),
+            (ctypes.c_void_p * len(pointers))(*pointers),
+            _offset(F, start * 6),
+            _offset(status, start),
+        )
+
+    def _laid_out(self, motion: Motion, name: str) -> Array | None:
+        array = getattr(motion, name)
+        return None if array is None else np.ascontiguousarray(array, dtype=self.dtype)
+
+    def _function(self, what: str) -> Any:
+        return _function(kernel_name(self.formulation, self.robot.base_joint), self.precision, what)
+
+
+@dataclass(frozen=True, eq=False)
+class OnePose:
+    """Buffers of one pose: fill R, t, omega, v, alpha, a, F_ext, M_ext in place, ``solve``, read ``F``.
+
+    numbers: all thirty inputs as one array, (30,), in the order of ``stewart_motion``; the named views write
+    into it. ``solve`` returns the status and leaves F as it was if that is not 0.
+    """
+
+    kernel: ForceKernel
+    F: Array
+    numbers: Array
+    solve: Callable[[], int]
+
+    def __getattr__(self, name: str) -> Array:
+        """View of one input by name."""
+        if name not in _MOTION:
+            raise AttributeError(name)
+        start = 0
+        for other, shape in _MOTION.items():
+            width = int(np.prod(shape))
+            if other == name:
+                return self.numbers[start : start + width].reshape(shape)
+            start += width
+        raise AttributeError(name)
+
+
+def prepare(robot: Robot, formulation: Formulation = "exact", precision: Precision = "double") -> ForceKernel:
+    """Prepare a robot's constants for the fast force kernel, compiling it on first use.
+
+    Raises ValueError for an unknown formulation or precision, native.CompilerError without a C compiler.
+    """
+    instance(robot, Robot, "robot")
+    option(formulation, FORMULATIONS, "formulation")
+    option(precision, ("double", "float"), "precision")
+    name = kernel_name(formulation, robot.base_joint)
+    dtype = np.float64 if precision == "double" else np.float32
+    numbers = robot_numbers(robot).astype(dtype)
+    model = np.zeros(module(name).MODEL_NUMBERS, dtype=dtype)
+    _function(name, precision, "prepare")(
+        ctypes.c_void_p(numbers.ctypes.data), ctypes.c_void_p(model.ctypes.data)
+    )
+    model.setflags(write=False)
+    return ForceKernel(robot, formulation, precision, model)
+
+
+def _function(name: str, precision: Precision, what: str) -> Any:
+    defines = ("STEWART_FLOAT",) if precision == "float" else ()
+    return getattr(library(f"{name}_forces", defines), f"stewart_{name}_{what}")
+
+
+def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
+    return ctypes.c_void_p(None if array is None else array.ctypes.data + entries * array.itemsize)
+
+
+def _thread_count(threads: int) -> int:
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise ValueError(f"threads: expected a whole number of at least 1, got {threads!r}")
+    return threads

@@ -1,0 +1,615 @@
+"""Nanoseconds a pose: the generated kernels beside their peers and the processor's limit, in one process.
+
+Every contestant computes the actuator forces of `exact`, friction, load and solve included, for the same
+poses; their answers are compared before any is timed. They are then timed in turns, round after round, so
+that whatever slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module
+prints and writes nothing. Needs CasADi and Pinocchio, the extra ``bench``.
+"""
+
+import contextlib
+import dataclasses
+import gc
+import os
+import platform
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import forces, kernel, native, reference
+from ..dynamics import inverse_dynamics
+from ..robot import Robot
+from ..rotation import rotation_from_rpy
+from ..trajectory import PATHS
+from .peers import (
+    AGREEMENT,
+    CASADI,
+    FEW,
+    MANY,
+    PEERS,
+    SLOW,
+    Contestant,
+    Poses,
+    Runner,
+    c_loop,
+    multiply_add,
+    repeated,
+    succeed,
+)
+from .peers_pinocchio import PinocchioMachine
+from .reproduce import paper_machine
+
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+Key = TypeVar("Key")
+
+NAME = "exact"
+"""The kernel that is measured."""
+
+ROUNDS, QUICK_ROUNDS = 41, 9
+SHORTEST = 2e-3
+"""Seconds that one sample lasts at least."""
+
+SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
+_SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
+
+
+# --- the contestants --------------------------------------------------------------------------
+
+
+def _one_pose(poses: Poses) -> Runner:
+    """``stewart_exact_inverse_dynamics`` called from a C loop."""
+    body = f"""\
+stewart_forces out;
+    const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out);
+    memcpy(F, out.F, sizeof out.F);
+    return status;"""
+    loop = _LOOP.format(header=f"stewart_{NAME}.h", body=body)
+    library = native.load("bench_one_pose", {**kernel.c_sources(NAME), "drive.c": loop})
+    return c_loop(library, kernel.robot_numbers(poses.robot), poses)
+
+
+def _fast_pose(poses: Poses) -> Runner:
+    """``stewart_exact_forces`` with prepared constants, called from a C loop."""
+    body = f"return stewart_{NAME}_forces(machine, motion, F);"
+    loop = _LOOP.format(header=f"stewart_{NAME}_forces.h", body=body)
+    library = native.load("bench_fast_pose", {**kernel.c_sources(f"{NAME}_forces"), "drive.c": loop})
+    return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
+
+
+def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses], Runner]:
+    """``stewart_exact_forces_batch``, called from Python with given arrays."""
+
+    def make(poses: Poses) -> Runner:
+        prepared = forces.prepare(poses.robot, NAME, precision)
+        arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
+        F = np.zeros((len(poses), 6), dtype=prepared.dtype)
+        status = np.zeros(len(poses), dtype=np.int32)
+
+        def found() -> Array:
+            succeed(int(status.max()))
+            return F
+
+        return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found)
+
+    return make
+
+
+def _prepared_call(poses: Poses) -> Runner:
+    """``OnePose.solve``, one pose a call, numbers and forces in place."""
+    slot = forces.prepare(poses.robot, NAME).one_pose()
+    slot.numbers[...] = poses.rows[0]
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            slot.solve()
+
+    def found() -> Array:
+        F = []
+        for row in poses.rows:
+            slot.numbers[...] = row
+            succeed(slot.solve())
+            F.append(slot.F.copy())
+        return np.array(F)
+
+    return Runner(run, found)
+
+
+def _python_call(poses: Poses) -> Runner:
+    """``inverse_dynamics`` as users call it, one pose a call."""
+    robot, motions = poses.robot, [poses.motion[i] for i in range(len(poses))]
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            for motion in motions:
+                inverse_dynamics(robot, motion)
+
+    return Runner(run, lambda: np.array([inverse_dynamics(robot, motion).F for motion in motions]))
+
+
+def _numpy(poses: Poses) -> Runner:
+    prepared, motion = kernel.NumpyKernel.prepare(poses.robot, NAME), poses.motion
+    return repeated(lambda: prepared.forces(motion), lambda: prepared.forces(motion).F)
+
+
+def _operations() -> int:
+    return sum(kernel.module(NAME).OPERATIONS["friction"]["total"])
+
+
+def _force_operations() -> int:
+    return sum(kernel.module(NAME).FORCE_OPERATIONS["friction"]["total"])
+
+
+CORES = os.cpu_count() or 1
+FLOAT_AGREEMENT = 1e-3
+BATCH, ALL_CORES = "batch, one core", f"batch, {CORES} cores"
+OURS = (
+    Contestant("one pose", "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations),
+    Contestant(
+        BATCH, "C, F alone", "batch", MANY, _batch("double", 1), sweep=True, operations=_force_operations
+    ),
+    Contestant(ALL_CORES, "C, F alone", "batch", MANY, _batch("double", CORES), operations=_force_operations),
+    Contestant(
+        "batch, float",
+        "C, F alone",
+        "batch",
+        MANY,
+        _batch("float", 1),
+        operations=_force_operations,
+        tolerance=FLOAT_AGREEMENT,
+    ),
+    Contestant("every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations),
+    Contestant("NumPy kernel", "vectorised", "batch", SLOW, _numpy, operations=_operations),
+)
+CALLS = (
+    Contestant("prepared, one pose", "Python", "call", 1, _prepared_call),
+    Contestant("inverse_dynamics()", "Python", "call", 1, _python_call),
+)
+"""Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
+
+PINOCCHIO = "Pinocchio"
+
+
+# --- results ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Nanoseconds a pose, one sample of each round in ``raw``; ``operations`` of a pose where counted."""
+
+    name: str
+    what: str
+    kind: str
+    poses: int
+    raw: tuple[float, ...]
+    operations: int | None = None
+
+    @property
+    def median(self) -> float:
+        """Median over the rounds."""
+        return float(np.median(self.raw))
+
+    @property
+    def quartiles(self) -> tuple[float, float]:
+        """First and third quartile over the rounds."""
+        low, high = np.percentile(self.raw, (25, 75))
+        return float(low), float(high)
+
+
+@dataclass(frozen=True)
+class Benchmark:
+    """Everything that ``bench`` measured.
+
+    ours, peers: time a pose. calls: time of a Python call for one pose. parts: what Pinocchio's figure is
+    made of. sweep: batches of all sizes. multiply_add: ns for one fused multiply-add of one number, on one
+    core; lanes: numbers in one instruction. differences: by contestant, from the reference's forces, share of
+    a pose's largest. machine, software, clock: as JSON takes them.
+    """
+
+    robot: str
+    rounds: int
+    ours: tuple[Figure, ...]
+    peers: tuple[Figure, ...]
+    calls: tuple[Figure, ...]
+    parts: tuple[Figure, ...]
+    sweep: tuple[Figure, ...]
+    multiply_add: Figure
+    lanes: int
+    differences: Mapping[str, float]
+    machine: Mapping[str, Any]
+    software: Mapping[str, Any]
+    clock: Mapping[str, Any]
+
+    @property
+    def casadi(self) -> Figure:
+        """What ratios refer to."""
+        return next(figure for figure in self.peers if figure.name == CASADI.name)
+
+    @property
+    def limits(self) -> Mapping[str, float]:
+        """Least ns a pose for the operations of the first of ``OURS`` on one core, by what fills a lane."""
+        operations = self.ours[0].operations or 0
+        each = operations * self.multiply_add.median
+        return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
+
+    def ratio(self, figure: Figure) -> float:
+        """Median over CasADi's."""
+        return figure.median / self.casadi.median
+
+    def overhead(self, call: Figure) -> float:
+        """Ns that a Python call takes over the same pose in C."""
+        return call.median - self.ours[0].median
+
+    def flatness(self, name: str) -> float:
+        """Longest time a pose over all batch sizes, divided by the shortest."""
+        medians = [figure.median for figure in self.sweep if figure.name == name]
+        return max(medians) / min(medians)
+
+    def as_json(self) -> dict[str, Any]:
+        """Return every figure with its unit, raw and condensed, ready for ``json``."""
+        return {
+            "schema": 1,
+            "unit": "ns/pose",
+            "robot": self.robot,
+            "formulation": NAME,
+            "rounds": self.rounds,
+            "shortest_sample_s": SHORTEST,
+            "machine": dict(self.machine),
+            "software": dict(self.software),
+            "clock": dict(self.clock),
+            "ratio_to": CASADI.name,
+            "ours": [self._entry(figure) for figure in self.ours],
+            "peers": [self._entry(figure) for figure in self.peers],
+            "pinocchio_parts": [_numbers(figure) for figure in self.parts],
+            "calls": [
+                {**_numbers(figure), "overhead_over_c_ns": self.overhead(figure)} for figure in self.calls
+            ],
+            "sweep": [_numbers(figure) for figure in self.sweep],
+            "flatness": {name: self.flatness(name) for name in dict.fromkeys(f.name for f in self.sweep)},
+            "multiply_add": {
+                **_numbers(self.multiply_add),
+                "unit": "ns per fused multiply-add of one number, one core",
+                "rate_per_s": 1e9 / self.multiply_add.median,
+                "numbers_in_a_vector": self.lanes,
+            },
+            "limits": dict(self.limits),
+            "largest_difference": dict(self.differences),
+        }
+
+    def _entry(self, figure: Figure) -> dict[str, Any]:
+        return {**_numbers(figure), "ratio_to_casadi": self.ratio(figure)}
+
+
+def _numbers(figure: Figure) -> dict[str, Any]:
+    """A figure as JSON takes it."""
+    return {**dataclasses.asdict(figure), "median": figure.median, "quartiles": figure.quartiles}
+
+
+# --- the run ----------------------------------------------------------------------------------
+
+
+def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = lambda _: None) -> Benchmark:
+    """Measure everything on this machine.
+
+    robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
+    fewer rounds and sizes.
+
+    Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
+    contestant's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
+    """
+    clock, machine = time_source(), _machine()
+    progress("preparing the poses")
+    poses = bench_poses(robot, MANY)
+    few = poses.resized(FEW)
+    progress("compiling the contestants")
+    pinocchio = PinocchioMachine(few.robot, few.motion)
+    contestants = (*OURS, *CALLS, *PEERS)
+    runners = {each.name: each.make(poses.resized(each.poses)) for each in contestants}
+    progress("comparing their forces")
+    differences = _differences(poses, contestants, runners, pinocchio)
+
+    processor = multiply_add()
+    tasks = {each.name: Task(runners[each.name].run, each.poses) for each in contestants}
+    tasks |= {
+        "rnea": Task(pinocchio.newton_euler, FEW),
+        "empty call": Task(pinocchio.empty_calls, FEW),
+        "solve": Task(pinocchio.solve, pinocchio.solves),
+        "multiply-add": Task(processor.run, processor.count),
+    }
+    rounds = QUICK_ROUNDS if quick else ROUNDS
+    raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
+    sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
+    return Benchmark(
+        robot=poses.robot.name,
+        rounds=rounds,
+        ours=tuple(_figure(each, raw) for each in OURS),
+        peers=(*(_figure(each, raw) for each in PEERS), _pinocchio_figure(raw)),
+        calls=tuple(_figure(each, raw) for each in CALLS),
+        parts=(
+            Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
+            Figure("empty call", "pin.rnea over a model without joints", "call", 1, raw["empty call"]),
+            Figure("solve", "numpy.linalg.solve, 6x6", "batch", pinocchio.solves, raw["solve"]),
+        ),
+        sweep=sweep,
+        multiply_add=Figure("multiply-add", "fused", "loop", 1, raw["multiply-add"]),
+        lanes=processor.lanes,
+        differences=differences,
+        machine=machine,
+        software=_software(),
+        clock=clock,
+    )
+
+
+def _figure(each: Contestant, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+    count = None if each.operations is None else each.operations()
+    return Figure(each.name, each.what, each.kind, each.poses, raw[each.name], count)
+
+
+def _pinocchio_figure(raw: Mapping[str, tuple[float, ...]]) -> Figure:
+    parts = zip(raw["rnea"], raw["empty call"], raw["solve"], strict=True)
+    what = "rnea + solve - call"
+    return Figure(PINOCCHIO, what, "call", 1, tuple(rnea - empty + solve for rnea, empty, solve in parts))
+
+
+def _differences(
+    poses: Poses,
+    contestants: Sequence[Contestant],
+    runners: Mapping[str, Runner],
+    pinocchio: PinocchioMachine,
+) -> dict[str, float]:
+    """Compare everybody's forces with the reference's."""
+    truth = reference.inverse_dynamics(poses.robot, poses.motion).F
+    largest = np.abs(truth).max(axis=-1, keepdims=True)
+    found: dict[str, float] = {}
+    answers = [(each.name, each.tolerance, runners[each.name]) for each in contestants]
+    answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
+    for name, tolerance, runner in answers:
+        runner.run(1)
+        F = runner.F()
+        found[name] = float(np.max(np.abs(F - truth[: len(F)]) / largest[: len(F)]))
+        if not found[name] <= tolerance:
+            raise ValueError(
+                f"{name}: forces differ from the reference's by {found[name]:.1e}, expected {tolerance:g}"
+            )
+    return found
+
+
+def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) -> tuple[Figure, ...]:
+    """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
+    swept = [each for each in OURS if each.sweep]
+    room = _free_memory()
+    # Motions of 240 bytes, forces of 48 and a status for each contestant, and as much again to breathe.
+    sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
+    progress("preparing the batches")
+    largest = poses.resized(max(sizes))
+    runners = {(each.name, size): each.make(largest.resized(size)) for size in sizes for each in swept}
+    tasks = {key: Task(runner.run, key[1]) for key, runner in runners.items()}
+    raw = measured(tasks, {key: min(rounds, _SWEEP_ROUNDS.get(key[1], rounds)) for key in tasks}, progress)
+    return tuple(
+        Figure(each.name, each.what, each.kind, size, raw[each.name, size])
+        for each in swept
+        for size in sizes
+    )
+
+
+# --- poses ------------------------------------------------------------------------------------
+
+
+def bench_poses(robot: Robot | None, count: int) -> Poses:
+    """Poses that all differ, moving, loaded and regular, the same in every run.
+
+    robot: None for the paper's machine. Raises ValueError if its base joints are not universal or it has no
+    regular poses about its middle.
+    """
+    rng = np.random.default_rng(1998)
+    if robot is None:
+        robot = paper_machine()
+        R, t, omega, v, alpha, a = _near_the_paths(rng, count)
+    elif robot.base_joint != "universal":
+        raise ValueError(f"{robot.name}: expected universal base joints, the peers know no others")
+    else:
+        R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
+    weight = robot.M * 9.81
+    F_ext = 0.5 * weight * rng.normal(size=(count, 3))
+    M_ext = 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3))
+    arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
+    poses = Poses(robot, tuple(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))
+    if reference.inverse_dynamics(robot, poses.motion).status.any():
+        raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
+    return poses
+
+
+def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
+    """Instants of Paths I and II by turns, each moved a little."""
+    paths = [PATHS[name].path for name in ("I", "II")]
+    at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
+    turn = np.arange(count) % len(paths)
+
+    def taken(name: str) -> Array:
+        both = np.stack([getattr(motion, name) for motion in at])
+        return np.asarray(both[turn, np.arange(count)])
+
+    R = taken("R") @ rotation_from_rpy(0.01 * rng.normal(size=(count, 3)))
+    t = taken("t") + 0.003 * rng.normal(size=(count, 3))
+    rates = (taken(name) + 0.02 * rng.normal(size=(count, 3)) for name in ("omega", "v", "alpha", "a"))
+    return R, t, *rates
+
+
+def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
+    """Poses about the one where the platform is above the base by as much as the base is wide."""
+    centre = robot.b.mean(axis=0)
+    size = float(np.linalg.norm(robot.b - centre, axis=-1).mean())
+    up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
+    home = centre + size * up - robot.p.mean(axis=0)
+    rate = np.sqrt(9.81 / size)
+
+    def some(scale: float) -> Array:
+        return scale * rng.normal(size=(count, 3))
+
+    R, t = rotation_from_rpy(some(0.1)), home + some(0.05 * size)
+    return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
+
+
+# --- C loops ----------------------------------------------------------------------------------
+
+_LOOP = """\
+#include <string.h>
+#include "{header}"
+
+static int call(const void *machine, const stewart_motion *motion, stewart_real F[6])
+{{
+    {body}
+}}
+
+int drive(
+    const void *machine, size_t count, size_t repeats, const stewart_motion *motions, stewart_real *F)
+{{
+    size_t n, i;
+    int status = 0;
+    for (n = 0; n < repeats; ++n) {{
+        for (i = 0; i < count; ++i) {{
+            status |= call(machine, &motions[i], F + 6 * i);
+        }}
+    }}
+    return status;
+}}
+"""
+"""What ``c_loop`` drives; the body of ``call`` puts one pose's forces into F and returns a status."""
+
+
+# --- timing -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is timed: ``run(n)`` does ``units`` of work n times."""
+
+    run: Callable[[int], object]
+    units: int
+
+
+def measured(
+    tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
+) -> dict[Key, tuple[float, ...]]:
+    """Ns a unit of every task in every round; each round begins with another task."""
+    progress("warming up")
+    repeats = {key: _enough(task) for key, task in tasks.items()}
+    raw: dict[Key, list[float]] = {key: [] for key in tasks}
+    keys = list(tasks)
+    with _no_collection():
+        for number in range(max(rounds.values())):
+            progress(f"round {number + 1} of {max(rounds.values())}")
+            first = number % len(keys)
+            for key in keys[first:] + keys[:first]:
+                if number < rounds[key]:
+                    raw[key].append(_sample(tasks[key], repeats, key))
+    return {key: tuple(values) for key, values in raw.items()}
+
+
+def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
+    """Ns a unit, from a sample that lasted long enough; the first run, with cold caches, is not timed."""
+    if repeats[key] > 1:
+        task.run(1)
+    while True:
+        seconds = _seconds(task, repeats[key])
+        if seconds >= SHORTEST:
+            return 1e9 * seconds / (repeats[key] * task.units)
+        repeats[key] *= 2
+
+
+def _enough(task: Task) -> int:
+    """Repeats that last twice as long as a sample must."""
+    repeats = 1
+    task.run(1)
+    while (seconds := _seconds(task, repeats)) < SHORTEST:
+        repeats *= 2
+    return max(1, round(repeats * 2 * SHORTEST / seconds))
+
+
+def _seconds(task: Task, repeats: int) -> float:
+    start = time.perf_counter_ns()
+    task.run(repeats)
+    return 1e-9 * (time.perf_counter_ns() - start)
+
+
+@contextlib.contextmanager
+def _no_collection() -> Iterator[None]:
+    was = gc.isenabled()
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
+
+
+def time_source() -> dict[str, Any]:
+    """The time source and the shortest step seen of it; ValueError if a sample isn't 1000 steps long."""
+    info = time.get_clock_info("perf_counter")
+    step = min(_step() for _ in range(100))
+    if not info.monotonic or step > 1e-3 * SHORTEST:
+        raise ValueError(f"the clock is too coarse: steps of {step:.1e} s, samples of {SHORTEST:g} s")
+    return {
+        "name": "perf_counter",
+        "implementation": info.implementation,
+        "resolution_s": info.resolution,
+        "shortest_step_s": step,
+    }
+
+
+def _step() -> float:
+    start = time.perf_counter_ns()
+    while (end := time.perf_counter_ns()) == start:
+        pass
+    return 1e-9 * (end - start)
+
+
+# --- where it ran -----------------------------------------------------------------------------
+
+
+def _machine() -> dict[str, Any]:
+    return {
+        "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
+        "instruction_sets": sorted({"avx2", "avx512f", "fma", "asimd"} & set(_cpuinfo("flags").split())),
+        "cores": os.cpu_count(),
+        "system": platform.platform(),
+        "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
+    }
+
+
+def _software() -> dict[str, Any]:
+    compiler = native.find_compiler()
+    assert compiler is not None
+    return {
+        "compiler": compiler.version,
+        "command": list(compiler.command),
+        "flags": list(native._FLAGS),
+        "python": platform.python_version(),
+        **{name: version(name) for name in ("stewart-sym", "numpy", "casadi", "pin")},
+    }
+
+
+def _cpuinfo(line: str) -> str:
+    with contextlib.suppress(OSError):
+        for text in Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines():
+            name, _, value = text.partition(":")
+            if name.strip() in (line, {"flags": "Features"}.get(line)):
+                return value.strip()
+    return ""
+
+
+def _free_memory() -> int:
+    """Bytes that may be used; 2 GiB where the system doesn't tell."""
+    if sys.platform.startswith("linux"):
+        with contextlib.suppress(OSError, ValueError, IndexError):
+            for text in Path("/proc/meminfo").read_text(encoding="utf-8").splitlines():
+                if text.startswith("MemAvailable:"):
+                    return 1024 * int(text.split()[1])
+    return 2 << 30

@@ -1,0 +1,233 @@
+"""What ``bench`` measured, as tables for the terminal and as a picture.
+
+Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench``.
+"""
+
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+
+from .bench import SHORTEST, Benchmark, Figure
+
+WIDTH = 110
+
+_STYLE: Any = {
+    "svg.hashsalt": "stewart-sym",
+    "svg.fonttype": "none",
+    "font.size": 9.0,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.alpha": 0.35,
+    "grid.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+_OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
+_MARKERS = "osD^vP"
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+
+def report(found: Benchmark) -> str:
+    """All figures with units and how they were taken, as one text."""
+    machine, software = found.machine, found.software
+    sets = ", ".join(machine["instruction_sets"]) or "unknown instruction sets"
+    head = [
+        f"Inverse dynamics of {found.robot}, `exact`, one pose: F with friction, load and solve",
+        "",
+        f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
+        " ".join(software["flags"]),
+        f"CasADi {software['casadi']}, Pinocchio {software['pin']}, NumPy {software['numpy']}, "
+        f"Python {software['python']}",
+    ]
+    parts = ["\n".join(head), _contestants(found), _notes(found), _calls(found)]
+    if found.sweep:
+        parts.append(_sizes(found))
+    return "\n\n".join(parts) + "\n"
+
+
+def _contestants(found: Benchmark) -> str:
+    header = ("contestant", "what", "poses", "operations", "ns a pose", "quartiles", "x CasADi")
+    rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
+    rows += [_row(found, figure, figure.name) for figure in found.peers]
+    rows += [
+        (
+            name,
+            "one core",
+            "",
+            _count(found.ours[0]),
+            _number(value),
+            "",
+            f"{value / found.casadi.median:.3f}",
+        )
+        for name, value in found.limits.items()
+    ]
+    return _aligned(header, rows, left=2)
+
+
+def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
+    loop = {"one pose": "1, C loop", "call": "1"}.get(figure.kind, str(figure.poses))
+    ratio = f"{found.ratio(figure):.3f}"
+    return name, figure.what, loop, _count(figure), _number(figure.median), _spread(figure), ratio
+
+
+def _notes(found: Benchmark) -> str:
+    rnea, empty, solve = (figure.median for figure in found.parts)
+    rate = 1 / found.multiply_add.median
+    worst = max(found.differences.values())
+    return textwrap.fill(
+        f"Medians and quartiles of {found.rounds} rounds; in each round every contestant takes its turn, for "
+        f"{1e3 * SHORTEST:g} ms or more. Ratios are of medians. All found the same forces first, to "
+        f"{worst:.0e} of a pose's largest. CasADi: the same equations written plainly, in vectors, or as the "
+        "closed form in the leg frame, its cse() and its solve(), same compiler and flags, called from the "
+        "same kind of C loop; it gives F alone and checks nothing. "
+        f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({_number(rnea)} ns), less a "
+        f"call for a model without joints ({_number(empty)} ns), and LAPACK's solve ({_number(solve)} ns); "
+        "joint angles, rates, accelerations and Jacobians are given to it. Limit: our operations "
+        f"at the rate of fused multiply-adds measured in the same rounds, {rate:.3g} 10^9 numbers a second "
+        f"in vectors of {found.lanes}: each operation filling the place of one, or two of them in each.",
+        WIDTH,
+    )
+
+
+def _calls(found: Benchmark) -> str:
+    header = ("one pose from Python", "us a call", "quartiles", "us over C")
+    rows = [
+        (
+            figure.name,
+            f"{figure.median / 1e3:.2f}",
+            " - ".join(f"{value / 1e3:.2f}" for value in figure.quartiles),
+            f"{found.overhead(figure) / 1e3:.2f}",
+        )
+        for figure in found.calls
+    ]
+    return _aligned(header, rows)
+
+
+def _sizes(found: Benchmark) -> str:
+    sizes = sorted({figure.poses for figure in found.sweep})
+    names = dict.fromkeys(figure.name for figure in found.sweep)
+    medians = {(figure.name, figure.poses): _number(figure.median) for figure in found.sweep}
+    header = (
+        "ns a pose, batch of",
+        *(f"{size:.0e}".replace("e+0", "e") for size in sizes),
+        "longest/shortest",
+    )
+    rows = [
+        (f"ours: {name}", *(medians.get((name, size), "") for size in sizes), f"{found.flatness(name):.2f}")
+        for name in names
+    ]
+    rounds = {figure.poses: len(figure.raw) for figure in found.sweep}
+    rows.append(("rounds", *(str(rounds[size]) for size in sizes), ""))
+    return _aligned(header, rows)
+
+
+def _count(figure: Figure) -> str:
+    return "" if figure.operations is None else str(figure.operations)
+
+
+def _spread(figure: Figure) -> str:
+    return " - ".join(map(_number, figure.quartiles))
+
+
+def _number(value: float) -> str:
+    return f"{value:.1f}" if value < 1000 else f"{value:.0f}"
+
+
+def _aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
+    """Columns as wide as their widest cell; the first ``left`` of them flush left, the others right."""
+    table = [header, *rows]
+    widths = [max(len(row[i]) for row in table) for i in range(len(header))]
+    lines = [
+        "  ".join(
+            cell.ljust(width) if i < left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in table
+    ]
+    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
+
+
+# --- the picture ------------------------------------------------------------------------------
+
+
+def draw(found: Benchmark, directory: Path) -> list[Path]:
+    """Write ``bench.png`` and ``bench.svg`` into ``directory``; returns the paths."""
+    with matplotlib.rc_context(_STYLE):
+        canvas = picture(found)
+        png, svg = directory / "bench.png", directory / "bench.svg"
+        canvas.savefig(png, dpi=160, metadata={"Software": None})
+        canvas.savefig(svg, metadata={"Date": None, "Creator": None})
+    return [png, svg]
+
+
+def picture(found: Benchmark) -> Canvas:
+    """Every contestant's time on a log axis, with the ratio to CasADi; below, time over batch size."""
+    rows = len(found.ours) + len(found.peers)
+    heights = [0.36 * rows + 1.0, 2.3]
+    canvas = Canvas(figsize=(8.6, sum(heights) + 0.6), layout="constrained")
+    above, below = canvas.subplots(2, 1, height_ratios=heights)
+    canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns a pose: {found.machine['processor']}", x=0.5)
+    _draw_contestants(above, found)
+    _draw_sizes(below, found)
+    return canvas
+
+
+def _draw_contestants(axes: Axes, found: Benchmark) -> None:
+    rows = [(figure, f"ours: {figure.name} ({figure.what})", _OURS) for figure in found.ours]
+    rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.peers]
+    rows.sort(key=lambda row: row[0].median)
+    limits = found.limits
+    low = 0.6 * min(*limits.values(), rows[0][0].median)
+    for place, (figure, _, color) in enumerate(rows):
+        first, third = figure.quartiles
+        axes.plot([low, figure.median], [place, place], color=color, linewidth=1.0, alpha=0.5)
+        axes.plot([first, third], [place, place], color=color, linewidth=3.0, solid_capstyle="butt")
+        axes.plot(figure.median, place, "o", color=color, markersize=7)
+        text = f"{_number(figure.median)} ns   {_times(found.ratio(figure))}"
+        right = max(figure.median, third)
+        axes.annotate(text, (right, place), (9, 0), textcoords="offset points", va="center", color=color)
+    for (name, value), dash in zip(limits.items(), ("--", ":"), strict=True):
+        axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=f"{name}: {_number(value)} ns")
+    axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
+    axes.set_xscale("log")
+    axes.set_xlim(low, 8 * max(figure.median for figure, _, _ in rows))
+    axes.grid(visible=False, axis="y")
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel(r"ns a pose, median (thick: quartiles); $\times$: share of CasADi's time")
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncols=2)
+
+
+def _times(ratio: float) -> str:
+    return rf"$\times${ratio:.2f}" if ratio < 10 else rf"$\times${ratio:.1f}"
+
+
+def _draw_sizes(axes: Axes, found: Benchmark) -> None:
+    names = dict.fromkeys(figure.name for figure in found.sweep)
+    for name, marker in zip(names, _MARKERS, strict=False):
+        figures = [figure for figure in found.sweep if figure.name == name]
+        sizes, medians = [figure.poses for figure in figures], [figure.median for figure in figures]
+        ends = zip(medians, (figure.quartiles for figure in figures), strict=True)
+        spread = [(median - low, high - median) for median, (low, high) in ends]
+        label = f"ours: {name} (longest/shortest {found.flatness(name):.2f})"
+        axes.errorbar(
+            sizes,
+            medians,
+            list(zip(*spread, strict=True)),
+            marker=marker,
+            markersize=5,
+            label=label,
+            capsize=2,
+        )
+    axes.set_xscale("log")
+    axes.set_ylim(0, 1.35 * max((figure.quartiles[1] for figure in found.sweep), default=1.0))
+    axes.set(xlabel="poses in a batch", ylabel="ns a pose")
+    axes.legend(loc="upper right", ncols=2)

@@ -1,0 +1,238 @@
+"""What a contestant of ``bench`` is, and those that are not ours: a reference, CasADi, the processor.
+
+Turns code of any origin into something that can be run n times over given poses and asked for its forces.
+Pinocchio, whose figure is put together from parts, has a module of its own. Times nothing.
+"""
+
+import ctypes
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import kernel, native, reference
+from ..motion import Motion
+from ..robot import Robot
+from . import peers_casadi
+
+Array = NDArray[np.float64]
+
+FEW, SLOW, MANY = 64, 1_000, 10_000
+"""Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""
+
+AGREEMENT = 1e-10
+"""Largest difference of forces between contestants in double precision, share of a pose's largest."""
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Motions of one robot: ``arrays`` in the order of ``struct stewart_motions``, (n, ...), contiguous."""
+
+    robot: Robot
+    arrays: tuple[Array, ...]
+
+    def __len__(self) -> int:
+        """Return the number of poses."""
+        return len(self.arrays[0])
+
+    def resized(self, count: int) -> "Poses":
+        """Return the first ``count`` without a copy, or all of them over and over."""
+        if count <= len(self):
+            return Poses(self.robot, tuple(array[:count] for array in self.arrays))
+        return Poses(self.robot, tuple(np.resize(array, (count, *array.shape[1:])) for array in self.arrays))
+
+    @functools.cached_property
+    def motion(self) -> Motion:
+        """The same as a Motion."""
+        return Motion(*self.arrays)
+
+    @functools.cached_property
+    def rows(self) -> Array:
+        """Each pose as one ``struct stewart_motion``, (n, 30)."""
+        return np.concatenate([array.reshape(len(self), -1) for array in self.arrays], axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class Runner:
+    """A contestant ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
+
+    ``kept`` holds on to arrays of which C code knows the addresses only.
+    """
+
+    run: Callable[[int], object]
+    F: Callable[[], Array]
+    kept: object = None
+
+
+@dataclass(frozen=True)
+class Contestant:
+    """One way to compute the forces.
+
+    kind: "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` of them) or
+    "call" (one call from Python for one pose). operations: of a pose, where they are counted. sweep: measured
+    over batch sizes too. tolerance: as AGREEMENT.
+    """
+
+    name: str
+    what: str
+    kind: str
+    poses: int
+    make: Callable[[Poses], Runner]
+    operations: Callable[[], int] | None = None
+    sweep: bool = False
+    tolerance: float = AGREEMENT
+
+
+def repeated(call: Callable[[], object], F: Callable[[], Array], kept: object = None) -> Runner:
+    """Return a runner of one call for all poses."""
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            call()
+
+    return Runner(run, F, kept)
+
+
+def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
+    """Return a runner of a library's ``drive``, a C loop that calls a one-pose function over all poses.
+
+    Its arguments: the machine's numbers, count of poses, repeats, motions (count, 30) and F (count, 6); it
+    returns a status.
+    """
+    rows, F = poses.rows, np.zeros((len(poses), 6))
+    numbers, count, motions, out = address(machine), ctypes.c_size_t(len(poses)), address(rows), address(F)
+
+    def run(repeats: int) -> None:
+        succeed(library.drive(numbers, count, ctypes.c_size_t(repeats), motions, out))
+
+    return Runner(run, lambda: F, (machine, rows))
+
+
+def address(array: NDArray[Any]) -> ctypes.c_void_p:
+    """Return where a contiguous array begins."""
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def succeed(status: int) -> None:
+    """Raise ValueError for a status other than 0."""
+    if status:
+        raise ValueError(f"a contestant failed with status {status}")
+
+
+# --- the reference and CasADi -----------------------------------------------------------------
+
+
+def _reference(poses: Poses) -> Runner:
+    robot, motion = poses.robot, poses.motion
+    return repeated(
+        lambda: reference.inverse_dynamics(robot, motion), lambda: reference.inverse_dynamics(robot, motion).F
+    )
+
+
+def _casadi(name: str, what: str, equations: peers_casadi.LegEquations) -> Contestant:
+    program = functools.cache(lambda: peers_casadi.program(equations))
+
+    def make(poses: Poses) -> Runner:
+        library = native.load("bench_casadi", program().sources)
+        return c_loop(library, kernel.robot_numbers(poses.robot), poses)
+
+    return Contestant(
+        name,
+        what,
+        "one pose",
+        FEW,
+        make,
+        operations=lambda: program().operations,
+    )
+
+
+CASADI = _casadi("CasADi", "C, base frame", peers_casadi.base_frame)
+"""What every other figure is divided by."""
+
+PEERS = (
+    CASADI,
+    _casadi("CasADi, closed form", "C, leg frame", peers_casadi.leg_frame),
+    Contestant("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
+)
+
+
+# --- the processor ----------------------------------------------------------------------------
+
+_MULTIPLY_ADD = """\
+#include <stddef.h>
+
+#if defined(__AVX512F__)
+#define LANES 8
+#elif defined(__AVX__)
+#define LANES 4
+#else
+#define LANES 2
+#endif
+typedef double lanes __attribute__((vector_size(8 * LANES)));
+
+int multiply_add_lanes(void)
+{{
+    return LANES;
+}}
+
+/* Chains enough that none waits for another, few enough for the registers. */
+#if defined(__AVX512F__) || defined(__aarch64__)
+{many}
+#else
+{few}
+#endif
+"""
+
+
+@dataclass(frozen=True)
+class MultiplyAdd:
+    """Independent fused multiply-adds at full width on one core; ``run(n)`` does ``count`` n times."""
+
+    run: Callable[[int], object]
+    count: int
+    lanes: int
+
+
+def multiply_add() -> MultiplyAdd:
+    """Compile the loop; without the instruction it is a product and a sum. Raises CompilerError."""
+    text = _MULTIPLY_ADD.format(many=_chains(24), few=_chains(12))
+    library = native.load("bench_multiply_add", {"multiply_add.c": text}, flags=("-ffp-contract=fast",))
+    library.multiply_add.restype = ctypes.c_double
+    steps, lanes = 1_000, int(library.multiply_add_lanes())
+    by, plus = ctypes.c_double(0.999), ctypes.c_double(1e-3)
+
+    def run(repeats: int) -> None:
+        library.multiply_add(ctypes.c_size_t(repeats * steps), by, plus)
+
+    return MultiplyAdd(run, steps * lanes * int(library.multiply_add_chains()), lanes)
+
+
+def _chains(count: int) -> str:
+    """C of ``multiply_add`` with so many chains."""
+    names = [f"a{i}" for i in range(count)]
+    start = ", ".join(f"{name} = shift + {i}" for i, name in enumerate(names))
+    steps = "\n".join(f"        {name} = {name} * factor + shift;" for name in names)
+    return f"""\
+int multiply_add_chains(void)
+{{
+    return {count};
+}}
+
+double multiply_add(size_t steps, double by, double plus)
+{{
+    const lanes zero = {{0}}, factor = zero + by, shift = zero + plus;
+    lanes {start}, sum;
+    double total = 0;
+    size_t i;
+    for (i = 0; i < steps; ++i) {{
+{steps}
+    }}
+    sum = {" + ".join(names)};
+    for (i = 0; i < LANES; ++i) {{
+        total += sum[i];
+    }}
+    return total;
+}}"""

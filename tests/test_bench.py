@@ -1,0 +1,312 @@
+"""`bench`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
+
+import dataclasses
+import io
+import itertools
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.cli import main
+from stewart_sym.kernel import module
+from stewart_sym.robot import Robot
+from stewart_sym.studies import bench
+from stewart_sym.studies.bench_plot import picture
+from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
+from stewart_sym.studies.peers_pinocchio import PinocchioMachine
+
+Array = NDArray[np.float64]
+
+CONTESTANTS = (*bench.OURS, *bench.CALLS, *PEERS)
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+def shorten(patch: pytest.MonkeyPatch) -> None:
+    """Samples so short that the figures mean nothing."""
+    patch.setattr(bench, "SHORTEST", 1e-5)
+    patch.setattr(bench, "time_source", lambda: {})
+    patch.setattr(bench, "QUICK_ROUNDS", 3)
+    patch.setattr(bench, "QUICK_SIZES", (8, 64))
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    shorten(monkeypatch)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the command wrote."""
+    folder = tmp_path_factory.mktemp("bench") / "new"
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        assert main(["bench", "--quick", "-o", str(folder)]) == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def figures(written: Path) -> dict[str, Any]:
+    """The JSON."""
+    found: dict[str, Any] = json.loads((written / "bench.json").read_text())
+    return found
+
+
+def poses_of(robot: Robot, motion: ss.Motion) -> Poses:
+    return Poses(robot, tuple(np.ascontiguousarray(getattr(motion, name)) for name in FIELDS))
+
+
+@pytest.fixture(scope="module")
+def stranger() -> Poses:
+    """Seventy moving, loaded poses of a machine that has nothing in common with the paper's."""
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    return poses_of(robot, random_motion(rng, robot, (70,)))
+
+
+def off(contestant: Contestant, share: float) -> Contestant:
+    """The contestant with forces wrong by a share of the largest."""
+
+    def make(poses: Poses) -> Runner:
+        runner = contestant.make(poses)
+        return Runner(runner.run, lambda: runner.F() + share * np.abs(runner.F()).max(), runner)
+
+    return dataclasses.replace(contestant, make=make)
+
+
+# what is compared
+
+
+@pytest.mark.parametrize("contestant", CONTESTANTS, ids=lambda contestant: contestant.name)
+def test_a_contestant_computes_the_forces_of_any_machine(contestant: Contestant, stranger: Poses) -> None:
+    runner = contestant.make(stranger)
+    runner.run(1)
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+
+
+def test_pinocchio_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    assert np.abs(PinocchioMachine(stranger.robot, stranger.motion).F() - F).max() <= 1e-10 * np.abs(F).max()
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("group", ["OURS", "CALLS", "PEERS"])
+def test_wrong_forces_stop_the_run_before_anything_is_timed(
+    group: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, *others = getattr(bench, group)
+    monkeypatch.setattr(bench, group, (off(first, 1e-9), *others))
+    monkeypatch.setattr(bench, "measured", None)
+    with pytest.raises(ValueError, match=f"^{re.escape(first.name)}: forces differ"):
+        bench.bench(quick=True)
+
+
+def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
+    rows, again = (bench.bench_poses(None, 500).rows for _ in range(2))
+    np.testing.assert_array_equal(rows, again)
+    assert all(len(np.unique(column)) == 500 for column in rows.T)
+
+
+def test_a_machine_without_universal_joints_is_refused() -> None:
+    robot = random_robot(np.random.default_rng(3), "spherical")
+    with pytest.raises(ValueError, match="expected universal base joints"):
+        bench.bench_poses(robot, 10)
+
+
+def test_a_machine_that_is_singular_everywhere_is_refused() -> None:
+    robot = dasgupta()
+    none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
+    with pytest.raises(ValueError, match="no regular poses"):
+        bench.bench_poses(none, 10)
+
+
+def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() -> None:
+    poses = bench.bench_poses(None, 10)
+    fewer, more = poses.resized(4), poses.resized(25)
+    assert all(map(np.shares_memory, fewer.arrays, poses.arrays))
+    np.testing.assert_array_equal(fewer.rows, poses.rows[:4])
+    np.testing.assert_array_equal(more.rows, poses.rows[np.arange(25) % 10])
+
+
+# what is said
+
+
+def test_json_has_every_contestant_with_positive_figures(figures: dict[str, Any]) -> None:
+    for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
+        assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
+    assert [entry["name"] for entry in figures["peers"]] == [*(each.name for each in PEERS), bench.PINOCCHIO]
+    for entry in (*figures["ours"], *figures["calls"], *figures["peers"], figures["multiply_add"]):
+        low, high = entry["quartiles"]
+        assert len(entry["raw"]) == figures["rounds"] == 3
+        assert 0 < low <= entry["median"] <= high
+        assert min(entry["raw"]) <= entry["median"] <= max(entry["raw"])
+    swept = [(each.name, size) for each in bench.OURS if each.sweep for size in (8, 64)]
+    assert [(entry["name"], entry["poses"]) for entry in figures["sweep"]] == swept
+    assert all(entry["median"] > 0 for entry in figures["sweep"])
+
+
+def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
+    assert figures["machine"]["processor"]
+    assert figures["machine"]["cores"] >= 1
+    assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
+    assert all(figures["software"][name] for name in ("compiler", "python", "numpy", "casadi", "pin"))
+
+
+def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
+    casadi = next(entry for entry in figures["peers"] if entry["name"] == CASADI.name)
+    for entry in (*figures["ours"], *figures["peers"]):
+        assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
+    (call, *_), one_pose = figures["calls"], figures["ours"][0]
+    assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
+
+
+def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
+    rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
+    assert figures["peers"][-1]["raw"] == pytest.approx(rnea - empty + solve)
+
+
+def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:
+    operations = sum(module("exact").FORCE_OPERATIONS["friction"]["total"])
+    one_pose, (each, paired) = figures["ours"][0], figures["limits"].values()
+    assert one_pose["operations"] == operations
+    assert each == pytest.approx(1e9 * operations / figures["multiply_add"]["rate_per_s"])
+    assert paired == pytest.approx(each / 2)
+
+
+def test_the_table_has_every_contestant(written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    assert all(each.name in text for each in CONTESTANTS)
+    assert max(map(len, text.splitlines())) <= 115
+
+
+def test_the_picture_shows_every_contestant(written: Path) -> None:
+    drawing = (written / "bench.svg").read_text()
+    assert all(each.name in drawing for each in (*bench.OURS, *PEERS))
+    pixels = matplotlib.image.imread(written / "bench.png")
+    assert min(pixels.shape[:2]) > 500
+    assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
+
+
+@pytest.mark.usefixtures("small")
+def test_labels_in_the_picture_do_not_overlap() -> None:
+    canvas = picture(bench.bench(quick=True))
+    canvas.savefig(io.BytesIO(), format="png")
+    above = canvas.axes[0]
+    legend = above.get_legend()
+    assert legend is not None
+    boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
+    boxes.append(legend.get_window_extent())
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+
+
+@pytest.mark.usefixtures("small")
+def test_the_command_takes_any_robot_file(tmp_path: Path) -> None:
+    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+    file = tmp_path / "mine.toml"
+    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    assert main(["bench", "--quick", "--robot", str(file), "-o", str(tmp_path / "out")]) == 0
+    assert json.loads((tmp_path / "out" / "bench.json").read_text())["robot"] == "mine"
+
+
+@pytest.mark.parametrize("missing", ["casadi", "pinocchio", "matplotlib"])
+def test_a_missing_extra_is_one_line_that_says_what_to_install(missing: str, tmp_path: Path) -> None:
+    code = f"import sys; sys.modules['{missing}'] = None; from stewart_sym.cli import main; sys.exit(main())"
+    command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    (line,) = done.stderr.splitlines()
+    assert line.endswith('pip install casadi pin matplotlib')
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_extra_names_what_the_bench_imports() -> None:
+    project = tomllib.loads((Path(__file__).parent.parent / "pyproject.toml").read_text())["project"]
+    extra = {need.split(">")[0] for need in project["optional-dependencies"]["bench"]}
+    assert extra == {"casadi", "pin", "matplotlib"}
+
+
+# how it is measured
+
+
+class Clock:
+    """A clock that stands still but for what tasks take."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 0
+        self.calls: list[tuple[str, int]] = []
+        monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
+
+    def task(self, name: str, units: int, ns: int) -> bench.Task:
+        def run(repeats: int) -> None:
+            self.calls.append((name, repeats))
+            self.now += repeats * units * ns
+
+        return bench.Task(run, units)
+
+
+def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {"short": clock.task("short", 64, 100), "long": clock.task("long", 10**6, 750)}
+    raw = bench.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
+    assert raw["short"] == pytest.approx(5 * (100.0,))
+    assert raw["long"] == pytest.approx(3 * (750.0,))
+
+
+def test_contestants_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    names = ("a", "b", "c")
+    tasks = {name: clock.task(name, 64, 100) for name in names}
+    bench.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
+    samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
+    assert len(samples) == 3 * 4
+    assert all(repeats * 64 * 100 >= 1e9 * bench.SHORTEST for _, repeats in samples)
+    rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
+    assert [sorted(turn) for turn in rounds] == 4 * [[*names]]
+    assert len(set(rounds)) == 3
+
+
+def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    speeds = itertools.chain(8 * [1000], itertools.repeat(1))
+    taken: list[int] = []
+
+    def run(repeats: int) -> None:
+        taken.append(repeats * 64 * next(speeds))
+        clock.now += taken[-1]
+
+    raw = bench.measured({"task": bench.Task(run, 64)}, {"task": 3}, lambda _: None)
+    assert taken[-1] >= 1e9 * bench.SHORTEST
+    assert raw["task"] == pytest.approx(3 * (1.0,))
+
+
+def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    ticks = itertools.count(0, 50_000)
+    monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
+    with pytest.raises(ValueError, match="clock is too coarse"):
+        bench.time_source()
+
+
+@pytest.mark.usefixtures("small")
+def test_batches_that_do_not_fit_into_memory_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench, "QUICK_SIZES", (8, 10**12))
+    found = bench.bench(quick=True)
+    assert {figure.poses for figure in found.sweep} == {8}
+
+
+def test_multiply_adds_are_what_their_count_says() -> None:
+    loop = multiply_add()
+    assert loop.lanes in (2, 4, 8)
+    assert loop.count % (12 * loop.lanes) == 0
+    loop.run(1)

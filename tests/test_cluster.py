@@ -1,0 +1,184 @@
+"""The batch call on a real cluster: two worker processes, the same bits, the C compiled at most once each."""
+
+import collections
+import dataclasses
+import os
+import pickle
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import dask
+import dask.array as da
+import numpy as np
+import pytest
+from distributed import Client, LocalCluster
+from machines import dasgupta, random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym import native
+from stewart_sym.motion import Motion
+from stewart_sym.studies.workspace import grid, map_block, workspace_map
+
+WAIT = 25
+CHUNK = 12_500
+AXES = (np.linspace(-0.2, 0.2, 50), np.linspace(-0.2, 0.2, 40), np.linspace(0.4, 0.8, 50))
+
+
+class Cluster:
+    """A client of two workers, and a log of which process ran the compiler."""
+
+    def __init__(self, client: Client, log: Path) -> None:
+        self.client, self._log = client, log
+
+    def compute(self, *arrays: da.Array) -> list[np.ndarray]:
+        futures = self.client.compute(list(arrays))
+        return [future.result(timeout=WAIT) for future in futures]
+
+    def on_every_worker(self, function: Callable[[], Any]) -> list[Any]:
+        return list(self.client.run(function).values())
+
+    @property
+    def compilations(self) -> collections.Counter[int]:
+        return collections.Counter(int(line) for line in self._log.read_text().splitlines())
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+    folder = tmp_path_factory.mktemp("cluster")
+    log, cache, script = folder / "log", folder / "cache", folder / "cc"
+    compiler = native.find_compiler()
+    assert compiler is not None
+    note = f'case "$*" in *--version*) ;; *) echo "$PPID" >> {shlex.quote(str(log))} ;; esac'
+    script.write_text(f'#!/bin/sh\n{note}\nexec {shlex.join(compiler.command)} "$@"\n')
+    script.chmod(0o755)
+    log.touch()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("STEWART_SYM_CACHE", str(cache))
+        patch.setenv("CC", shlex.quote(str(script)))
+        timeouts = {"distributed.comm.timeouts.connect": f"{WAIT}s"}
+        with (
+            dask.config.set({**timeouts, "temporary-directory": str(folder)}),
+            LocalCluster(
+                n_workers=2,
+                threads_per_worker=2,
+                processes=True,
+                host="127.0.0.1",
+                dashboard_address=None,
+                # The scheduler serves HTTP all the same: on a free port, for test processes side by side.
+                scheduler_kwargs={"dashboard_address": "127.0.0.1:0"},
+                memory_limit=0,
+            ) as local,
+            Client(local, timeout=WAIT) as client,
+        ):
+            client.wait_for_workers(2, timeout=WAIT)
+            yield Cluster(client, log)
+
+
+def test_a_cold_cluster_maps_a_workspace_to_the_same_bits_and_compiles_at_most_once_a_worker(
+    cluster: Cluster,
+) -> None:
+    robot, points = dasgupta(), grid(*AXES, chunks=CHUNK)
+    assert points.shape == (100_000, 3)
+    first = points[:100].compute(scheduler="sync")
+    seen = cluster.on_every_worker(lambda: (os.getpid(), map_block(first, np.zeros(3), robot)))
+    pids = {pid for pid, _ in seen}
+    assert len(pids - {os.getpid()}) == 2
+    far = cluster.compute(*workspace_map(robot, points, chunks=CHUNK))
+    assert set(cluster.compilations) <= pids
+    assert set(cluster.compilations.values()) == {1}
+    assert cluster.on_every_worker(lambda: len(native._loaded)) == [1, 1]
+    near = map_block(points.compute(scheduler="sync"), np.zeros(3), robot)
+    for name, there, here in zip(("condition", "peak"), far, near, strict=True):
+        assert same_bits(there, here), name
+        assert np.isfinite(there).all(), name
+    for _, block in seen:
+        assert all(same_bits(part, whole[:100]) for part, whole in zip(block, near, strict=True))
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_a_prepared_kernel_runs_unchanged_under_map_blocks_and_apply_gufunc(
+    cluster: Cluster, precision: str
+) -> None:
+    rng = np.random.default_rng(30)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot, precision=precision)
+    motion = random_motion(rng, robot, (300,))
+    expected = kernel.forces(motion)
+    arrays = [getattr(motion, field.name) for field in dataclasses.fields(motion)]
+    blocks = [da.from_array(array, chunks=(37, *array.shape[1:])) for array in arrays]
+    by_gufunc = da.apply_gufunc(
+        lambda *block: kernel.forces(Motion(*block), threads=2),
+        "(i,i)" + 7 * ",(i)" + "->(j)",
+        *blocks,
+        output_dtypes=kernel.dtype,
+        output_sizes={"j": 6},
+    )
+    rest = np.zeros(3)
+    by_blocks = da.map_blocks(
+        lambda t: kernel.forces(Motion(np.eye(3), t, rest, rest, rest, rest), on_singular="nan"),
+        blocks[1],
+        chunks=(blocks[1].chunks[0], (6,)),
+        meta=np.empty((0, 6), kernel.dtype),
+    )
+    far = cluster.compute(by_gufunc, by_blocks)
+    assert same_bits(far[0], expected)
+    still = Motion(np.eye(3), motion.t, rest, rest, rest, rest)
+    assert same_bits(far[1], kernel.forces(still, on_singular="nan"))
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_a_pickled_kernel_comes_back_the_same(formulation: str) -> None:
+    rng = np.random.default_rng(31)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot, formulation)
+    motion = random_motion(rng, robot, (20,))
+    back = pickle.loads(pickle.dumps(kernel))
+    assert (back.formulation, back.precision) == (formulation, "double")
+    assert same_bits(back.forces(motion), kernel.forces(motion))
+
+
+def test_a_scheduler_without_a_compiler_may_unpickle_a_kernel(tmp_path: Path) -> None:
+    """Dask unpickles the graph on the scheduler, which never runs a block."""
+    code = "import pickle, sys; print(pickle.load(sys.stdin.buffer).formulation)"
+    env = {**os.environ, "CC": str(tmp_path / "none"), "STEWART_SYM_CACHE": str(tmp_path / "cache")}
+    kernel = pickle.dumps(ss.prepare(dasgupta()))
+    run = [sys.executable, "-c", code]
+    done = subprocess.run(run, input=kernel, env=env, check=True, capture_output=True, timeout=WAIT)
+    assert done.stdout.split() == [b"exact"]
+
+
+def test_a_block_agrees_with_the_dynamics_and_leaves_poses_without_an_answer_nan() -> None:
+    rng = np.random.default_rng(32)
+    robot = random_robot(rng)
+    t = random_motion(rng, robot, (20,)).t.copy()
+    t[7] = robot.b[2] - robot.p[2]
+    condition, peak = map_block(t, np.zeros(3), robot)
+    assert list(np.flatnonzero(np.isnan(peak))) == list(np.flatnonzero(np.isnan(condition))) == [7]
+    rest = np.zeros(3)
+    found = ss.inverse_dynamics(robot, Motion(np.eye(3), t, rest, rest, rest, rest), on_singular="nan")
+    good = np.arange(20) != 7
+    np.testing.assert_allclose(peak[good], np.abs(found.F[good]).max(axis=-1), rtol=1e-9)
+    np.testing.assert_allclose(condition[good], ss.condition_number(found.H)[good], rtol=1e-9)
+
+
+def test_the_grid_runs_through_z_first() -> None:
+    x, y, z = [0.0, 1.0], [2.0, 3.0, 4.0], [5.0, 6.0]
+    expected = np.stack(np.meshgrid(x, y, z, indexing="ij"), axis=-1).reshape(-1, 3)
+    assert same_bits(grid(x, y, z, chunks=5).compute(scheduler="sync"), expected)
+
+
+@pytest.mark.parametrize(
+    ("t", "theta", "name"),
+    [(np.zeros((4, 2)), np.zeros(3), "t"), (np.zeros((4, 3)), np.zeros((5, 3)), "theta")],
+)
+def test_points_of_another_shape_are_refused(t: np.ndarray, theta: np.ndarray, name: str) -> None:
+    with pytest.raises(ValueError, match=rf"^{name}: expected"):
+        workspace_map(dasgupta(), t, theta)
+
+
+def same_bits(one: np.ndarray, other: np.ndarray) -> bool:
+    return one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()

@@ -1,0 +1,224 @@
+"""The fast force kernels: right, the same whatever the batch, and never disturbed by a bad neighbour."""
+
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from test_bad_poses import CASES, at_rest
+
+import stewart_sym as ss
+from stewart_sym.kernel import c_sources, module
+from stewart_sym.motion import Motion
+
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+def joined(*motions: Motion) -> Motion:
+    """Motions one after the other."""
+    return Motion(
+        *(
+            np.concatenate(
+                [np.atleast_2d(getattr(m, n)) if n != "R" else np.reshape(m.R, (-1, 3, 3)) for m in motions]
+            )
+            for n in FIELDS
+        )
+    )
+
+
+def relative(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    return np.abs(left - right).max(axis=-1) / np.abs(right).max(axis=-1)
+
+
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_forces_agree_with_the_reference_to_rounding(formulation, base_joint: str) -> None:
+    rng = np.random.default_rng(20)
+    for friction in (True, False):
+        for _ in range(15):
+            robot = random_robot(rng, base_joint, friction=friction)
+            motion = random_motion(rng, robot, (9,))
+            truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
+            found = ss.prepare(robot, formulation).forces(motion)
+            assert (relative(found, truth.F) <= 1e-13 * ss.condition_number(truth.H)).all()
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_float_forces_agree_to_float_rounding(formulation) -> None:
+    rng = np.random.default_rng(21)
+    for _ in range(10):
+        robot = random_robot(rng, scale=1.0)
+        motion = random_motion(rng, robot, (9,))
+        truth = ss.inverse_dynamics(robot, motion, formulation)
+        found = ss.prepare(robot, formulation, "float").forces(motion)
+        assert found.dtype == np.float32
+        assert (relative(found, truth.F) <= 2e-5 * ss.condition_number(truth.H)).all()
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_results_are_bit_identical_whatever_batch_position_and_threads(precision, base_joint: str) -> None:
+    rng = np.random.default_rng(22)
+    robot = random_robot(rng, base_joint)
+    kernel = ss.prepare(robot, precision=precision)
+    motion = random_motion(rng, robot, (37,))
+    whole = kernel.forces(motion)
+    assert all((kernel.forces(motion[i]) == whole[i]).all() for i in range(37))
+    for start, stop in ((0, 1), (1, 10), (5, 37), (8, 16), (30, 37)):
+        assert (kernel.forces(motion[start:stop]) == whole[start:stop]).all()
+    for threads in (2, 3, 5, 64):
+        assert (kernel.forces(motion, threads=threads) == whole).all()
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
+    rng = np.random.default_rng(23)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot, precision=precision)
+    motion = random_motion(rng, robot, (20,))
+    whole = kernel.forces(motion)
+    slot = kernel.one_pose()
+    for i in range(20):
+        for name in FIELDS:
+            getattr(slot, name)[...] = getattr(motion, name)[i]
+        assert slot.solve() == 0
+        assert (slot.F == whole[i]).all()
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_bit_identical(case: str) -> None:
+    make, code, text = CASES[case]
+    robot, bad = make()
+    good = [at_rest([0.1 + 0.01 * i, 0.04, 0.6]) for i in range(11)]
+    parts = ("R", "t", "omega", "v", "alpha", "a")
+    clean = Motion(*(np.stack([getattr(m, n) for m in good]) for n in parts))
+    for place in (0, 3, 7, 8, 10):
+        poisoned = [*good]
+        poisoned[place] = bad
+        motion = Motion(*(np.stack([getattr(m, n) for m in poisoned]) for n in parts))
+        kernel = ss.prepare(robot)
+        status = kernel.status(motion)
+        assert list(np.flatnonzero(status)) == [place]
+        assert status[place] == code
+        F = kernel.forces(motion, on_singular="nan")
+        others = np.arange(11) != place
+        assert np.isnan(F[place]).all()
+        assert (F[others] == kernel.forces(clean)[others]).all()
+        with pytest.raises(ValueError, match=rf"motion\[{place}\]"):
+            kernel.forces(motion)
+        with pytest.warns(ss.SingularPoseWarning):
+            kernel.forces(motion, on_singular="warn")
+    slot = kernel.one_pose()
+    for name in parts:
+        getattr(slot, name)[...] = getattr(bad, name)
+    slot.F[...] = 7.0
+    assert slot.solve() == code
+    assert (slot.F == 7.0).all()
+    assert text
+
+
+def test_non_finite_numbers_poison_only_their_own_pose() -> None:
+    """Motion refuses them, so they are written past it, as a sensor might."""
+    rng = np.random.default_rng(24)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    motion = random_motion(rng, robot, (40,))
+    clean = kernel.forces(motion)
+    for name in FIELDS:
+        for value in (np.nan, np.inf):
+            spoilt = np.array(getattr(motion, name))
+            spoilt[5] = value
+            fake = object.__new__(Motion)
+            for other in FIELDS:
+                object.__setattr__(fake, other, spoilt if other == name else getattr(motion, other))
+            F, status = kernel._batch(fake, 1)
+            assert status[5] == ss.results.NOT_FINITE
+            others = np.arange(40) != 5
+            assert (status[others] == 0).all()
+            assert (F[others] == clean[others]).all()
+
+
+def test_empty_and_many_dimensional_batches_work() -> None:
+    rng = np.random.default_rng(25)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    assert kernel.forces(random_motion(rng, robot, (0,))).shape == (0, 6)
+    motion = random_motion(rng, robot, (2, 3, 5))
+    flat = kernel.forces(motion, threads=2).reshape(-1, 6)
+    assert (flat[17] == kernel.forces(motion[1, 0, 2])).all()
+
+
+def test_threads_may_share_a_prepared_kernel() -> None:
+    rng = np.random.default_rng(26)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    motion = random_motion(rng, robot, (200,))
+    expected = kernel.forces(motion)
+    wrong: list[int] = []
+
+    def hammer(number: int) -> None:
+        for _ in range(50):
+            if not (kernel.forces(motion) == expected).all():
+                wrong.append(number)
+
+    workers = [threading.Thread(target=hammer, args=(i,)) for i in range(8)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert not wrong
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"), [({"formulation": "x"}, "formulation"), ({"precision": "half"}, "precision")]
+)
+def test_unknown_options_are_named(arguments: dict, name: str) -> None:
+    with pytest.raises(ValueError, match=rf"^{name}: expected"):
+        ss.prepare(dasgupta(), **arguments)
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
+def test_bad_thread_counts_are_named(threads) -> None:
+    with pytest.raises(ValueError, match=r"^threads: expected"):
+        ss.prepare(dasgupta()).forces(at_rest([0.1, 0, 0.5]), threads=threads)
+
+
+def test_the_prepared_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
+    for kernel in ("exact", "paper", "exact_spherical", "paper_spherical"):
+        for name, text in c_sources(f"{kernel}_forces").items():
+            (tmp_path / name).write_text(text)
+        program = f"""#include <stdio.h>
+#include "stewart_{kernel}_forces.h"
+int main(void)
+{{
+    printf("%d", (int)(sizeof(stewart_{kernel}_model) / sizeof(stewart_real)));
+    return 0;
+}}
+"""
+        (tmp_path / "main.c").write_text(program)
+        subprocess.run(["gcc", "main.c", "-o", "size"], check=True, cwd=tmp_path)
+        done = subprocess.run(["./size"], check=True, capture_output=True, text=True, cwd=tmp_path)
+        assert int(done.stdout) == module(kernel).MODEL_NUMBERS
+
+
+def test_batches_take_no_memory_beyond_inputs_and_outputs() -> None:
+    """Peak memory of a large batch, measured in a process of its own."""
+    code = """
+import resource, warnings, numpy as np, stewart_sym as ss
+warnings.simplefilter("ignore")
+kernel = ss.prepare(ss.robots.dasgupta1998())
+path, _ = ss.PATHS["I"]
+motion = path.sample(np.linspace(0, 6, 200_000))
+kernel.forces(motion[:8])
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+F, status = kernel._batch(motion, 1)
+after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+print((after - before) * 1024, F.nbytes + status.nbytes)
+"""
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    grown, outputs = map(int, done.stdout.split())
+    inputs = 200_000 * 24 * 8
+    assert grown <= outputs + inputs + 2**22
