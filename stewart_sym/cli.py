@@ -171,7 +171,7 @@ def _benchmark() -> tuple[ModuleType, ModuleType]:
         from .studies import bench, bench_plot
     except ImportError:
         raise ImportError(
-            'bench needs CasADi, Pinocchio and Matplotlib: pip install casadi pin matplotlib'
+            "bench needs CasADi, Pinocchio and Matplotlib: pip install casadi pin matplotlib"
         ) from None
     return bench, bench_plot
 

@@ -5,6 +5,9 @@ batches and threads, and no equation.
 """
 
 import ctypes
+import functools
+import math
+import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -24,7 +27,8 @@ Precision = Literal["double", "float"]
 
 LANES = 8
 _MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
-_NUMBERS = 30
+_WIDTHS = tuple(math.prod(shape) for shape in _MOTION.values())
+_NUMBERS = sum(_WIDTHS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,8 +95,7 @@ class ForceKernel:
             for part in parts:
                 self._run(arrays, F, status, *part)
         else:
-            with ThreadPoolExecutor(len(parts)) as pool:
-                list(pool.map(lambda part: self._run(arrays, F, status, *part), parts))
+            list(_pool(threads, os.getpid()).map(lambda part: self._run(arrays, F, status, *part), parts))
 
     def _batch(self, motion: Motion, threads: int) -> tuple[Array, NDArray[np.int32]]:
         arrays = [self._laid_out(motion, name) for name in _MOTION]
@@ -104,10 +107,9 @@ class ForceKernel:
     def _run(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
     ) -> None:
-        widths = [int(np.prod(shape)) for shape in _MOTION.values()]
-        pointers = [_offset(array, start * width) for array, width in zip(arrays, widths, strict=True)]
+        pointers = [_offset(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
         self._function("forces_batch")(
-            ctypes.c_void_p(self.model.ctypes.data),
+            _offset(self.model, 0),
             ctypes.c_size_t(count),
             (ctypes.c_void_p * len(pointers))(*pointers),
             _offset(F, start * 6),
@@ -141,7 +143,7 @@ class OnePose:
             raise AttributeError(name)
         start = 0
         for other, shape in _MOTION.items():
-            width = int(np.prod(shape))
+            width = math.prod(shape)
             if other == name:
                 return self.numbers[start : start + width].reshape(shape)
             start += width
@@ -167,13 +169,23 @@ def prepare(robot: Robot, formulation: Formulation = "exact", precision: Precisi
     return ForceKernel(robot, formulation, precision, model)
 
 
+@functools.cache
 def _function(name: str, precision: Precision, what: str) -> Any:
     defines = ("STEWART_FLOAT",) if precision == "float" else ()
     return getattr(library(f"{name}_forces", defines), f"stewart_{name}_{what}")
 
 
+@functools.cache
+def _pool(threads: int, process: int) -> ThreadPoolExecutor:
+    """Threads of a process that wait for work; starting them anew costs more than a small batch."""
+    return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
+
+
 def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
-    return ctypes.c_void_p(None if array is None else array.ctypes.data + entries * array.itemsize)
+    """Where an entry of a contiguous array lies; null for None."""
+    if array is None:
+        return ctypes.c_void_p(None)
+    return ctypes.c_void_p(array.__array_interface__["data"][0] + entries * array.itemsize)
 
 
 def _thread_count(threads: int) -> int:

@@ -1,7 +1,9 @@
 """The figures in the README are those that the code computes."""
 
+import json
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +16,8 @@ from stewart_sym import reference
 from stewart_sym.kernel import module
 from stewart_sym.studies.reproduce import work_energy
 
-README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+README_FOLDER = Path(__file__).parent.parent
+README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
 
 
 def row(label: str) -> list[str]:
@@ -77,17 +80,24 @@ def test_fault_2_costs_at_rest_what_the_readme_says() -> None:
 
 @pytest.mark.parametrize("formulation", ["paper", "exact"])
 def test_operations_in_the_readme_are_those_of_the_kernels(formulation: str) -> None:
-    operations = module(formulation).OPERATIONS
-    counts = [sum(operations[label]["total"]) for label in ("frictionless", "friction")]
-    assert row(f"`{formulation}`") == [str(count) for count in counts]
+    kernel = module(formulation)
+    for label, counts in (("", kernel.OPERATIONS), (", forces alone", kernel.FORCE_OPERATIONS)):
+        totals = [str(sum(counts[kind]["total"])) for kind in ("frictionless", "friction")]
+        assert row(f"`{formulation}`{label}") == totals
+
+
+def test_times_in_the_readme_are_those_of_the_benchmark() -> None:
+    found = json.loads((README_FOLDER / ".docs" / "bench.json").read_text(encoding="utf-8"))
+    for figure in (*found["ours"], *found["peers"]):
+        assert row(figure["name"]) == [f"{figure['median']:.0f}", f"{figure['ratio_to_casadi']:.2f}"]
 
 
 def test_python_example_runs_as_printed() -> None:
-    code = re.search(r"```python\n(.*?)```", README, re.DOTALL)
-    assert code
-    names: dict[str, object] = {}
-    exec(code[1], names)
-    assert np.isfinite(names["r"].F).all()  # type: ignore[attr-defined]
+    blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    names: dict[str, Any] = {}
+    exec("\n".join(blocks), names)
+    assert np.isfinite(names["r"].F).all()
+    assert names["status"] == 0
 
 
 def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:

@@ -154,7 +154,9 @@ OURS = (
     Contestant(
         BATCH, "C, F alone", "batch", MANY, _batch("double", 1), sweep=True, operations=_force_operations
     ),
-    Contestant(ALL_CORES, "C, F alone", "batch", MANY, _batch("double", CORES), operations=_force_operations),
+    Contestant(
+        ALL_CORES, "C, F alone", "batch", 20 * MANY, _batch("double", CORES), operations=_force_operations
+    ),
     Contestant(
         "batch, float",
         "C, F alone",
@@ -371,7 +373,7 @@ def _differences(
     answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
     for name, tolerance, runner in answers:
         runner.run(1)
-        F = runner.F()
+        F = runner.F()[: len(truth)]
         found[name] = float(np.max(np.abs(F - truth[: len(F)]) / largest[: len(F)]))
         if not found[name] <= tolerance:
             raise ValueError(
