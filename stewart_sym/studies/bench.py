@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import forces, kernel, native, reference
-from ..dynamics import inverse_dynamics
+from ..dynamics import Formulation, inverse_dynamics
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
@@ -49,7 +49,7 @@ Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 Key = TypeVar("Key")
 
-NAME = "exact"
+NAME: Formulation = "exact"
 """The kernel that is measured."""
 
 ROUNDS, QUICK_ROUNDS = 41, 9
