@@ -132,7 +132,7 @@ def source(kernel: Kernel, version: str) -> str:
     name = kernel.formulation.kernel_name
     has_pole = any(out.quantity == n.k3 for out in kernel.leg.outputs)
     parts = [
-        _SOURCE_TOP.format(name=name, version=version),
+        _SOURCE_TOP.format(name=name, version=version) + ARITHMETIC,
         _output_struct(kernel.leg, "leg_terms"),
         _output_struct(kernel.platform, "platform_terms"),
         _output_struct(kernel.reactions, "reaction_terms"),
@@ -362,13 +362,7 @@ int stewart_{name}_joint_reactions_batch(
 #endif
 """
 
-_SOURCE_TOP = """\
-/* stewart_{name}.c: see stewart_{name}.h.
- *
- * Written by stewart-sym {version}; do not edit.
- */
-#include "stewart_{name}.h"
-
+ARITHMETIC = """\
 #if !defined(STEWART_REAL)
 #include <float.h>
 #include <math.h>
@@ -387,6 +381,16 @@ _SOURCE_TOP = """\
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
+"""
+"""Macros that every source needs: square root, size, rounding unit and range of the arithmetic."""
+
+_SOURCE_TOP = """\
+/* stewart_{name}.c: see stewart_{name}.h.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ */
+#include "stewart_{name}.h"
+
 """
 
 _POLE_CHECK = """\

@@ -10,7 +10,7 @@ from ..block import Block, Output, Quantity
 from ..operations import force_operations
 from ..reduce import share
 from ..regroup import ADDED, PLATFORM, Bm, ForceKernel
-from .c import operations_table, size, step_lines, wrap_list
+from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
 from .infix import infix, wrap
 
 LANES = 8
@@ -37,7 +37,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     pole = any(out.quantity == n.k3 for out in leg.outputs)
     constants = _leg_constants(kernel)
     parts = [
-        _TOP.format(name=name, version=version),
+        _TOP.format(name=name, version=version) + ARITHMETIC + _MACROS,
         _structs(leg),
         _prepare_function(share(kernel.prepare_leg), "prepared_leg"),
         _prepare_function(share(kernel.prepare_platform), "prepared_platform"),
@@ -339,30 +339,15 @@ _TOP = """\
  */
 #include "stewart_{name}_forces.h"
 
-#if !defined(STEWART_REAL)
-#include <float.h>
-#include <math.h>
-#if defined(STEWART_FLOAT)
-#define STEWART_SQRT(value) sqrtf(value)
-#define STEWART_FABS(value) fabsf(value)
-#define STEWART_EPSILON FLT_EPSILON
-#define STEWART_MAX FLT_MAX
-#else
-#define STEWART_SQRT(value) sqrt(value)
-#define STEWART_FABS(value) fabs(value)
-#define STEWART_EPSILON DBL_EPSILON
-#define STEWART_MAX DBL_MAX
-#endif
-#endif
+"""
 
+_MACROS = """
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 

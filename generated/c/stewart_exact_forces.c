@@ -20,14 +20,15 @@
 #endif
 #endif
 
+/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 

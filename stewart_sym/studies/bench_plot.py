@@ -4,7 +4,6 @@ Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench
 """
 
 import textwrap
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
 from .bench import SHORTEST, Benchmark, Figure
+from .table import aligned
 
 WIDTH = 110
 
@@ -69,7 +69,7 @@ def _contestants(found: Benchmark) -> str:
         )
         for name, value in found.limits.items()
     ]
-    return _aligned(header, rows, left=2)
+    return aligned(header, rows, left=2)
 
 
 def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
@@ -108,7 +108,7 @@ def _calls(found: Benchmark) -> str:
         )
         for figure in found.calls
     ]
-    return _aligned(header, rows)
+    return aligned(header, rows)
 
 
 def _sizes(found: Benchmark) -> str:
@@ -126,7 +126,7 @@ def _sizes(found: Benchmark) -> str:
     ]
     rounds = {figure.poses: len(figure.raw) for figure in found.sweep}
     rows.append(("rounds", *(str(rounds[size]) for size in sizes), ""))
-    return _aligned(header, rows)
+    return aligned(header, rows)
 
 
 def _count(figure: Figure) -> str:
@@ -139,20 +139,6 @@ def _spread(figure: Figure) -> str:
 
 def _number(value: float) -> str:
     return f"{value:.1f}" if value < 1000 else f"{value:.0f}"
-
-
-def _aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
-    """Columns as wide as their widest cell; the first ``left`` of them flush left, the others right."""
-    table = [header, *rows]
-    widths = [max(len(row[i]) for row in table) for i in range(len(header))]
-    lines = [
-        "  ".join(
-            cell.ljust(width) if i < left else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in table
-    ]
-    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
 
 
 # --- the picture ------------------------------------------------------------------------------

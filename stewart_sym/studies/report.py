@@ -19,6 +19,7 @@ from .claims import (
     counted_fractions,
 )
 from .reproduce import Operations, Reproduction
+from .table import aligned
 
 WIDTH = 110
 
@@ -90,7 +91,7 @@ def _fault_table(found: Reproduction) -> str:
     ]
     return _section(
         "(b) What the faults of the printed equations cost",
-        _aligned(header, cells),
+        aligned(header, cells),
         "RMS over all legs and instants of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
         "rest: on the same poses, with rates and accelerations 0. Fault 4 is a slip in print that (35) "
         "doesn't have.",
@@ -105,7 +106,7 @@ def _energy_table(found: Reproduction) -> str:
     ]
     return _section(
         "(c) Work of the actuators beside the gain of energy",
-        _aligned(header, cells, left=2),
+        aligned(header, cells, left=2),
         "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
         "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
         "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
@@ -128,7 +129,7 @@ def _operations_table(found: Reproduction) -> str:
     ]
     return _section(
         "(d) Operations of one time-step",
-        _aligned(header, cells) + "\n\n" + _aligned(header_apart, apart),
+        aligned(header, cells) + "\n\n" + aligned(header_apart, apart),
         "+, -, *, / and sqrt count one each; negation, copies and what is prepared once per robot are free. "
         "In all: six legs, platform, final system (sum of c, solution of H x = c with pivoting, F = D - x). "
         f"x arm: times the {SERIAL_ARM_FLOPS} operations of a serial arm of six joints (section 4.5). The "
@@ -159,20 +160,6 @@ def _mismatch(share: float) -> str:
 
 def _section(title: str, table: str, notes: str) -> str:
     return "\n".join([title, "=" * len(title), "", table, "", textwrap.fill(notes, WIDTH)])
-
-
-def _aligned(header: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> str:
-    """Columns as wide as their widest cell; the first ``left`` of them flush left, the others right."""
-    table = [header, *rows]
-    widths = [max(len(row[i]) for row in table) for i in range(len(header))]
-    lines = [
-        "  ".join(
-            cell.ljust(width) if i < left else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in table
-    ]
-    return "\n".join([lines[0], "-" * max(map(len, lines)), *lines[1:]])
 
 
 def _wrapped(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[int]) -> str:
