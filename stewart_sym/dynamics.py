@@ -174,15 +174,17 @@ def _checked(result: Result, robot: Robot, motion: Motion, on_singular: str) -> 
     return result
 
 
-def report_faults(status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str) -> None:
-    """Raise or warn, as ``on_singular`` says, if a pose has no answer."""
+def report_faults(
+    status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
+) -> None:
+    """Raise or warn, as ``on_singular`` says, if a pose has no answer; stacklevel: of the user's call."""
     if on_singular == "nan" or not status.any():
         return
     where, reason = first_fault(status, robot, motion)
     text = f"motion[{', '.join(map(str, where))}]: {reason}" if where else f"motion: {reason}"
     if on_singular == "raise":
         raise ValueError(text)
-    warnings.warn(text, SingularPoseWarning, stacklevel=4)
+    warnings.warn(text, SingularPoseWarning, stacklevel=stacklevel)
 
 
 def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:

@@ -8,7 +8,7 @@ import ctypes
 import functools
 import math
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -39,9 +39,21 @@ class ForceKernel:
     """
 
     robot: Robot
-    formulation: Formulation
-    precision: Precision
-    model: Array = field(repr=False)
+    formulation: Formulation = "exact"
+    precision: Precision = "double"
+    model: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the options and let the C prepare its constants."""
+        instance(self.robot, Robot, "robot")
+        option(self.formulation, FORMULATIONS, "formulation")
+        option(self.precision, ("double", "float"), "precision")
+        numbers = robot_numbers(self.robot).astype(self.dtype)
+        kernel = module(kernel_name(self.formulation, self.robot.base_joint))
+        model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
+        self._function("prepare")(_offset(numbers, 0), _offset(model, 0))
+        model.setflags(write=False)
+        object.__setattr__(self, "model", model)
 
     @property
     def dtype(self) -> type[np.floating[Any]]:
@@ -57,7 +69,7 @@ class ForceKernel:
         option(on_singular, ON_SINGULAR, "on_singular")
         need_motion(self.robot, motion)
         F, status = self._batch(motion, threads)
-        report_faults(status, self.robot, motion, on_singular)
+        report_faults(status, self.robot, motion, on_singular, stacklevel=3)
         return F
 
     def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
@@ -67,11 +79,7 @@ class ForceKernel:
 
     def one_pose(self) -> "OnePose":
         """Buffers for one pose at a time, for loops where every microsecond counts."""
-        numbers = np.zeros(_NUMBERS, dtype=self.dtype)
-        F = np.full(6, np.nan, dtype=self.dtype)
-        call = self._function("forces")
-        addresses = [ctypes.c_void_p(array.ctypes.data) for array in (self.model, numbers, F)]
-        return OnePose(self, F, numbers, lambda: int(call(*addresses)))
+        return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
 
     def forces_into(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
@@ -83,19 +91,28 @@ class ForceKernel:
 
         Raises ValueError naming the array whose type or layout is another.
         """
-        for name, array in (*zip(_MOTION, arrays, strict=True), ("F", F)):
-            if array is not None and (array.dtype != self.dtype or not array.flags.c_contiguous):
-                raise ValueError(f"{name}: expected a C-contiguous array of {self.dtype.__name__}")
-        if status.dtype != np.int32 or not status.flags.c_contiguous:
-            raise ValueError("status: expected a C-contiguous array of int32")
         count = status.size
+        if status.dtype != np.int32 or not (status.flags.c_contiguous and status.flags.writeable):
+            raise ValueError("status: expected a writeable C-contiguous array of int32")
+        for name, array, width in (*zip(_MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
+            if array is None and name in ("F_ext", "M_ext"):
+                continue
+            if not isinstance(array, np.ndarray) or array.dtype != self.dtype or not array.flags.c_contiguous:
+                raise ValueError(f"{name}: expected a C-contiguous array of {self.dtype.__name__}")
+            if array.size != count * width:
+                raise ValueError(
+                    f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
+                )
+        if not F.flags.writeable:
+            raise ValueError("F: expected a writeable array")
         share = -(-count // (_thread_count(threads) * LANES)) * LANES
         parts = [(start, min(share, count - start)) for start in range(0, count, share)] if count else []
         if len(parts) < 2:
             for part in parts:
                 self._run(arrays, F, status, *part)
         else:
-            list(_pool(threads, os.getpid()).map(lambda part: self._run(arrays, F, status, *part), parts))
+            workers = _pool(min(len(parts), os.cpu_count() or 1), os.getpid())
+            list(workers.map(lambda part: self._run(arrays, F, status, *part), parts))
 
     def _batch(self, motion: Motion, threads: int) -> tuple[Array, NDArray[np.int32]]:
         arrays = [self._laid_out(motion, name) for name in _MOTION]
@@ -135,9 +152,22 @@ class OnePose:
     kernel: ForceKernel
     F: Array
     numbers: Array
-    solve: Callable[[], int]
 
-    def __getattr__(self, name: str) -> Array:
+    def __post_init__(self) -> None:
+        """Look the function and the addresses up once; the buffers live as long as this object."""
+        addresses = tuple(_offset(array, 0) for array in (self.kernel.model, self.numbers, self.F))
+        object.__setattr__(self, "_call", self.kernel._function("forces"))
+        object.__setattr__(self, "_addresses", addresses)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles get buffers, and so addresses, of their own."""
+        return OnePose, (self.kernel, self.F, self.numbers)
+
+    def solve(self) -> int:
+        """Compute F from the numbers in place; returns the status."""
+        return int(self._call(*self._addresses))
+
+    def __getattr__(self, name: str) -> Any:
         """View of one input by name."""
         if name not in _MOTION:
             raise AttributeError(name)
@@ -155,18 +185,7 @@ def prepare(robot: Robot, formulation: Formulation = "exact", precision: Precisi
 
     Raises ValueError for an unknown formulation or precision, native.CompilerError without a C compiler.
     """
-    instance(robot, Robot, "robot")
-    option(formulation, FORMULATIONS, "formulation")
-    option(precision, ("double", "float"), "precision")
-    name = kernel_name(formulation, robot.base_joint)
-    dtype = np.float64 if precision == "double" else np.float32
-    numbers = robot_numbers(robot).astype(dtype)
-    model = np.zeros(module(name).MODEL_NUMBERS, dtype=dtype)
-    _function(name, precision, "prepare")(
-        ctypes.c_void_p(numbers.ctypes.data), ctypes.c_void_p(model.ctypes.data)
-    )
-    model.setflags(write=False)
-    return ForceKernel(robot, formulation, precision, model)
+    return ForceKernel(robot, formulation, precision)
 
 
 @functools.cache
@@ -189,6 +208,6 @@ def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
 
 
 def _thread_count(threads: int) -> int:
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
         raise ValueError(f"threads: expected a whole number of at least 1, got {threads!r}")
-    return threads
+    return int(threads)

@@ -1,5 +1,9 @@
 """The fast force kernels: right, the same whatever the batch, and never disturbed by a bad neighbour."""
 
+import copy
+import dataclasses
+import gc
+import pickle
 import subprocess
 import sys
 import threading
@@ -222,3 +226,67 @@ print((after - before) * 1024, F.nbytes + status.nbytes)
     grown, outputs = map(int, done.stdout.split())
     inputs = 200_000 * 24 * 8
     assert grown <= outputs + inputs + 2**22
+
+
+def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> None:
+    rng = np.random.default_rng(27)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    slot = ss.prepare(robot).one_pose()
+    for name in FIELDS:
+        getattr(slot, name)[...] = getattr(motion, name)
+    twin = copy.deepcopy(slot)
+    sent = pickle.loads(pickle.dumps(slot))
+    slot.numbers[...] = np.nan
+    assert slot.solve() != 0
+    for other in (twin, sent):
+        assert other.solve() == 0
+        assert (other.F == ss.prepare(robot).forces(motion)).all()
+    solve = twin.solve
+    del twin
+    gc.collect()
+    assert solve() == 0
+
+
+def test_a_changed_copy_of_a_kernel_is_prepared_anew() -> None:
+    rng = np.random.default_rng(28)
+    robot, other = random_robot(rng), random_robot(rng)
+    motion = random_motion(rng, robot, (3,))
+    kernel = ss.prepare(robot)
+    changed = dataclasses.replace(kernel, formulation="paper")
+    assert (changed.forces(motion) == ss.prepare(robot, "paper").forces(motion)).all()
+    moved = dataclasses.replace(kernel, robot=other)
+    assert (moved.forces(motion, on_singular="nan") == ss.prepare(other).forces(motion)).all()
+
+
+def test_given_arrays_that_do_not_fit_are_named() -> None:
+    rng = np.random.default_rng(29)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (4,))
+    kernel = ss.prepare(robot)
+    arrays = [np.ascontiguousarray(getattr(motion, name)) for name in FIELDS]
+    F, status = np.zeros((4, 6)), np.zeros(4, dtype=np.int32)
+    kernel.forces_into(arrays, F, status)
+    frozen = F.copy()
+    frozen.setflags(write=False)
+    bad = [
+        ("R", ([None, *arrays[1:]], F, status)),
+        ("t", ([arrays[0], arrays[1].astype(np.float32), *arrays[2:]], F, status)),
+        ("omega", ([*arrays[:2], arrays[2][:3], *arrays[3:]], F, status)),
+        ("F", (arrays, F[:3], status)),
+        ("F", (arrays, frozen, status)),
+        ("status", (arrays, F, status.astype(np.int64))),
+    ]
+    for name, arguments in bad:
+        with pytest.raises(ValueError, match=rf"^{name}: expected"):
+            kernel.forces_into(*arguments)  # type: ignore[arg-type]
+
+
+def test_a_warning_points_at_the_line_of_the_caller() -> None:
+    robot, bad = CASES["short"][0]()
+    kernel = ss.prepare(robot)
+    with pytest.warns(ss.SingularPoseWarning) as fast:
+        kernel.forces(bad, on_singular="warn")
+    with pytest.warns(ss.SingularPoseWarning) as full:
+        ss.inverse_dynamics(robot, bad, on_singular="warn")
+    assert [warning.filename for warning in (*fast, *full)] == [__file__, __file__]
