@@ -43,13 +43,13 @@ def imports(module: str, only_top: bool = False) -> set[str]:
 
 
 def statements(module: str, only_top: bool = False) -> Iterator[ast.Import | ast.ImportFrom]:
-    todo: list[ast.AST] = [ast.parse(SOURCES[module].read_text(encoding="utf-8"))]
-    while todo:
-        node = todo.pop()
+    waiting: list[ast.AST] = [ast.parse(SOURCES[module].read_text(encoding="utf-8"))]
+    while waiting:
+        node = waiting.pop()
         if isinstance(node, ast.Import | ast.ImportFrom):
             yield node
         if not (only_top and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)):
-            todo.extend(ast.iter_child_nodes(node))
+            waiting.extend(ast.iter_child_nodes(node))
 
 
 def targets(module: str, node: ast.Import | ast.ImportFrom) -> Iterator[str]:
@@ -116,12 +116,12 @@ def test_only_commands_know_the_derivation_and_the_command_line_asks_for_it_when
 
 def reachable(module: str) -> set[str]:
     """All that importing a module imports."""
-    found, todo = set(), [module]
-    while todo:
-        name = todo.pop()
+    found, waiting = set(), [module]
+    while waiting:
+        name = waiting.pop()
         if name not in found:
             found.add(name)
-            todo.extend(imports(name, only_top=True) if name in SOURCES else ())
+            waiting.extend(imports(name, only_top=True) if name in SOURCES else ())
     return found
 
 

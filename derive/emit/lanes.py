@@ -5,6 +5,8 @@ body of a loop over lanes, which compilers turn into vector instructions by them
 portable C where they don't. Knows layout and solving, no dynamics.
 """
 
+from collections.abc import Iterable
+
 from .. import notation as n
 from ..block import Block, Output, Quantity
 from ..operations import force_operations
@@ -92,7 +94,7 @@ def _prepare_function(block: Block, struct: str) -> str:
     body = [
         *unused,
         *loads,
-        *(line for line in step_lines(block.steps, "    ")),
+        *step_lines(block.steps, "    "),
         *_stores(block.outputs, "", "    "),
     ]
     return "\n".join(
@@ -115,25 +117,21 @@ def _owner_of_raw(quantity: Quantity) -> str:
 
 
 def _prepare(constants: list[Quantity]) -> str:
-    copies = []
-    for q in constants:
-        for i in range(size(q)):
-            index = f"[{i}]" if q.shape else ""
-            copies.append(f"        model->{q.name}{index}[i] = found.{q.name}{index};")
-    sums = []
-    for q in ADDED:
-        for i in range(size(q)):
-            index = f"[{i}]" if q.shape else ""
-            sums.append((f"{q.name}{index}",))
-    zero = "\n".join(f"    sum.{name} = 0;" for (name,) in sums)
-    add = "\n".join(f"        sum.{name} = sum.{name} + found.{name};" for (name,) in sums)
-    platform = []
-    for q in PLATFORM:
-        for i in range(size(q)):
-            index = f"[{i}]" if q.shape else ""
-            platform.append(f"    model->{q.name}{index} = platform.{q.name}{index};")
-    text = _PREPARE.replace("@COPIES@", "\n".join(copies)).replace("@ZERO@", zero)
-    return text.replace("@ADD@", add).replace("@PLATFORM@", "\n".join(platform))
+    parts = {
+        "@COPIES@": [f"        model->{name}[i] = found.{name};" for name in _entries(constants)],
+        "@ZERO@": [f"    sum.{name} = 0;" for name in _entries(ADDED)],
+        "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in _entries(ADDED)],
+        "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in _entries(PLATFORM)],
+    }
+    text = _PREPARE
+    for mark, lines in parts.items():
+        text = text.replace(mark, "\n".join(lines))
+    return text
+
+
+def _entries(quantities: Iterable[Quantity]) -> list[str]:
+    """``h[0]``, ``h[1]``, ``h[2]``, ``g_k``: the stored numbers of the quantities, in order."""
+    return [q.name + (f"[{i}]" if q.shape else "") for q in quantities for i in range(size(q))]
 
 
 # ---------------------------------------------------------------- loads and stores
