@@ -171,10 +171,18 @@ class Builder:
     steps: list[Step] = field(default_factory=list)
 
     def scalar(self, name: str, expr: sp.Expr, equation: str = "", meaning: str = "") -> sp.Expr:
-        """Name ``expr``; a number or a symbol needs no name and is handed back as it is."""
+        """Name ``expr``; a number or a symbol needs no name and is handed back as it is.
+
+        Raises ValueError if the name stands for another expression already.
+        """
         expr = sp.sympify(expr)
         if expr.is_Atom or (-expr).is_Atom:
             return expr
+        for step in self.steps:
+            if step.name == name and step.expr != expr:
+                raise ValueError(f"{name}: expected a name of its own, it stands for {step.expr}")
+            if step.name == name:
+                return step.symbol
         self.steps.append(Step(name, expr, equation, meaning))
         return self.steps[-1].symbol
 

@@ -15,7 +15,7 @@ from .formulation import FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .operations import force_operations, kernel_operations
 from .reduce import share
-from .regroup import force_kernel
+from .regroup import ForceKernel, force_kernel
 
 
 def generator_version() -> str:
@@ -27,6 +27,22 @@ def reduced(form: Formulation, friction: bool = True) -> Kernel:
     """The kernel as it is emitted: derived, then shared."""
     raw = kernel(form, friction)
     return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
+
+
+def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
+    """The kernel of the forces alone as it is emitted: derived, regrouped, then shared."""
+    return shared_blocks(force_kernel(form, friction))
+
+
+def shared_blocks(raw: ForceKernel) -> ForceKernel:
+    """The kernel with every subexpression that occurs twice in a block computed once."""
+    return replace(
+        raw,
+        prepare_leg=share(raw.prepare_leg),
+        prepare_platform=share(raw.prepare_platform),
+        shared=share(raw.shared),
+        leg=share(raw.leg),
+    )
 
 
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
@@ -43,7 +59,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
         files[f"c/stewart_{form.kernel_name}.h"] = c.header(built, *counts, version)
         files[f"c/stewart_{form.kernel_name}.c"] = c.source(built, version)
-        forces, smooth = force_kernel(form), force_kernel(form, friction=False)
+        forces, smooth = reduced_forces(form), reduced_forces(form, friction=False)
         force_counts = force_operations(forces), force_operations(smooth)
         fast = f"c/stewart_{form.kernel_name}_forces"
         files[f"{fast}.h"] = lanes.header(forces, smooth, version)

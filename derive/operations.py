@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 from .block import Operations
 from .kernels import Kernel
-from .reduce import share
 from .regroup import ForceKernel
 
 LEGS = 6
@@ -41,12 +40,17 @@ class KernelOperations:
         }
 
 
-def elimination(size: int) -> Operations:
-    """Gaussian elimination of ``size`` equations with one right side, reciprocal pivots."""
-    below = size * (size - 1) // 2
-    update = sum((size - i - 1) * (size - i - 1) for i in range(size))
-    products = below + update + below + below + size
-    return Operations(mul=products, add=update + 2 * below, div=size)
+def elimination(size: int, first_column: int | None = None, last_divided: bool = False) -> Operations:
+    """Gaussian elimination of ``size`` equations with one right side, reciprocal pivots.
+
+    first_column: how many rows have an entry in the first column; None for all. last_divided: the last
+    unknown is had by division instead of a reciprocal and a product.
+    """
+    below = [size - k - 1 for k in range(size)]
+    below[0] = (first_column or size) - 1
+    update = sum(rows * (size - k) for k, rows in enumerate(below))
+    back = size * (size - 1) // 2
+    return Operations(mul=sum(below) + update + back + size - last_divided, add=update + back, div=size)
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
@@ -61,11 +65,11 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
 
 
 def force_operations(kernel: ForceKernel) -> KernelOperations:
-    """Counts of a regrouped kernel after sharing; ``platform`` holds what the pose has for all legs."""
+    """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs."""
     return KernelOperations(
-        leg=share(kernel.leg).operations(),
-        platform=share(kernel.shared).operations(),
+        leg=kernel.leg.operations(),
+        platform=kernel.shared.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=elimination(LEGS),
+        solve=elimination(LEGS, 3 if kernel.about_base_point else LEGS, last_divided=True),
         forces=Operations(add=LEGS),
     )

@@ -45,22 +45,22 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (154, 106, 2, 2),
-        "platform": (93, 87, 0, 0),
+        "platform": (99, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (106, 85, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1123, 850, 18, 12),
+        "total": (1107, 841, 18, 12),
     },
     "frictionless": {
         "leg": (135, 91, 2, 2),
-        "platform": (90, 84, 0, 0),
+        "platform": (96, 93, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (106, 85, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1006, 757, 18, 12),
+        "total": (990, 748, 18, 12),
     },
 }
-MODEL_NUMBERS = 217
+MODEL_NUMBERS = 220
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

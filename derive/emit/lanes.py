@@ -7,15 +7,19 @@ portable C where they don't. Knows layout and solving, no dynamics.
 
 from collections.abc import Iterable
 
+import sympy as sp
+
 from .. import notation as n
 from ..block import Block, Output, Quantity
 from ..operations import force_operations
-from ..reduce import share
-from ..regroup import ADDED, PLATFORM, Bm, ForceKernel
+from ..prepared import ADDED, r, t_1
+from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
 from .infix import infix, wrap
 
 LANES = 8
+_JUDGED = (n.q, n.S_1, n.L, n.k3)
+_RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
 def header(kernel: ForceKernel, frictionless: ForceKernel, version: str) -> str:
@@ -27,40 +31,36 @@ def header(kernel: ForceKernel, frictionless: ForceKernel, version: str) -> str:
         guard=f"STEWART_{name.upper()}_FORCES_H",
         version=version,
         operations=counts,
-        legs="\n".join(_member(q, f"[{LANES}]") for q in _leg_constants(kernel)),
-        platform="\n".join(_member(q, "") for q in PLATFORM),
+        legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
+        platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
     )
 
 
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
     name = kernel.formulation.kernel_name
-    leg, shared = share(kernel.leg), share(kernel.shared)
-    pole = any(out.quantity == n.k3 for out in leg.outputs)
-    constants = _leg_constants(kernel)
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + _MACROS,
-        _structs(leg),
-        _prepare_function(share(kernel.prepare_leg), "prepared_leg"),
-        _prepare_function(share(kernel.prepare_platform), "prepared_platform"),
-        _prepare(constants).replace("@NAME@", name),
-        _scalar_shared(shared).replace("@NAME@", name),
-        _block_shared(shared).replace("@NAME@", name),
-        _lane_function(leg, "legs_of_pose", over_legs=True, pole=pole).replace("@NAME@", name),
-        _lane_function(leg, "leg_of_block", over_legs=False, pole=pole).replace("@NAME@", name),
-        _POSE.replace("@NAME@", name),
-        _BATCH.replace("@NAME@", name).replace("@LOADS@", _transposed()).replace("@SOLVE@", _solve_block()),
+        _structs(kernel),
+        _prepare_function(kernel.prepare_leg, "prepared_leg"),
+        _prepare_function(kernel.prepare_platform, "prepared_platform"),
+        _prepare(kernel),
+        _scalar_shared(kernel.shared),
+        _legs_of_pose(kernel),
+        _solve_pose(kernel.about_base_point),
+        _POSE,
+        _BLOCK,
+        _block_shared(kernel.shared),
+        _leg_of_block(kernel),
+        _solve_block(kernel.about_base_point),
+        _BATCH.replace("@LOADS@", _transposed()).replace("@ONE@", _copied()),
     ]
-    return "\n".join(parts)
+    return "\n".join(parts).replace("@NAME@", name)
 
 
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
-    return LANES * sum(size(q) for q in _leg_constants(kernel)) + sum(size(q) for q in PLATFORM)
-
-
-def _leg_constants(kernel: ForceKernel) -> list[Quantity]:
-    return [out.quantity for out in kernel.prepare_leg.outputs if out.quantity not in ADDED]
+    return LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
 
 
 def _dims(quantity: Quantity) -> str:
@@ -73,11 +73,32 @@ def _member(quantity: Quantity, lanes: str) -> str:
     )
 
 
-def _structs(leg: Block) -> str:
-    motion = "\n".join(f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in n.MOTION)
-    outs = [out.quantity for out in leg.outputs if out.quantity not in (n.q, n.L, n.k3)]
-    terms = "\n".join(f"    stewart_real {q.name}{_dims(q)}[{LANES}];" for q in outs)
-    return _STRUCTS.replace("@MOTION@", motion).replace("@TERMS@", terms)
+def _structs(kernel: ForceKernel) -> str:
+    parts = {
+        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in n.MOTION],
+        "@SHARED@": [f"    stewart_real {q.name}[{size(q)}];" for q in _from_pose(kernel)],
+        "@SHARED_LANES@": [
+            f"    stewart_real {q.name}[{size(q)}][{LANES}];"
+            for q in _from_pose(kernel)
+            if q not in _RIGHT_SIDE
+        ],
+        "@TERMS@": [f"    stewart_real {q.name}{_dims(q)}[{LANES}];" for q in _terms(kernel.leg)],
+    }
+    return _filled(_STRUCTS, parts)
+
+
+def _from_pose(kernel: ForceKernel) -> list[Quantity]:
+    return [out.quantity for out in kernel.shared.outputs]
+
+
+def _terms(leg: Block) -> list[Quantity]:
+    return [out.quantity for out in leg.outputs if out.quantity not in _JUDGED]
+
+
+def _filled(text: str, parts: dict[str, list[str]]) -> str:
+    for mark, lines in parts.items():
+        text = text.replace(mark, "\n".join(lines))
+    return text
 
 
 # ---------------------------------------------------------------- preparation
@@ -85,12 +106,13 @@ def _structs(leg: Block) -> str:
 
 def _prepare_function(block: Block, struct: str) -> str:
     members = "\n".join(f"    stewart_real {o.quantity.name}{_dims(o.quantity)};" for o in block.outputs)
-    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    used = _used(block)
     loads = [line for q in block.inputs for line in _loads(q, _owner_of_raw(q), "", used, "    ")]
-    has_leg = any(q in n.LEG for q in block.inputs)
-    arguments = ["const stewart_robot *robot"]
-    arguments += ["const stewart_leg *leg"] if has_leg else ["const prepared_leg *sum"]
-    unused = [] if any(q in n.PLATFORM for q in block.inputs) else ["    (void)robot;"]
+    arguments = [
+        ("robot", "const stewart_robot *robot"),
+        ("leg", "const stewart_leg *leg") if struct == "prepared_leg" else ("sum", "const prepared_leg *sum"),
+    ]
+    unused = [f"    (void){name};" for name, _ in arguments if not any(f"= {name}->" in t for t in loads)]
     body = [
         *unused,
         *loads,
@@ -101,7 +123,7 @@ def _prepare_function(block: Block, struct: str) -> str:
         [
             f"typedef struct {{\n{members}\n}} {struct};\n",
             f"/* {block.meaning[0].upper()}{block.meaning[1:]}. */",
-            f"static void {block.name}({', '.join(arguments)}, {struct} *out)",
+            f"static void {block.name}({', '.join(text for _, text in arguments)}, {struct} *out)",
             "{",
             *body,
             "}",
@@ -116,17 +138,18 @@ def _owner_of_raw(quantity: Quantity) -> str:
     return "sum" if quantity in ADDED else "robot"
 
 
-def _prepare(constants: list[Quantity]) -> str:
+def _prepare(kernel: ForceKernel) -> str:
     parts = {
-        "@COPIES@": [f"        model->{name}[i] = found.{name};" for name in _entries(constants)],
+        "@COPIES@": [
+            f"        model->{name}[i] = found.{name};" for name in _entries(kernel.leg_constants())
+        ],
         "@ZERO@": [f"    sum.{name} = 0;" for name in _entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in _entries(ADDED)],
-        "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in _entries(PLATFORM)],
+        "@PLATFORM@": [
+            f"    model->{name} = platform.{name};" for name in _entries(kernel.platform_constants())
+        ],
     }
-    text = _PREPARE
-    for mark, lines in parts.items():
-        text = text.replace(mark, "\n".join(lines))
-    return text
+    return _filled(_PREPARE, parts)
 
 
 def _entries(quantities: Iterable[Quantity]) -> list[str]:
@@ -139,12 +162,11 @@ def _entries(quantities: Iterable[Quantity]) -> list[str]:
 
 def _loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
     """``const stewart_real p_x = leg->p[0]<lane>, ...;`` for the components that are used."""
+    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
     if not quantity.shape:
-        return [f"{indent}const stewart_real {quantity.name} = {owner}->{quantity.name}{lane};"]
+        return [f"{indent}const stewart_real {quantity.name} = {owner}->{member}{lane};"]
     parts = [
-        f"{name} = {owner}->{quantity.name}[{i}]{lane}"
-        for i, name in enumerate(quantity.names)
-        if name in used
+        f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
     ]
     return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
 
@@ -159,8 +181,12 @@ def _stores(outputs: tuple[Output, ...], lane: str, indent: str) -> list[str]:
     return lines
 
 
+def _used(block: Block) -> set[str]:
+    return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+
+
 def _scalar_shared(block: Block) -> str:
-    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    used = _used(block)
     loads = [
         line for q in block.inputs for line in _loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
     ]
@@ -169,88 +195,169 @@ def _scalar_shared(block: Block) -> str:
 
 
 def _block_shared(block: Block) -> str:
-    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    used = _used(block)
     outside = [
         line for q in block.inputs if q not in n.MOTION for line in _loads(q, "model", "", used, "    ")
     ]
     inside = [line for q in block.inputs if q in n.MOTION for line in _loads(q, "in", "[l]", used, " " * 8)]
-    body = [*inside, *step_lines(block.steps, " " * 8), *_stores(block.outputs, "[l]", " " * 8)]
-    return _SHARED_BLOCK.replace("@OUTSIDE@", "\n".join(outside)).replace("@BODY@", "\n".join(body))
-
-
-def _lane_function(block: Block, name: str, over_legs: bool, pole: bool) -> str:
-    """The leg's block as the body of a loop over lanes: the legs of a pose, or the poses of a block."""
-    used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
-    used |= {*n.t.names, *n.b.names}
-    inputs = [*block.inputs, *(q for q in (n.t, n.b) if q not in block.inputs)]
-    outside, inside = [], []
-    for q in inputs:
-        if q in (*n.MOTION, Bm):
-            owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
-            varies = not over_legs
-        elif q in PLATFORM:
-            owner, varies = "model", False
-        else:
-            owner, varies = "model", over_legs
-        if varies:
-            inside += _loads(q, owner, "[l]", used, " " * 8)
-        else:
-            lane = "[leg]" if owner == "model" and q not in PLATFORM else ""
-            outside += _loads(q, owner, lane, used, "    ")
-    kept = tuple(out for out in block.outputs if out.quantity not in (n.q, n.L, n.k3))
-    by_name = {out.quantity.name: out.exprs for out in block.outputs}
-    terms = [f"STEWART_FABS({text})" for q in ("q", "t", "b") for text in _texts(by_name.get(q), q)]
-    length = infix(by_name["L"][0], "STEWART_SQRT")
-    sine = infix(by_name["k3"][0], "STEWART_SQRT") if pole else "1"
+    kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
+    right = [e for out in block.outputs if out.quantity in _RIGHT_SIDE for e in out.exprs]
     body = [
         *inside,
         *step_lines(block.steps, " " * 8),
+        *_stores(kept, "[l]", " " * 8),
+        *(_assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
+    ]
+    return _filled(_SHARED_BLOCK, {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _assigned(target: str, text: str) -> str:
+    return wrap(f"{' ' * 8}{target} = {text};", " " * 12)
+
+
+def _legs_of_pose(kernel: ForceKernel) -> str:
+    """The leg's block as the body of a loop over the legs of a pose."""
+    kept = tuple(out for out in kernel.leg.outputs if out.quantity not in _JUDGED)
+    terms, more = _reach_terms(kernel)
+    length, sine = _judged(kernel.leg)
+    outside, inside = _lane_loads(kernel, more, over_legs=True)
+    body = [
+        *inside,
+        *step_lines(kernel.leg.steps, " " * 8),
         *_stores(kept, "[l]", " " * 8),
         *_reach_lines(terms),
         "        out->reach[l] = reach;",
         f"        out->L[l] = {length};",
         f"        out->k3[l] = {sine};",
-        f"        bad = {length} <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;",
-        f"        bad = {length} > STEWART_ROUNDING * reach ? bad : (stewart_real)1;",
-        f"        out->bad[l] = {sine} > STEWART_ROUNDING ? bad : (stewart_real)1;",
+        *_fault_lines(length, sine, "0", "out->bad[l]"),
     ]
-    head = (_LEGS_OF_POSE if over_legs else _LEG_OF_BLOCK).replace("@COUNT@", str(block.operations()))
-    text = head.replace("@OUTSIDE@", "\n".join(outside)).replace("@BODY@", "\n".join(body))
-    return text.replace("@FUNCTION@", name)
+    text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
+    return _filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
 
 
-def _texts(exprs: tuple | None, name: str) -> list[str]:
-    if exprs is None:
-        return [f"{name}_{axis}" for axis in "xyz"]
-    return [infix(expr, "STEWART_SQRT") for expr in exprs]
+def _leg_of_block(kernel: ForceKernel) -> str:
+    """The leg's block as the body of a loop over the poses of a block."""
+    exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
+    terms, more = _reach_terms(kernel)
+    length, sine = _judged(kernel.leg)
+    outside, inside = _lane_loads(kernel, more, over_legs=False)
+    column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
+    right = [*exprs[n.c_force], *exprs[n.c_moment]]
+    body = [
+        *inside,
+        *step_lines(kernel.leg.steps, " " * 8),
+        *(_assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
+        *(_assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
+        _assigned("known[l]", infix(exprs[n.D][0], "STEWART_SQRT")),
+        *(
+            f"        moment[l] = STEWART_LARGER(STEWART_FABS(column[{i}][l]), moment[l]);"
+            for i in range(3, 6)
+        ),
+        *_reach_lines(terms),
+        *_fault_lines(length, sine, "bad[l]", "bad[l]"),
+    ]
+    text = _LEG_OF_BLOCK.replace("@COUNT@", str(kernel.leg.operations()))
+    return _filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _added(expr: sp.Expr) -> str:
+    """`` + (expr)``, with the sign drawn out of a product."""
+    if not expr.is_Add and expr.could_extract_minus_sign():
+        return f" - {infix(-expr, 'STEWART_SQRT')}"
+    return f" + ({infix(expr, 'STEWART_SQRT')})"
+
+
+def _judged(leg: Block) -> tuple[str, str]:
+    """Length and sine of the angle at the universal joint, as text; 1 where there is no such joint."""
+    by_name = {out.quantity: infix(out.exprs[0], "STEWART_SQRT") for out in leg.outputs}
+    return by_name[n.L], by_name.get(n.k3, "1")
+
+
+def _lane_loads(
+    kernel: ForceKernel, more: tuple[Quantity, ...], over_legs: bool
+) -> tuple[list[str], list[str]]:
+    """Loads of what all lanes share, and of what differs from lane to lane."""
+    used = _used(kernel.leg) | {name for q in more for name in q.names}
+    outside, inside = [], []
+    for q in dict.fromkeys((*kernel.leg.inputs, *more)):
+        if q in n.MOTION or q in _from_pose(kernel):
+            owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
+            varies = not over_legs
+        else:
+            owner, varies = "model", over_legs and q not in kernel.platform_constants()
+        if varies:
+            inside += _loads(q, owner, "[l]", used, " " * 8)
+        else:
+            lane = "[leg]" if owner == "model" and q not in kernel.platform_constants() else ""
+            outside += _loads(q, owner, lane, used, "    ")
+    return outside, inside
+
+
+def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
+    """Sizes of the vectors whose sum is S, and the inputs among them."""
+    exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
+    tip = n.S_1 if kernel.about_base_point else n.q
+    inputs = (t_1, r) if kernel.about_base_point else (n.t, n.b)
+    q = n.q.symbols if kernel.about_base_point else exprs[tip]
+    return [
+        f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})"
+        for vector in (q, *(quantity.symbols for quantity in inputs))
+        for expr in vector
+    ], inputs
 
 
 def _reach_lines(terms: list[str]) -> list[str]:
-    lines = ["        stewart_real bad;", f"        stewart_real reach = {terms[0]};"]
-    lines += [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
-    return lines
+    lines = ["        stewart_real fault;", f"        stewart_real reach = {terms[0]};"]
+    return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
 
 
-def _solve_block() -> str:
+def _fault_lines(length: str, sine: str, before: str, after: str) -> list[str]:
+    before = f"(stewart_real){before}" if before == "0" else before
+    return [
+        f"        fault = {length} <= STEWART_MAX ? {before} : (stewart_real)1;",
+        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : (stewart_real)1;",
+        f"        {after} = {sine} > STEWART_ROUNDING ? fault : (stewart_real)1;",
+    ]
+
+
+def _solve_pose(about_base_point: bool) -> str:
+    below = "const int last = k > 0 ? 6 : 3;" if about_base_point else "const int last = 6;"
+    why = " The first column has no moment rows." if about_base_point else ""
+    return _SOLVE_POSE.replace("@LAST@", below).replace("@WHY@", why)
+
+
+def _solve_block(about_base_point: bool) -> str:
     """Elimination with partial pivoting, unrolled: one loop over lanes that never branches.
 
     The row with the largest entry sinks to place k by exchanges that a lane makes or leaves.
     """
     rows, columns = range(6), range(7)
-    body = ["stewart_real " + ", ".join(f"a{i}{j} = A[{i}][{j}][l]" for j in columns) + ";" for i in rows]
+    entries = [[(i, j) for j in columns if not (about_base_point and i > 2 and j == 0)] for i in rows]
+    body = [
+        "stewart_real " + ", ".join(f"a{i}{j} = column[{j}][{i}][l]" for i, j in row) + ";" for row in entries
+    ]
     body.append("stewart_real " + ", ".join(f"s{i} = {'moment[l]' if i > 2 else '1'}" for i in rows) + ";")
+    body.append("stewart_real fault = bad[l];")
     for k in rows:
-        for i in rows[k + 1 :]:
+        below = [i for i in rows[k + 1 :] if (i, k) in entries[i]]
+        for i in below:
             body += _sink(k, i)
-        body.append(f"const stewart_real inverse{k} = 1 / a{k}{k};")
-        for i in rows[k + 1 :]:
+        if k < rows[-1]:
+            body.append(f"const stewart_real inverse{k} = 1 / a{k}{k};")
+        for i in below:
             body.append(f"const stewart_real factor{i}{k} = a{i}{k} * inverse{k};")
             body += [f"a{i}{j} = a{i}{j} - factor{i}{k} * a{k}{j};" for j in columns[k + 1 :]]
-        body.append(f"size[{k}][l] = STEWART_FABS(a{k}{k});")
-        body.append(f"least[{k}][l] = STEWART_ROUNDING * s{k};")
+        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_ROUNDING * s{k} ? fault : (stewart_real)1;")
     for i in reversed(rows):
         body += [f"a{i}6 = a{i}6 - a{i}{j} * a{j}6;" for j in rows[i + 1 :]]
-        body += [f"a{i}6 = a{i}6 * inverse{i};", f"x[{i}][l] = a{i}6;"]
+        body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
+    for i in rows:
+        body += [
+            f"const stewart_real F{i} = D[{i}][l] - a{i}6;",
+            f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : (stewart_real)1;",
+            f"F[{i}][l] = F{i};",
+        ]
+    body.append("bad[l] = fault;")
     return _SOLVE_BLOCK.replace("@BODY@", "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body))
 
 
@@ -273,16 +380,28 @@ def _sink(k: int, i: int) -> list[str]:
 def _transposed() -> str:
     lines = []
     for q in n.MOTION:
-        optional = q in (n.F_ext, n.M_ext)
-        width = size(q)
-        value = f"motions->{q.name}[pose * {width} + i]"
-        if optional:
+        call = f"spread_{'matrix' if q == n.R else 'vector'}"
+        line = f"{call}(whole(motions->{q.name}, {size(q)}, first, count, padded), in->{q.name});"
+        if q in (n.F_ext, n.M_ext):
+            lines += [
+                f"    if (motions->{q.name}) {{",
+                f"        {line}",
+                "    } else {",
+                f"        clear(in->{q.name});",
+                "    }",
+            ]
+        else:
+            lines.append(f"    {line}")
+    return "\n".join(lines)
+
+
+def _copied() -> str:
+    lines = []
+    for q in n.MOTION[1:]:
+        value = f"motions->{q.name}[at]"
+        if q in (n.F_ext, n.M_ext):
             value = f"motions->{q.name} ? {value} : 0"
-        lines += [
-            f"        for (i = 0; i < {width}; ++i) {{",
-            f"            in->{q.name}[i][l] = {value};",
-            "        }",
-        ]
+        lines.append(f"        one.{q.name}[i] = {value};")
     return "\n".join(lines)
 
 
@@ -367,14 +486,14 @@ typedef struct {
 
 /* What a pose has for all legs. */
 typedef struct {
-    stewart_real B[9], c_force[3], c_moment[3];
+@SHARED@
 } shared_terms;
 
 typedef struct {
-    stewart_real B[9][LANES], c_force[3][LANES], c_moment[3][LANES];
+@SHARED_LANES@
 } shared_lanes;
 
-/* Six legs of one pose, or one leg of eight poses. */
+/* The legs of one pose. */
 typedef struct {
 @TERMS@
     stewart_real L[LANES], reach[LANES], k3[LANES];
@@ -427,11 +546,21 @@ static void shared_of_pose(const stewart_@NAME@_model *model, const stewart_moti
 }
 """
 
+_BLOCK = """\
+/* Eight poses on their way. */
+typedef struct {
+    stewart_real column[7][6][LANES]; /* [H | c], column by column */
+    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real moment[LANES]; /* size of the moment rows */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
+} block;
+"""
+
 _SHARED_BLOCK = """\
-/* The same for eight poses. */
+/* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_@NAME@_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
-    shared_lanes *STEWART_RESTRICT out)
+    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
 @OUTSIDE@
@@ -443,7 +572,7 @@ static void shared_of_block(
 
 _LEGS_OF_POSE = """\
 /* The legs of one pose side by side: @COUNT@ operations each. */
-static void @FUNCTION@(
+static void legs_of_pose(
     const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
 {
@@ -457,10 +586,12 @@ static void @FUNCTION@(
 """
 
 _LEG_OF_BLOCK = """\
-/* One leg of eight poses side by side: @COUNT@ operations each. */
-static void @FUNCTION@(
+/* One leg of eight poses side by side, @COUNT@ operations each: its column of H, its D, its part of c. */
+static void leg_of_block(
     const stewart_@NAME@_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
-    const shared_lanes *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
+    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
 @OUTSIDE@
@@ -471,7 +602,7 @@ static void @FUNCTION@(
 }
 """
 
-_POSE = """\
+_SOLVE_POSE = """\
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
 {
     int j;
@@ -492,20 +623,21 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows. */
+ * updated, so that a row is one vector. `moment` is the size of the moment rows.@WHY@ */
 static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
 {
     stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
-    stewart_real inverse[6];
+    stewart_real inverse[5];
     int i, j, k;
     for (i = 3; i < 6; ++i) {
         scale[i] = moment;
     }
     for (k = 0; k < 6; ++k) {
+        @LAST@
         int pivot = k;
         stewart_real size = STEWART_FABS(A[k][k]);
         stewart_real row_scale;
-        for (i = k + 1; i < 6; ++i) {
+        for (i = k + 1; i < last; ++i) {
             if (STEWART_FABS(A[i][k]) > size) {
                 size = STEWART_FABS(A[i][k]);
                 pivot = i;
@@ -519,12 +651,15 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         if (pivot != k) {
             exchange_rows(A[k], A[pivot]);
         }
-        inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < 6; ++i) {
+        if (k < 5) {
+            inverse[k] = 1 / A[k][k];
+        }
+        for (i = k + 1; i < last; ++i) {
             subtract_row(A[i], A[i][k] * inverse[k], A[k]);
         }
     }
-    for (i = 5; i >= 0; --i) {
+    x[5] = A[5][6] / A[5][5];
+    for (i = 4; i >= 0; --i) {
         stewart_real sum = A[i][6];
         for (j = i + 1; j < 6; ++j) {
             sum = sum - A[i][j] * x[j];
@@ -533,7 +668,9 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     }
     return STEWART_OK;
 }
+"""
 
+_POSE = """\
 int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real F[6])
 {
     shared_terms shared;
@@ -586,12 +723,12 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
 """
 
 _SOLVE_BLOCK = """\
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36). Hands back the
- * size of each pivot and the least that is not rounding error; `moment` is the size of the moment rows. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D - x,
+ * (37). Marks as bad where a pivot is rounding error or a force is not finite. */
 STEWART_APART static void solve_block(
-    stewart_real (*STEWART_RESTRICT A)[7][LANES], const stewart_real *STEWART_RESTRICT moment,
-    stewart_real (*STEWART_RESTRICT x)[LANES], stewart_real (*STEWART_RESTRICT size)[LANES],
-    stewart_real (*STEWART_RESTRICT least)[LANES])
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
+    stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -601,115 +738,92 @@ STEWART_APART static void solve_block(
 """
 
 _BATCH = """\
-/* Eight poses, component by component; past the end, the last pose again. */
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+/* `width` numbers of each of eight poses; past the end, the last pose again. */
+static const stewart_real *whole(
+    const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
     size_t l, i;
+    if (first + LANES <= count) {
+        return from + first * width;
+    }
     for (l = 0; l < LANES; ++l) {
         const size_t pose = first + l < count ? first + l : count - 1;
+        for (i = 0; i < width; ++i) {
+            padded[l * width + i] = from[pose * width + i];
+        }
+    }
+    return padded;
+}
+
+/* Eight vectors, eight matrices, eight zeros: component by component. */
+static void spread_vector(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        to[0][l] = from[3 * l];
+        to[1][l] = from[3 * l + 1];
+        to[2][l] = from[3 * l + 2];
+    }
+}
+
+static void spread_matrix(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 9; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = from[9 * l + i];
+        }
+    }
+}
+
+static void clear(stewart_real (*to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 3; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = 0;
+        }
+    }
+}
+
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+{
+    stewart_real padded[9 * LANES];
 @LOADS@
-    }
-}
-
-@SOLVE@
-/* A block of eight poses on its way: legs, pivots, forces. */
-typedef struct {
-    leg_lanes legs[6];
-    stewart_real size[6][LANES], least[6][LANES], F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where `block_status` has something to say, else 0 */
-} block;
-
-/* Status of the pose in one lane. */
-static int block_status(const block *done, int l)
-{
-    int i, status;
-    for (i = 0; i < 6; ++i) {
-        status = leg_status(&done->legs[i], l);
-        if (status != STEWART_OK) {
-            return status;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        if (!(done->size[i][l] > done->least[i][l])) {
-            return done->size[i][l] <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        if (!(STEWART_FABS(done->F[i][l]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
-        }
-    }
-    return STEWART_OK;
-}
-
-/* Lane by lane: a column entry into the matrix, a part of c onto the right side. */
-static void place(
-    stewart_real *STEWART_RESTRICT entry, stewart_real *STEWART_RESTRICT right,
-    const stewart_real *STEWART_RESTRICT column, const stewart_real *STEWART_RESTRICT part)
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        entry[l] = column[l];
-        right[l] = right[l] + part[l];
-    }
-}
-
-/* Lane by lane: the largest size so far. */
-static void grow(stewart_real *STEWART_RESTRICT largest, const stewart_real *STEWART_RESTRICT values)
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        largest[l] = STEWART_LARGER(STEWART_FABS(values[l]), largest[l]);
-    }
-}
-
-/* Lane by lane: 1 where a leg, a pivot or a force is no good. */
-static void judge(
-    stewart_real *STEWART_RESTRICT bad, const stewart_real *STEWART_RESTRICT leg,
-    const stewart_real *STEWART_RESTRICT size, const stewart_real *STEWART_RESTRICT least,
-    const stewart_real *STEWART_RESTRICT force)
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        stewart_real found = leg[l] > 0 ? (stewart_real)1 : bad[l];
-        found = size[l] > least[l] ? found : (stewart_real)1;
-        bad[l] = STEWART_FABS(force[l]) <= STEWART_MAX ? found : (stewart_real)1;
-    }
 }
 
 static void forces_of_block(const stewart_@NAME@_model *model, const motion_lanes *in, block *out)
 {
     shared_lanes shared;
-    stewart_real A[6][7][LANES];
-    stewart_real x[6][LANES];
-    stewart_real moment[LANES];
-    int i, j, l;
-    shared_of_block(model, in, &shared);
+    int i, l;
     for (l = 0; l < LANES; ++l) {
-        moment[l] = 0;
+        out->moment[l] = 0;
         out->bad[l] = 0;
     }
-    for (j = 0; j < 3; ++j) {
-        for (l = 0; l < LANES; ++l) {
-            A[j][6][l] = shared.c_force[j][l];
-            A[j + 3][6][l] = shared.c_moment[j][l];
-        }
-    }
+    shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, in, &shared, &out->legs[i]);
-        for (j = 0; j < 3; ++j) {
-            place(A[j][i], A[j][6], out->legs[i].H_force[j], out->legs[i].c_force[j]);
-            place(A[j + 3][i], A[j + 3][6], out->legs[i].H_moment[j], out->legs[i].c_moment[j]);
-            grow(moment, out->legs[i].H_moment[j]);
-        }
+        leg_of_block(
+            model, i, in, &shared, out->column[i], out->column[6], out->D[i], out->moment, out->bad);
     }
-    solve_block(A, moment, x, out->size, out->least);
-    for (i = 0; i < 6; ++i) {
-        for (l = 0; l < LANES; ++l) {
-            out->F[i][l] = out->legs[i].D[l] - x[i][l];
-        }
-        judge(out->bad, out->legs[i].bad, out->size[i], out->least[i], out->F[i]);
+    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+}
+
+/* Forces and status of one pose of a batch. */
+static int forces_of(
+    const stewart_@NAME@_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+{
+    stewart_motion one;
+    int i;
+    for (i = 0; i < 9; ++i) {
+        one.R[i] = motions->R[pose * 9 + (size_t)i];
     }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose * 3 + (size_t)i;
+@ONE@
+    }
+    return stewart_@NAME@_forces(model, &one, F);
 }
 
 int stewart_@NAME@_forces_batch(
@@ -730,17 +844,18 @@ int stewart_@NAME@_forces_batch(
         forces_of_block(model, &in, &done);
         for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
             const size_t pose = first + (size_t)l;
-            const int code = done.bad[l] > 0 ? block_status(&done, l) : STEWART_OK;
-            if (code == STEWART_OK) {
+            int code = STEWART_OK;
+            if (done.bad[l] > 0) {
+                code = forces_of(model, motions, pose, F + pose * 6);
+            } else {
                 for (i = 0; i < 6; ++i) {
                     F[pose * 6 + (size_t)i] = done.F[i][l];
                 }
-            } else if (result == STEWART_OK) {
-                result = code;
             }
             if (status) {
                 status[pose] = code;
             }
+            result = result == STEWART_OK ? code : result;
         }
     }
     return result;

@@ -55,14 +55,18 @@ typedef struct {
 
 /* What a pose has for all legs. */
 typedef struct {
-    stewart_real B[9], c_force[3], c_moment[3];
+    stewart_real B[9];
+    stewart_real t_1[3];
+    stewart_real c_force[3];
+    stewart_real c_moment[3];
 } shared_terms;
 
 typedef struct {
-    stewart_real B[9][LANES], c_force[3][LANES], c_moment[3][LANES];
+    stewart_real B[9][8];
+    stewart_real t_1[3][8];
 } shared_lanes;
 
-/* Six legs of one pose, or one leg of eight poses. */
+/* The legs of one pose. */
 typedef struct {
     stewart_real D[8];
     stewart_real H_force[3][8];
@@ -86,7 +90,6 @@ static int leg_status(const leg_lanes *leg, int l)
 }
 
 typedef struct {
-    stewart_real b[3];
     stewart_real p[3];
     stewart_real m_d;
     stewart_real r_d0[3];
@@ -97,6 +100,7 @@ typedef struct {
     stewart_real C_u;
     stewart_real C_p;
     stewart_real C_s;
+    stewart_real r[3];
     stewart_real M_add;
     stewart_real h_add[3];
     stewart_real J_add[6];
@@ -106,7 +110,6 @@ typedef struct {
 /* Constants of one leg, and what it adds to the platform. */
 static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
 {
-    (void)robot;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real m_d = leg->m_d;
@@ -120,9 +123,8 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
-    out->b[0] = b_x;
-    out->b[1] = b_y;
-    out->b[2] = b_z;
+    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
+        b_1_z = robot->leg[0].b[2];
     out->p[0] = p_x;
     out->p[1] = p_y;
     out->p[2] = p_z;
@@ -149,6 +151,9 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->C_u = C_u;
     out->C_p = C_p;
     out->C_s = C_s;
+    out->r[0] = b_x - b_1_x;
+    out->r[1] = b_y - b_1_y;
+    out->r[2] = b_z - b_1_z;
     out->M_add = 0;
     out->h_add[0] = 0;
     out->h_add[1] = 0;
@@ -167,8 +172,8 @@ typedef struct {
     stewart_real h_P[3];
     stewart_real J_P[6];
     stewart_real dJ_P[3];
-    stewart_real C_P;
     stewart_real g[3];
+    stewart_real b_1[3];
 } prepared_platform;
 
 /* Constants of the platform. */
@@ -179,11 +184,12 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
         I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
+        b_1_z = robot->leg[0].b[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
-    const stewart_real C_add = sum->C_add;
     const stewart_real c1 = R_0_y*R_0_y;
     const stewart_real c2 = R_0_z*R_0_z;
     const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
@@ -208,10 +214,12 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->dJ_P[0] = J_P_zz - J_P_yy;
     out->dJ_P[1] = J_P_xx - J_P_zz;
     out->dJ_P[2] = J_P_yy - J_P_xx;
-    out->C_P = C_add;
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
+    out->b_1[0] = b_1_x;
+    out->b_1[1] = b_1_y;
+    out->b_1[2] = b_1_z;
 }
 
 int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_spherical_model *model)
@@ -236,9 +244,6 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
     sum.C_add = 0;
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        model->b[0][i] = found.b[0];
-        model->b[1][i] = found.b[1];
-        model->b[2][i] = found.b[2];
         model->p[0][i] = found.p[0];
         model->p[1][i] = found.p[1];
         model->p[2][i] = found.p[2];
@@ -265,6 +270,9 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
         model->C_u[i] = found.C_u;
         model->C_p[i] = found.C_p;
         model->C_s[i] = found.C_s;
+        model->r[0][i] = found.r[0];
+        model->r[1][i] = found.r[1];
+        model->r[2][i] = found.r[2];
         if (i >= 6) {
             continue;
         }
@@ -294,14 +302,16 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
     model->dJ_P[0] = platform.dJ_P[0];
     model->dJ_P[1] = platform.dJ_P[1];
     model->dJ_P[2] = platform.dJ_P[2];
-    model->C_P = platform.C_P;
     model->g[0] = platform.g[0];
     model->g[1] = platform.g[1];
     model->g[2] = platform.g[2];
+    model->b_1[0] = platform.b_1[0];
+    model->b_1[1] = platform.b_1[1];
+    model->b_1[2] = platform.b_1[2];
     return STEWART_OK;
 }
 
-/* What one pose has for all legs: 174 (90 mul, 84 add, 0 div, 0 sqrt) operations. */
+/* What one pose has for all legs: 189 (96 mul, 93 add, 0 div, 0 sqrt) operations. */
 static void shared_of_pose(const stewart_exact_spherical_model *model, const stewart_motion *at, shared_terms *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
@@ -317,6 +327,8 @@ static void shared_of_pose(const stewart_exact_spherical_model *model, const ste
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -363,6 +375,17 @@ static void shared_of_pose(const stewart_exact_spherical_model *model, const ste
         - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
     const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    /* reference point from base point 1, base frame */
+    const stewart_real t_1_x = t_x - b_1_x;
+    const stewart_real t_1_y = t_y - b_1_y;
+    const stewart_real t_1_z = t_z - b_1_z;
+    /* (33) the platform's part of c, force and moment */
+    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+        - B_xy*h_base_y - B_xz*h_base_z;
+    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+        - B_yy*h_base_y - B_yz*h_base_z;
+    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+        - B_zy*h_base_y - B_zz*h_base_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -372,116 +395,21 @@ static void shared_of_pose(const stewart_exact_spherical_model *model, const ste
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-        - B_xy*h_base_y - B_xz*h_base_z;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-        - B_yy*h_base_y - B_yz*h_base_z;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-        - B_zy*h_base_y - B_zz*h_base_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        - fall_y*h_base_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        - fall_z*h_base_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        - fall_x*h_base_y;
+    out->t_1[0] = t_1_x;
+    out->t_1[1] = t_1_y;
+    out->t_1[2] = t_1_z;
+    out->c_force[0] = load_x;
+    out->c_force[1] = load_y;
+    out->c_force[2] = load_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y + load_z*t_1_y
+        - fall_y*h_base_z - load_y*t_1_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z + load_x*t_1_z
+        - fall_z*h_base_x - load_z*t_1_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x + load_y*t_1_x
+        - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The same for eight poses. */
-static void shared_of_block(
-    const stewart_exact_spherical_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
-    shared_lanes *STEWART_RESTRICT out)
-{
-    int l;
-    const stewart_real M_P = model->M_P;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
-    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
-            omega_z = in->omega[2][l];
-        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
-            alpha_z = in->alpha[2][l];
-        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
-        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
-            F_ext_z = in->F_ext[2][l];
-        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
-            M_ext_z = in->M_ext[2][l];
-        /* products of omega */
-        const stewart_real omega_xx = omega_x*omega_x;
-        const stewart_real omega_xy = omega_x*omega_y;
-        const stewart_real omega_xz = omega_x*omega_z;
-        const stewart_real omega_yy = omega_y*omega_y;
-        const stewart_real omega_yz = omega_y*omega_z;
-        const stewart_real omega_zz = omega_z*omega_z;
-        /* (7) S_ddot = B q + a */
-        const stewart_real B_xx = -omega_yy - omega_zz;
-        const stewart_real B_xy = omega_xy - alpha_z;
-        const stewart_real B_xz = alpha_y + omega_xz;
-        const stewart_real B_yx = alpha_z + omega_xy;
-        const stewart_real B_yy = -omega_xx - omega_zz;
-        const stewart_real B_yz = omega_yz - alpha_x;
-        const stewart_real B_zx = omega_xz - alpha_y;
-        const stewart_real B_zy = alpha_x + omega_yz;
-        const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        /* (33) g - a */
-        const stewart_real fall_x = g_x - a_x;
-        const stewart_real fall_y = g_y - a_y;
-        const stewart_real fall_z = g_z - a_z;
-        /* angular velocity, platform frame */
-        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
-        /* angular acceleration, platform frame */
-        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
-        const stewart_real P_xy = omega_P_x*omega_P_y;
-        const stewart_real P_xz = omega_P_x*omega_P_z;
-        const stewart_real P_yz = omega_P_y*omega_P_z;
-        const stewart_real P_xx = omega_P_x*omega_P_x;
-        const stewart_real P_yy = omega_P_y*omega_P_y;
-        const stewart_real P_zz = omega_P_z*omega_P_z;
-        /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz)
-            - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-        const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
-            - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
-        const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
-            - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-        out->B[0][l] = B_xx;
-        out->B[1][l] = B_xy;
-        out->B[2][l] = B_xz;
-        out->B[3][l] = B_yx;
-        out->B[4][l] = B_yy;
-        out->B[5][l] = B_yz;
-        out->B[6][l] = B_zx;
-        out->B[7][l] = B_zy;
-        out->B[8][l] = B_zz;
-        out->c_force[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-            - B_xy*h_base_y - B_xz*h_base_z;
-        out->c_force[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-            - B_yy*h_base_y - B_yz*h_base_z;
-        out->c_force[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-            - B_zy*h_base_y - B_zz*h_base_z;
-        out->c_moment[0][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-            - fall_y*h_base_z;
-        out->c_moment[1][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-            - fall_z*h_base_x;
-        out->c_moment[2][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-            - fall_x*h_base_y;
-    }
-}
-
-/* The legs of one pose side by side: 248 (143 mul, 103 add, 1 div, 1 sqrt) operations each. */
+/* The legs of one pose side by side: 242 (140 mul, 100 add, 1 div, 1 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_spherical_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -490,14 +418,15 @@ static void legs_of_pose(
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
+        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
+        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
     (void)shared;
     for (l = 0; l < LANES; ++l) {
-        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real m_d = model->m_d[l];
         const stewart_real r_d0_x = model->r_d0[0][l];
@@ -508,14 +437,19 @@ static void legs_of_pose(
         const stewart_real C_u = model->C_u[l];
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_x - b_x;
-        const stewart_real S_y = q_y + t_y - b_y;
-        const stewart_real S_z = q_z + t_z - b_z;
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
@@ -532,9 +466,9 @@ static void legs_of_pose(
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-        const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-        const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
         /* part of e along the leg */
         const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
         /* part of u along the leg */
@@ -595,176 +529,31 @@ static void legs_of_pose(
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = r_y*s_z - r_z*s_y;
+        out->H_moment[1][l] = r_z*s_x - r_x*s_z;
+        out->H_moment[2][l] = r_x*s_y - r_y*s_x;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = K_y*q_z + f_x - K_z*q_y;
-        out->c_moment[1][l] = K_z*q_x + f_y - K_x*q_z;
-        out->c_moment[2][l] = K_x*q_y + f_z - K_y*q_x;
-        stewart_real bad;
+        out->c_moment[0][l] = K_y*S_1_z + f_x - K_z*S_1_y;
+        out->c_moment[1][l] = K_z*S_1_x + f_y - K_x*S_1_z;
+        out->c_moment[2][l] = K_x*S_1_y + f_z - K_y*S_1_x;
+        stewart_real fault;
         stewart_real reach = STEWART_FABS(q_x);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = 1;
-        bad = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        bad = L > STEWART_ROUNDING * reach ? bad : (stewart_real)1;
-        out->bad[l] = 1 > STEWART_ROUNDING ? bad : (stewart_real)1;
-    }
-}
-
-/* One leg of eight poses side by side: 248 (143 mul, 103 add, 1 div, 1 sqrt) operations each. */
-static void leg_of_block(
-    const stewart_exact_spherical_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
-    const shared_lanes *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
-{
-    int l;
-    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
-    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
-    const stewart_real m_d = model->m_d[leg];
-    const stewart_real r_d0_x = model->r_d0[0][leg];
-    const stewart_real I_d0_yy = model->I_d0[3][leg];
-    const stewart_real m_u = model->m_u[leg];
-    const stewart_real r_u0_x = model->r_u0[0][leg];
-    const stewart_real I_u0_yy = model->I_u0[3][leg];
-    const stewart_real C_u = model->C_u[leg];
-    const stewart_real C_p = model->C_p[leg];
-    const stewart_real C_s = model->C_s[leg];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    (void)shared;
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
-        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
-            omega_z = in->omega[2][l];
-        const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
-        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
-            alpha_z = in->alpha[2][l];
-        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
-        /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) leg vector */
-        const stewart_real S_x = q_x + t_x - b_x;
-        const stewart_real S_y = q_y + t_y - b_y;
-        const stewart_real S_z = q_z + t_z - b_z;
-        /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
-        /* (3) unit vector along the leg */
-        const stewart_real s_x = S_x*inv_L;
-        const stewart_real s_y = S_y*inv_L;
-        const stewart_real s_z = S_z*inv_L;
-        /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
-        /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = v_x + w_q_x;
-        const stewart_real S_dot_y = v_y + w_q_y;
-        const stewart_real S_dot_z = v_z + w_q_z;
-        /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-        const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-        const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
-        /* part of e along the leg */
-        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-        /* part of u along the leg */
-        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-        /* part of gamma along the leg */
-        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
-        /* part of w along the leg */
-        const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
-        /* part of e across the leg */
-        const stewart_real e_across_x = S_ddot_x - e_x*s_x;
-        const stewart_real e_across_y = S_ddot_y - e_x*s_y;
-        const stewart_real e_across_z = S_ddot_z - e_x*s_z;
-        /* part of u across the leg */
-        const stewart_real u_across_x = S_dot_x - s_x*u_x;
-        const stewart_real u_across_y = S_dot_y - s_y*u_x;
-        const stewart_real u_across_z = S_dot_z - s_z*u_x;
-        /* part of gamma across the leg */
-        const stewart_real gamma_across_x = g_x - gamma_x*s_x;
-        const stewart_real gamma_across_y = g_y - gamma_x*s_y;
-        const stewart_real gamma_across_z = g_z - gamma_x*s_z;
-        const stewart_real c1 = s_x*w_x;
-        const stewart_real c2 = s_y*w_x;
-        const stewart_real c3 = s_z*w_x;
-        /* part of w across the leg */
-        const stewart_real w_across_x = omega_x - c1;
-        const stewart_real w_across_y = omega_y - c2;
-        const stewart_real w_across_z = omega_z - c3;
-        /* square of u across the leg */
-        const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
-        const stewart_real c4 = inv_L*inv_L;
-        const stewart_real c5 = m_u*r_u0_x;
-        /* (24) known part of the actuator force */
-        const stewart_real D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u;
-        const stewart_real c6 = m_u*L*L;
-        const stewart_real c7 = m_d*r_d0_x*r_d0_x;
-        const stewart_real c8 = m_u*r_u0_x*r_u0_x;
-        const stewart_real c9 = L*m_u;
-        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2*c9*r_u0_x);
-        const stewart_real c10 = 2*inv_L*u_x;
-        const stewart_real K_u = c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-            - c10*c6 - c10*c7 - c10*c8 - 4*c9*inv_L*r_u0_x*u_x);
-        const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
-        const stewart_real c11 = C_s*inv_L;
-        const stewart_real K_s_w = c11;
-        /* K, base frame */
-        const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z
-            - s_z*w_across_y) + K_u*u_across_x;
-        const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x
-            - s_x*w_across_z) + K_u*u_across_y;
-        const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y
-            - s_y*w_across_x) + K_u*u_across_z;
-        const stewart_real f_s_u = c11;
-        /* f, base frame */
-        const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
-        const stewart_real f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y;
-        const stewart_real f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z;
-        out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
-        out->c_force[0][l] = -K_x;
-        out->c_force[1][l] = -K_y;
-        out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = K_y*q_z + f_x - K_z*q_y;
-        out->c_moment[1][l] = K_z*q_x + f_y - K_x*q_z;
-        out->c_moment[2][l] = K_x*q_y + f_z - K_y*q_x;
-        stewart_real bad;
-        stewart_real reach = STEWART_FABS(q_x);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->reach[l] = reach;
-        out->L[l] = L;
-        out->k3[l] = 1;
-        bad = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        bad = L > STEWART_ROUNDING * reach ? bad : (stewart_real)1;
-        out->bad[l] = 1 > STEWART_ROUNDING ? bad : (stewart_real)1;
+        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
+        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        out->bad[l] = 1 > STEWART_ROUNDING ? fault : (stewart_real)1;
     }
 }
 
@@ -788,20 +577,21 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows. */
+ * updated, so that a row is one vector. `moment` is the size of the moment rows. The first column has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
 {
     stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
-    stewart_real inverse[6];
+    stewart_real inverse[5];
     int i, j, k;
     for (i = 3; i < 6; ++i) {
         scale[i] = moment;
     }
     for (k = 0; k < 6; ++k) {
+        const int last = k > 0 ? 6 : 3;
         int pivot = k;
         stewart_real size = STEWART_FABS(A[k][k]);
         stewart_real row_scale;
-        for (i = k + 1; i < 6; ++i) {
+        for (i = k + 1; i < last; ++i) {
             if (STEWART_FABS(A[i][k]) > size) {
                 size = STEWART_FABS(A[i][k]);
                 pivot = i;
@@ -815,12 +605,15 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         if (pivot != k) {
             exchange_rows(A[k], A[pivot]);
         }
-        inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < 6; ++i) {
+        if (k < 5) {
+            inverse[k] = 1 / A[k][k];
+        }
+        for (i = k + 1; i < last; ++i) {
             subtract_row(A[i], A[i][k] * inverse[k], A[k]);
         }
     }
-    for (i = 5; i >= 0; --i) {
+    x[5] = A[5][6] / A[5][5];
+    for (i = 4; i >= 0; --i) {
         stewart_real sum = A[i][6];
         for (j = i + 1; j < 6; ++j) {
             sum = sum - A[i][j] * x[j];
@@ -880,61 +673,301 @@ int stewart_exact_spherical_forces(const stewart_exact_spherical_model *model, c
     return STEWART_OK;
 }
 
-/* Eight poses, component by component; past the end, the last pose again. */
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+/* Eight poses on their way. */
+typedef struct {
+    stewart_real column[7][6][LANES]; /* [H | c], column by column */
+    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real moment[LANES]; /* size of the moment rows */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
+} block;
+
+/* What each of eight poses has for all legs, and the platform's part of c. */
+static void shared_of_block(
+    const stewart_exact_spherical_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
+    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
-    size_t l, i;
+    int l;
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     for (l = 0; l < LANES; ++l) {
-        const size_t pose = first + l < count ? first + l : count - 1;
-        for (i = 0; i < 9; ++i) {
-            in->R[i][l] = motions->R[pose * 9 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->t[i][l] = motions->t[pose * 3 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->omega[i][l] = motions->omega[pose * 3 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->v[i][l] = motions->v[pose * 3 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->alpha[i][l] = motions->alpha[pose * 3 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->a[i][l] = motions->a[pose * 3 + i];
-        }
-        for (i = 0; i < 3; ++i) {
-            in->F_ext[i][l] = motions->F_ext ? motions->F_ext[pose * 3 + i] : 0;
-        }
-        for (i = 0; i < 3; ++i) {
-            in->M_ext[i][l] = motions->M_ext ? motions->M_ext[pose * 3 + i] : 0;
-        }
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
+            alpha_z = in->alpha[2][l];
+        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
+        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
+            F_ext_z = in->F_ext[2][l];
+        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
+            M_ext_z = in->M_ext[2][l];
+        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
+        /* products of omega */
+        const stewart_real omega_xx = omega_x*omega_x;
+        const stewart_real omega_xy = omega_x*omega_y;
+        const stewart_real omega_xz = omega_x*omega_z;
+        const stewart_real omega_yy = omega_y*omega_y;
+        const stewart_real omega_yz = omega_y*omega_z;
+        const stewart_real omega_zz = omega_z*omega_z;
+        /* (7) S_ddot = B q + a */
+        const stewart_real B_xx = -omega_yy - omega_zz;
+        const stewart_real B_xy = omega_xy - alpha_z;
+        const stewart_real B_xz = alpha_y + omega_xz;
+        const stewart_real B_yx = alpha_z + omega_xy;
+        const stewart_real B_yy = -omega_xx - omega_zz;
+        const stewart_real B_yz = omega_yz - alpha_x;
+        const stewart_real B_zx = omega_xz - alpha_y;
+        const stewart_real B_zy = alpha_x + omega_yz;
+        const stewart_real B_zz = -omega_xx - omega_yy;
+        /* (30) first moment of the platform, base frame */
+        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+        /* (33) g - a */
+        const stewart_real fall_x = g_x - a_x;
+        const stewart_real fall_y = g_y - a_y;
+        const stewart_real fall_z = g_z - a_z;
+        /* angular velocity, platform frame */
+        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
+        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
+        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        /* angular acceleration, platform frame */
+        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
+        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
+        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        const stewart_real P_xy = omega_P_x*omega_P_y;
+        const stewart_real P_xz = omega_P_x*omega_P_z;
+        const stewart_real P_yz = omega_P_y*omega_P_z;
+        const stewart_real P_xx = omega_P_x*omega_P_x;
+        const stewart_real P_yy = omega_P_y*omega_P_y;
+        const stewart_real P_zz = omega_P_z*omega_P_z;
+        /* (34) external moment less I alpha + omega x I omega, platform frame */
+        const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz)
+            - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+        const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
+            - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
+        const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+            - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+        /* reference point from base point 1, base frame */
+        const stewart_real t_1_x = t_x - b_1_x;
+        const stewart_real t_1_y = t_y - b_1_y;
+        const stewart_real t_1_z = t_z - b_1_z;
+        /* (33) the platform's part of c, force and moment */
+        const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+            - B_xy*h_base_y - B_xz*h_base_z;
+        const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+            - B_yy*h_base_y - B_yz*h_base_z;
+        const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+            - B_zy*h_base_y - B_zz*h_base_z;
+        out->B[0][l] = B_xx;
+        out->B[1][l] = B_xy;
+        out->B[2][l] = B_xz;
+        out->B[3][l] = B_yx;
+        out->B[4][l] = B_yy;
+        out->B[5][l] = B_yz;
+        out->B[6][l] = B_zx;
+        out->B[7][l] = B_zy;
+        out->B[8][l] = B_zz;
+        out->t_1[0][l] = t_1_x;
+        out->t_1[1][l] = t_1_y;
+        out->t_1[2][l] = t_1_z;
+        c[0][l] = load_x;
+        c[1][l] = load_y;
+        c[2][l] = load_z;
+        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y + load_z*t_1_y
+            - fall_y*h_base_z - load_y*t_1_z;
+        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z + load_x*t_1_z
+            - fall_z*h_base_x - load_z*t_1_x;
+        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x + load_y*t_1_x
+            - fall_x*h_base_y - load_x*t_1_y;
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36). Hands back the
- * size of each pivot and the least that is not rounding error; `moment` is the size of the moment rows. */
+/* One leg of eight poses side by side, 242 (140 mul, 100 add, 1 div, 1 sqrt) operations each: its column of H, its D, its part of c. */
+static void leg_of_block(
+    const stewart_exact_spherical_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
+    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
+    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+    const stewart_real m_d = model->m_d[leg];
+    const stewart_real r_d0_x = model->r_d0[0][leg];
+    const stewart_real I_d0_yy = model->I_d0[3][leg];
+    const stewart_real m_u = model->m_u[leg];
+    const stewart_real r_u0_x = model->r_u0[0][leg];
+    const stewart_real I_u0_yy = model->I_u0[3][leg];
+    const stewart_real C_u = model->C_u[leg];
+    const stewart_real C_p = model->C_p[leg];
+    const stewart_real C_s = model->C_s[leg];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real r_x = model->r[0][leg], r_y = model->r[1][leg], r_z = model->r[2][leg];
+    (void)shared;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
+        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l],
+            B_yx = shared->B[3][l], B_yy = shared->B[4][l], B_yz = shared->B[5][l],
+            B_zx = shared->B[6][l], B_zy = shared->B[7][l], B_zz = shared->B[8][l];
+        const stewart_real t_1_x = shared->t_1[0][l], t_1_y = shared->t_1[1][l],
+            t_1_z = shared->t_1[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (2) leg length */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = 1/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (4) omega x q */
+        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        /* part of e along the leg */
+        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        /* part of u along the leg */
+        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* part of gamma along the leg */
+        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+        /* part of w along the leg */
+        const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+        /* part of e across the leg */
+        const stewart_real e_across_x = S_ddot_x - e_x*s_x;
+        const stewart_real e_across_y = S_ddot_y - e_x*s_y;
+        const stewart_real e_across_z = S_ddot_z - e_x*s_z;
+        /* part of u across the leg */
+        const stewart_real u_across_x = S_dot_x - s_x*u_x;
+        const stewart_real u_across_y = S_dot_y - s_y*u_x;
+        const stewart_real u_across_z = S_dot_z - s_z*u_x;
+        /* part of gamma across the leg */
+        const stewart_real gamma_across_x = g_x - gamma_x*s_x;
+        const stewart_real gamma_across_y = g_y - gamma_x*s_y;
+        const stewart_real gamma_across_z = g_z - gamma_x*s_z;
+        const stewart_real c1 = s_x*w_x;
+        const stewart_real c2 = s_y*w_x;
+        const stewart_real c3 = s_z*w_x;
+        /* part of w across the leg */
+        const stewart_real w_across_x = omega_x - c1;
+        const stewart_real w_across_y = omega_y - c2;
+        const stewart_real w_across_z = omega_z - c3;
+        /* square of u across the leg */
+        const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
+        const stewart_real c4 = inv_L*inv_L;
+        const stewart_real c5 = m_u*r_u0_x;
+        /* (24) known part of the actuator force */
+        const stewart_real D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u;
+        const stewart_real c6 = m_u*L*L;
+        const stewart_real c7 = m_d*r_d0_x*r_d0_x;
+        const stewart_real c8 = m_u*r_u0_x*r_u0_x;
+        const stewart_real c9 = L*m_u;
+        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2*c9*r_u0_x);
+        const stewart_real c10 = 2*inv_L*u_x;
+        const stewart_real K_u = c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
+            - c10*c6 - c10*c7 - c10*c8 - 4*c9*inv_L*r_u0_x*u_x);
+        const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
+        const stewart_real c11 = C_s*inv_L;
+        const stewart_real K_s_w = c11;
+        /* K, base frame */
+        const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z
+            - s_z*w_across_y) + K_u*u_across_x;
+        const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x
+            - s_x*w_across_z) + K_u*u_across_y;
+        const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y
+            - s_y*w_across_x) + K_u*u_across_z;
+        const stewart_real f_s_u = c11;
+        /* f, base frame */
+        const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
+        const stewart_real f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y;
+        const stewart_real f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z;
+        column[0][l] = s_x;
+        column[1][l] = s_y;
+        column[2][l] = s_z;
+        column[3][l] = r_y*s_z - r_z*s_y;
+        column[4][l] = r_z*s_x - r_x*s_z;
+        column[5][l] = r_x*s_y - r_y*s_x;
+        c[0][l] = c[0][l] - K_x;
+        c[1][l] = c[1][l] - K_y;
+        c[2][l] = c[2][l] - K_z;
+        c[3][l] = c[3][l] + (K_y*S_1_z + f_x - K_z*S_1_y);
+        c[4][l] = c[4][l] + (K_z*S_1_x + f_y - K_x*S_1_z);
+        c[5][l] = c[5][l] + (K_x*S_1_y + f_z - K_y*S_1_x);
+        known[l] = D;
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[3][l]), moment[l]);
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[4][l]), moment[l]);
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[5][l]), moment[l]);
+        stewart_real fault;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        fault = L <= STEWART_MAX ? bad[l] : (stewart_real)1;
+        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        bad[l] = 1 > STEWART_ROUNDING ? fault : (stewart_real)1;
+    }
+}
+
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D - x,
+ * (37). Marks as bad where a pivot is rounding error or a force is not finite. */
 STEWART_APART static void solve_block(
-    stewart_real (*STEWART_RESTRICT A)[7][LANES], const stewart_real *STEWART_RESTRICT moment,
-    stewart_real (*STEWART_RESTRICT x)[LANES], stewart_real (*STEWART_RESTRICT size)[LANES],
-    stewart_real (*STEWART_RESTRICT least)[LANES])
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
+    stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        stewart_real a00 = A[0][0][l], a01 = A[0][1][l], a02 = A[0][2][l], a03 = A[0][3][l],
-            a04 = A[0][4][l], a05 = A[0][5][l], a06 = A[0][6][l];
-        stewart_real a10 = A[1][0][l], a11 = A[1][1][l], a12 = A[1][2][l], a13 = A[1][3][l],
-            a14 = A[1][4][l], a15 = A[1][5][l], a16 = A[1][6][l];
-        stewart_real a20 = A[2][0][l], a21 = A[2][1][l], a22 = A[2][2][l], a23 = A[2][3][l],
-            a24 = A[2][4][l], a25 = A[2][5][l], a26 = A[2][6][l];
-        stewart_real a30 = A[3][0][l], a31 = A[3][1][l], a32 = A[3][2][l], a33 = A[3][3][l],
-            a34 = A[3][4][l], a35 = A[3][5][l], a36 = A[3][6][l];
-        stewart_real a40 = A[4][0][l], a41 = A[4][1][l], a42 = A[4][2][l], a43 = A[4][3][l],
-            a44 = A[4][4][l], a45 = A[4][5][l], a46 = A[4][6][l];
-        stewart_real a50 = A[5][0][l], a51 = A[5][1][l], a52 = A[5][2][l], a53 = A[5][3][l],
-            a54 = A[5][4][l], a55 = A[5][5][l], a56 = A[5][6][l];
+        stewart_real a00 = column[0][0][l], a01 = column[1][0][l], a02 = column[2][0][l],
+            a03 = column[3][0][l], a04 = column[4][0][l], a05 = column[5][0][l],
+            a06 = column[6][0][l];
+        stewart_real a10 = column[0][1][l], a11 = column[1][1][l], a12 = column[2][1][l],
+            a13 = column[3][1][l], a14 = column[4][1][l], a15 = column[5][1][l],
+            a16 = column[6][1][l];
+        stewart_real a20 = column[0][2][l], a21 = column[1][2][l], a22 = column[2][2][l],
+            a23 = column[3][2][l], a24 = column[4][2][l], a25 = column[5][2][l],
+            a26 = column[6][2][l];
+        stewart_real a31 = column[1][3][l], a32 = column[2][3][l], a33 = column[3][3][l],
+            a34 = column[4][3][l], a35 = column[5][3][l], a36 = column[6][3][l];
+        stewart_real a41 = column[1][4][l], a42 = column[2][4][l], a43 = column[3][4][l],
+            a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
+        stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
+            a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
         stewart_real s0 = 1, s1 = 1, s2 = 1, s3 = moment[l], s4 = moment[l], s5 = moment[l];
+        stewart_real fault = bad[l];
         const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
             ? (stewart_real)1 : (stewart_real)0;
         const stewart_real s0_1 = below10 > 0 ? s1 : s0;
@@ -987,84 +1020,6 @@ STEWART_APART static void solve_block(
         const stewart_real a06_2 = below20 > 0 ? a26 : a06;
         a26 = below20 > 0 ? a06 : a26;
         a06 = a06_2;
-        const stewart_real below30 = STEWART_FABS(a30) > STEWART_FABS(a00)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s0_3 = below30 > 0 ? s3 : s0;
-        s3 = below30 > 0 ? s0 : s3;
-        s0 = s0_3;
-        const stewart_real a00_3 = below30 > 0 ? a30 : a00;
-        a30 = below30 > 0 ? a00 : a30;
-        a00 = a00_3;
-        const stewart_real a01_3 = below30 > 0 ? a31 : a01;
-        a31 = below30 > 0 ? a01 : a31;
-        a01 = a01_3;
-        const stewart_real a02_3 = below30 > 0 ? a32 : a02;
-        a32 = below30 > 0 ? a02 : a32;
-        a02 = a02_3;
-        const stewart_real a03_3 = below30 > 0 ? a33 : a03;
-        a33 = below30 > 0 ? a03 : a33;
-        a03 = a03_3;
-        const stewart_real a04_3 = below30 > 0 ? a34 : a04;
-        a34 = below30 > 0 ? a04 : a34;
-        a04 = a04_3;
-        const stewart_real a05_3 = below30 > 0 ? a35 : a05;
-        a35 = below30 > 0 ? a05 : a35;
-        a05 = a05_3;
-        const stewart_real a06_3 = below30 > 0 ? a36 : a06;
-        a36 = below30 > 0 ? a06 : a36;
-        a06 = a06_3;
-        const stewart_real below40 = STEWART_FABS(a40) > STEWART_FABS(a00)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s0_4 = below40 > 0 ? s4 : s0;
-        s4 = below40 > 0 ? s0 : s4;
-        s0 = s0_4;
-        const stewart_real a00_4 = below40 > 0 ? a40 : a00;
-        a40 = below40 > 0 ? a00 : a40;
-        a00 = a00_4;
-        const stewart_real a01_4 = below40 > 0 ? a41 : a01;
-        a41 = below40 > 0 ? a01 : a41;
-        a01 = a01_4;
-        const stewart_real a02_4 = below40 > 0 ? a42 : a02;
-        a42 = below40 > 0 ? a02 : a42;
-        a02 = a02_4;
-        const stewart_real a03_4 = below40 > 0 ? a43 : a03;
-        a43 = below40 > 0 ? a03 : a43;
-        a03 = a03_4;
-        const stewart_real a04_4 = below40 > 0 ? a44 : a04;
-        a44 = below40 > 0 ? a04 : a44;
-        a04 = a04_4;
-        const stewart_real a05_4 = below40 > 0 ? a45 : a05;
-        a45 = below40 > 0 ? a05 : a45;
-        a05 = a05_4;
-        const stewart_real a06_4 = below40 > 0 ? a46 : a06;
-        a46 = below40 > 0 ? a06 : a46;
-        a06 = a06_4;
-        const stewart_real below50 = STEWART_FABS(a50) > STEWART_FABS(a00)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s0_5 = below50 > 0 ? s5 : s0;
-        s5 = below50 > 0 ? s0 : s5;
-        s0 = s0_5;
-        const stewart_real a00_5 = below50 > 0 ? a50 : a00;
-        a50 = below50 > 0 ? a00 : a50;
-        a00 = a00_5;
-        const stewart_real a01_5 = below50 > 0 ? a51 : a01;
-        a51 = below50 > 0 ? a01 : a51;
-        a01 = a01_5;
-        const stewart_real a02_5 = below50 > 0 ? a52 : a02;
-        a52 = below50 > 0 ? a02 : a52;
-        a02 = a02_5;
-        const stewart_real a03_5 = below50 > 0 ? a53 : a03;
-        a53 = below50 > 0 ? a03 : a53;
-        a03 = a03_5;
-        const stewart_real a04_5 = below50 > 0 ? a54 : a04;
-        a54 = below50 > 0 ? a04 : a54;
-        a04 = a04_5;
-        const stewart_real a05_5 = below50 > 0 ? a55 : a05;
-        a55 = below50 > 0 ? a05 : a55;
-        a05 = a05_5;
-        const stewart_real a06_5 = below50 > 0 ? a56 : a06;
-        a56 = below50 > 0 ? a06 : a56;
-        a06 = a06_5;
         const stewart_real inverse0 = 1 / a00;
         const stewart_real factor10 = a10 * inverse0;
         a11 = a11 - factor10 * a01;
@@ -1080,29 +1035,7 @@ STEWART_APART static void solve_block(
         a24 = a24 - factor20 * a04;
         a25 = a25 - factor20 * a05;
         a26 = a26 - factor20 * a06;
-        const stewart_real factor30 = a30 * inverse0;
-        a31 = a31 - factor30 * a01;
-        a32 = a32 - factor30 * a02;
-        a33 = a33 - factor30 * a03;
-        a34 = a34 - factor30 * a04;
-        a35 = a35 - factor30 * a05;
-        a36 = a36 - factor30 * a06;
-        const stewart_real factor40 = a40 * inverse0;
-        a41 = a41 - factor40 * a01;
-        a42 = a42 - factor40 * a02;
-        a43 = a43 - factor40 * a03;
-        a44 = a44 - factor40 * a04;
-        a45 = a45 - factor40 * a05;
-        a46 = a46 - factor40 * a06;
-        const stewart_real factor50 = a50 * inverse0;
-        a51 = a51 - factor50 * a01;
-        a52 = a52 - factor50 * a02;
-        a53 = a53 - factor50 * a03;
-        a54 = a54 - factor50 * a04;
-        a55 = a55 - factor50 * a05;
-        a56 = a56 - factor50 * a06;
-        size[0][l] = STEWART_FABS(a00);
-        least[0][l] = STEWART_ROUNDING * s0;
+        fault = STEWART_FABS(a00) > STEWART_ROUNDING * s0 ? fault : (stewart_real)1;
         const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
             ? (stewart_real)1 : (stewart_real)0;
         const stewart_real s1_2 = below21 > 0 ? s2 : s1;
@@ -1220,8 +1153,7 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor51 * a14;
         a55 = a55 - factor51 * a15;
         a56 = a56 - factor51 * a16;
-        size[1][l] = STEWART_FABS(a11);
-        least[1][l] = STEWART_ROUNDING * s1;
+        fault = STEWART_FABS(a11) > STEWART_ROUNDING * s1 ? fault : (stewart_real)1;
         const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
             ? (stewart_real)1 : (stewart_real)0;
         const stewart_real s2_3 = below32 > 0 ? s3 : s2;
@@ -1298,8 +1230,7 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor52 * a24;
         a55 = a55 - factor52 * a25;
         a56 = a56 - factor52 * a26;
-        size[2][l] = STEWART_FABS(a22);
-        least[2][l] = STEWART_ROUNDING * s2;
+        fault = STEWART_FABS(a22) > STEWART_ROUNDING * s2 ? fault : (stewart_real)1;
         const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
             ? (stewart_real)1 : (stewart_real)0;
         const stewart_real s3_4 = below43 > 0 ? s4 : s3;
@@ -1343,8 +1274,7 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor53 * a34;
         a55 = a55 - factor53 * a35;
         a56 = a56 - factor53 * a36;
-        size[3][l] = STEWART_FABS(a33);
-        least[3][l] = STEWART_ROUNDING * s3;
+        fault = STEWART_FABS(a33) > STEWART_ROUNDING * s3 ? fault : (stewart_real)1;
         const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
             ? (stewart_real)1 : (stewart_real)0;
         const stewart_real s4_5 = below54 > 0 ? s5 : s4;
@@ -1363,139 +1293,158 @@ STEWART_APART static void solve_block(
         const stewart_real factor54 = a54 * inverse4;
         a55 = a55 - factor54 * a45;
         a56 = a56 - factor54 * a46;
-        size[4][l] = STEWART_FABS(a44);
-        least[4][l] = STEWART_ROUNDING * s4;
-        const stewart_real inverse5 = 1 / a55;
-        size[5][l] = STEWART_FABS(a55);
-        least[5][l] = STEWART_ROUNDING * s5;
-        a56 = a56 * inverse5;
-        x[5][l] = a56;
+        fault = STEWART_FABS(a44) > STEWART_ROUNDING * s4 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a55) > STEWART_ROUNDING * s5 ? fault : (stewart_real)1;
+        a56 = a56 / a55;
         a46 = a46 - a45 * a56;
         a46 = a46 * inverse4;
-        x[4][l] = a46;
         a36 = a36 - a34 * a46;
         a36 = a36 - a35 * a56;
         a36 = a36 * inverse3;
-        x[3][l] = a36;
         a26 = a26 - a23 * a36;
         a26 = a26 - a24 * a46;
         a26 = a26 - a25 * a56;
         a26 = a26 * inverse2;
-        x[2][l] = a26;
         a16 = a16 - a12 * a26;
         a16 = a16 - a13 * a36;
         a16 = a16 - a14 * a46;
         a16 = a16 - a15 * a56;
         a16 = a16 * inverse1;
-        x[1][l] = a16;
         a06 = a06 - a01 * a16;
         a06 = a06 - a02 * a26;
         a06 = a06 - a03 * a36;
         a06 = a06 - a04 * a46;
         a06 = a06 - a05 * a56;
         a06 = a06 * inverse0;
-        x[0][l] = a06;
+        const stewart_real F0 = D[0][l] - a06;
+        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[0][l] = F0;
+        const stewart_real F1 = D[1][l] - a16;
+        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[1][l] = F1;
+        const stewart_real F2 = D[2][l] - a26;
+        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[2][l] = F2;
+        const stewart_real F3 = D[3][l] - a36;
+        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[3][l] = F3;
+        const stewart_real F4 = D[4][l] - a46;
+        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[4][l] = F4;
+        const stewart_real F5 = D[5][l] - a56;
+        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[5][l] = F5;
+        bad[l] = fault;
     }
 }
 
-/* A block of eight poses on its way: legs, pivots, forces. */
-typedef struct {
-    leg_lanes legs[6];
-    stewart_real size[6][LANES], least[6][LANES], F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where `block_status` has something to say, else 0 */
-} block;
-
-/* Status of the pose in one lane. */
-static int block_status(const block *done, int l)
+/* `width` numbers of each of eight poses; past the end, the last pose again. */
+static const stewart_real *whole(
+    const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
-    int i, status;
-    for (i = 0; i < 6; ++i) {
-        status = leg_status(&done->legs[i], l);
-        if (status != STEWART_OK) {
-            return status;
+    size_t l, i;
+    if (first + LANES <= count) {
+        return from + first * width;
+    }
+    for (l = 0; l < LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1;
+        for (i = 0; i < width; ++i) {
+            padded[l * width + i] = from[pose * width + i];
         }
     }
-    for (i = 0; i < 6; ++i) {
-        if (!(done->size[i][l] > done->least[i][l])) {
-            return done->size[i][l] <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        if (!(STEWART_FABS(done->F[i][l]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
-        }
-    }
-    return STEWART_OK;
+    return padded;
 }
 
-/* Lane by lane: a column entry into the matrix, a part of c onto the right side. */
-static void place(
-    stewart_real *STEWART_RESTRICT entry, stewart_real *STEWART_RESTRICT right,
-    const stewart_real *STEWART_RESTRICT column, const stewart_real *STEWART_RESTRICT part)
+/* Eight vectors, eight matrices, eight zeros: component by component. */
+static void spread_vector(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        entry[l] = column[l];
-        right[l] = right[l] + part[l];
+        to[0][l] = from[3 * l];
+        to[1][l] = from[3 * l + 1];
+        to[2][l] = from[3 * l + 2];
     }
 }
 
-/* Lane by lane: the largest size so far. */
-static void grow(stewart_real *STEWART_RESTRICT largest, const stewart_real *STEWART_RESTRICT values)
+static void spread_matrix(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
 {
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        largest[l] = STEWART_LARGER(STEWART_FABS(values[l]), largest[l]);
+    int i, l;
+    for (i = 0; i < 9; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = from[9 * l + i];
+        }
     }
 }
 
-/* Lane by lane: 1 where a leg, a pivot or a force is no good. */
-static void judge(
-    stewart_real *STEWART_RESTRICT bad, const stewart_real *STEWART_RESTRICT leg,
-    const stewart_real *STEWART_RESTRICT size, const stewart_real *STEWART_RESTRICT least,
-    const stewart_real *STEWART_RESTRICT force)
+static void clear(stewart_real (*to)[LANES])
 {
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        stewart_real found = leg[l] > 0 ? (stewart_real)1 : bad[l];
-        found = size[l] > least[l] ? found : (stewart_real)1;
-        bad[l] = STEWART_FABS(force[l]) <= STEWART_MAX ? found : (stewart_real)1;
+    int i, l;
+    for (i = 0; i < 3; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = 0;
+        }
+    }
+}
+
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+{
+    stewart_real padded[9 * LANES];
+    spread_matrix(whole(motions->R, 9, first, count, padded), in->R);
+    spread_vector(whole(motions->t, 3, first, count, padded), in->t);
+    spread_vector(whole(motions->omega, 3, first, count, padded), in->omega);
+    spread_vector(whole(motions->v, 3, first, count, padded), in->v);
+    spread_vector(whole(motions->alpha, 3, first, count, padded), in->alpha);
+    spread_vector(whole(motions->a, 3, first, count, padded), in->a);
+    if (motions->F_ext) {
+        spread_vector(whole(motions->F_ext, 3, first, count, padded), in->F_ext);
+    } else {
+        clear(in->F_ext);
+    }
+    if (motions->M_ext) {
+        spread_vector(whole(motions->M_ext, 3, first, count, padded), in->M_ext);
+    } else {
+        clear(in->M_ext);
     }
 }
 
 static void forces_of_block(const stewart_exact_spherical_model *model, const motion_lanes *in, block *out)
 {
     shared_lanes shared;
-    stewart_real A[6][7][LANES];
-    stewart_real x[6][LANES];
-    stewart_real moment[LANES];
-    int i, j, l;
-    shared_of_block(model, in, &shared);
+    int i, l;
     for (l = 0; l < LANES; ++l) {
-        moment[l] = 0;
+        out->moment[l] = 0;
         out->bad[l] = 0;
     }
-    for (j = 0; j < 3; ++j) {
-        for (l = 0; l < LANES; ++l) {
-            A[j][6][l] = shared.c_force[j][l];
-            A[j + 3][6][l] = shared.c_moment[j][l];
-        }
-    }
+    shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(model, i, in, &shared, &out->legs[i]);
-        for (j = 0; j < 3; ++j) {
-            place(A[j][i], A[j][6], out->legs[i].H_force[j], out->legs[i].c_force[j]);
-            place(A[j + 3][i], A[j + 3][6], out->legs[i].H_moment[j], out->legs[i].c_moment[j]);
-            grow(moment, out->legs[i].H_moment[j]);
-        }
+        leg_of_block(
+            model, i, in, &shared, out->column[i], out->column[6], out->D[i], out->moment, out->bad);
     }
-    solve_block(A, moment, x, out->size, out->least);
-    for (i = 0; i < 6; ++i) {
-        for (l = 0; l < LANES; ++l) {
-            out->F[i][l] = out->legs[i].D[l] - x[i][l];
-        }
-        judge(out->bad, out->legs[i].bad, out->size[i], out->least[i], out->F[i]);
+    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+}
+
+/* Forces and status of one pose of a batch. */
+static int forces_of(
+    const stewart_exact_spherical_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+{
+    stewart_motion one;
+    int i;
+    for (i = 0; i < 9; ++i) {
+        one.R[i] = motions->R[pose * 9 + (size_t)i];
     }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose * 3 + (size_t)i;
+        one.t[i] = motions->t[at];
+        one.omega[i] = motions->omega[at];
+        one.v[i] = motions->v[at];
+        one.alpha[i] = motions->alpha[at];
+        one.a[i] = motions->a[at];
+        one.F_ext[i] = motions->F_ext ? motions->F_ext[at] : 0;
+        one.M_ext[i] = motions->M_ext ? motions->M_ext[at] : 0;
+    }
+    return stewart_exact_spherical_forces(model, &one, F);
 }
 
 int stewart_exact_spherical_forces_batch(
@@ -1516,17 +1465,18 @@ int stewart_exact_spherical_forces_batch(
         forces_of_block(model, &in, &done);
         for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
             const size_t pose = first + (size_t)l;
-            const int code = done.bad[l] > 0 ? block_status(&done, l) : STEWART_OK;
-            if (code == STEWART_OK) {
+            int code = STEWART_OK;
+            if (done.bad[l] > 0) {
+                code = forces_of(model, motions, pose, F + pose * 6);
+            } else {
                 for (i = 0; i < 6; ++i) {
                     F[pose * 6 + (size_t)i] = done.F[i][l];
                 }
-            } else if (result == STEWART_OK) {
-                result = code;
             }
             if (status) {
                 status[pose] = code;
             }
+            result = result == STEWART_OK ? code : result;
         }
     }
     return result;

@@ -8,11 +8,11 @@
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
  * leg      264 (154 mul, 106 add, 2 div, 2 sqrt)     230 (135 mul, 91 add, 2 div, 2 sqrt)
- * platform 180 (93 mul, 87 add, 0 div, 0 sqrt)       174 (90 mul, 84 add, 0 div, 0 sqrt)
+ * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2003 (1123 mul, 850 add, 18 div, 12 sqrt) 1793 (1006 mul, 757 add, 18 div, 12 sqrt)
+ * total    1978 (1107 mul, 841 add, 18 div, 12 sqrt) 1768 (990 mul, 748 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_PAPER_FORCES_H
 #define STEWART_PAPER_FORCES_H
@@ -25,22 +25,23 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
-    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
+    stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
     stewart_real h[3][8]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real w[3][8]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
     stewart_real J[6][8]; /* kg m^2: inertias of the parts about base and platform point, leg frame */
     stewart_real C_us[8]; /* N m s: C_u + C_s */
-    stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
-    stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
     stewart_real m_L2[8]; /* kg: m_u, which (16) counts twice */
+    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    stewart_real b_1[3]; /* m: base point 1, base frame */
 } stewart_paper_model;
 
 /* Prepares the constants. Returns a status. */

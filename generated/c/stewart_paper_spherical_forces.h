@@ -7,12 +7,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      249 (144 mul, 103 add, 1 div, 1 sqrt)     182 (103 mul, 77 add, 1 div, 1 sqrt)
- * platform 174 (90 mul, 84 add, 0 div, 0 sqrt)       174 (90 mul, 84 add, 0 div, 0 sqrt)
+ * leg      243 (141 mul, 100 add, 1 div, 1 sqrt)     176 (100 mul, 74 add, 1 div, 1 sqrt)
+ * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1907 (1060 mul, 829 add, 12 div, 6 sqrt)  1505 (814 mul, 673 add, 12 div, 6 sqrt)
+ * total    1846 (1026 mul, 802 add, 12 div, 6 sqrt)  1444 (780 mul, 646 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_PAPER_SPHERICAL_FORCES_H
 #define STEWART_PAPER_SPHERICAL_FORCES_H
@@ -25,7 +25,6 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
-    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real m_d[8]; /* kg: mass of the lower part */
     stewart_real r_d0[3][8]; /* m: centre of mass of the lower part, frame D */
@@ -36,12 +35,13 @@ typedef struct {
     stewart_real C_u[8]; /* N m s: viscous friction of the universal joint */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
+    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
-    stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    stewart_real b_1[3]; /* m: base point 1, base frame */
 } stewart_paper_spherical_model;
 
 /* Prepares the constants. Returns a status. */

@@ -1,0 +1,81 @@
+"""What each reduction is worth: the ``exact`` force kernel after every pass, with its operations and its C.
+
+Stands beside ``generate`` and is asked for by the benchmark. The passes stand in ``reduce`` and ``regroup``;
+this module only puts them in order.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from .emit import c, lanes
+from .formulation import EXACT
+from .generate import generator_version, shared_blocks
+from .operations import force_operations
+from .regroup import ForceKernel, elimination_kernel, force_kernel, regrouped, with_shared_pose
+
+
+@dataclass(frozen=True)
+class Pass:
+    """The kernel after one more pass.
+
+    operations: of a pose, without and with friction. sources: the C by file name, with the functions of the
+    generated force kernel. model_numbers: how many numbers its prepared model holds.
+    """
+
+    name: str
+    meaning: str
+    operations: tuple[int, int]
+    sources: dict[str, str]
+    model_numbers: int
+
+
+def passes() -> tuple[Pass, ...]:
+    """The passes in order; each has all those before it."""
+    return tuple(_after(name, meaning, derive) for name, meaning, derive in _ORDER)
+
+
+def _plain(friction: bool) -> ForceKernel:
+    """The named steps of the derivation; only the preparation of constants is shared, as in every pass."""
+    raw = elimination_kernel(EXACT, friction)
+    return replace(shared_blocks(raw), leg=raw.leg, shared=raw.shared)
+
+
+_ORDER: tuple[tuple[str, str, Callable[[bool], ForceKernel]], ...] = (
+    ("leg frame", "the elimination in the leg frame, step by step", _plain),
+    (
+        "shared subexpressions",
+        "what occurs twice between the named steps computed once",
+        lambda friction: shared_blocks(elimination_kernel(EXACT, friction)),
+    ),
+    (
+        "shared pose",
+        "S_ddot = B q + a, the platform's inertia about its reference point",
+        lambda friction: shared_blocks(with_shared_pose(EXACT, friction)),
+    ),
+    (
+        "joint coordinates",
+        "legs by Lagrange in L, theta, phi with regrouped constants, upper masses on the platform",
+        lambda friction: shared_blocks(regrouped(EXACT, friction)),
+    ),
+    (
+        "pole at base point 1",
+        "moments about base point 1: elimination begins with three rows",
+        lambda friction: shared_blocks(force_kernel(EXACT, friction)),
+    ),
+)
+
+
+def _after(name: str, meaning: str, derive: Callable[[bool], ForceKernel]) -> Pass:
+    smooth, rough = derive(False), derive(True)
+    version = generator_version()
+    return Pass(
+        name,
+        meaning,
+        operations=(force_operations(smooth).total.total, force_operations(rough).total.total),
+        sources={
+            "stewart.h": c.common_header(version),
+            "stewart_exact_forces.h": lanes.header(rough, smooth, version),
+            "stewart_exact_forces.c": lanes.source(rough, version),
+        },
+        model_numbers=lanes.model_numbers(rough),
+    )

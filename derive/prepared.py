@@ -1,0 +1,126 @@
+"""Constants that are prepared once per robot, and the blocks that prepare them. Stands below ``regroup``.
+
+Of a leg, the inertia of the lower part about the base point and of the upper part about the platform point
+add up to one constant tensor J, and the first moments h (upper part) and w (both parts) remain. What rides on
+the platform, the mass of the upper parts as points at their spherical joints, is added to the platform's own.
+Knows no equation of motion.
+"""
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from . import notation as n
+from .block import Block, Builder, Quantity
+from .leg import cross
+
+# Prepared constants of one leg.
+h = Quantity("h", (3,), "kg m", "first moment of the upper part about the platform point, leg frame")
+h2_x = Quantity("h2_x", (), "kg m", "2 h_x")
+h2_y = Quantity("h2_y", (), "kg m", "2 h_y")
+h2_z = Quantity("h2_z", (), "kg m", "2 h_z")
+w = Quantity(
+    "w", (3,), "kg m", "first moments of both parts, about the base and the platform point, leg frame"
+)
+J = Quantity("J", (3, 3), "kg m^2", "inertias of the parts about base and platform point, leg frame", True)
+J2_xz = Quantity("J2_xz", (), "kg m^2", "2 J_xz")
+dJ_zx = Quantity("dJ_zx", (), "kg m^2", "J_zz - J_xx")
+g_k = Quantity("g_k", (), "m/s^2", "gravity along the fixed axis")
+g_x_k = Quantity("g_x_k", (3,), "m/s^2", "g x k, base frame")
+C_us = Quantity("C_us", (), "N m s", "C_u + C_s")
+m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
+r = Quantity("r", (3,), "m", "base point from base point 1, base frame")
+LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, r)
+
+# What one leg hands to the platform's constants.
+M_add = Quantity("M_add", (), "kg", "mass that rides on the platform")
+h_add = Quantity("h_add", (3,), "kg m", "its first moment, platform frame")
+J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
+C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
+ADDED = (M_add, h_add, J_add, C_add)
+
+# Prepared constants of the platform.
+M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
+h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
+J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
+dJ_P = Quantity("dJ_P", (3,), "kg m^2", "J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx")
+C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
+
+# What the pose hands to the legs.
+B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
+t_1 = Quantity("t_1", (3,), "m", "reference point from base point 1, base frame")
+
+
+def point_inertia(mass: sp.Expr, at: sp.Matrix) -> sp.Matrix:
+    """Inertia of a point mass about the origin: m (r.r E - r r^T)."""
+    return mass * (at.dot(at) * sp.eye(3) - at * at.T)
+
+
+def differences(tensor: sp.Matrix) -> sp.Matrix:
+    """(zz - yy, xx - zz, yy - xx)."""
+    xx, yy, zz = (tensor[i, i] for i in range(3))
+    return sp.Matrix([zz - yy, xx - zz, yy - xx])
+
+
+def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Block:
+    """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
+
+    needed: prepared or raw constants of a leg; others are passed over. riding: whether the upper part's mass
+    rides on the platform.
+    """
+    build = Builder()
+    m_u, r_u = n.m_u.value, n.r_u0.value
+    first = build.vector("h", m_u * r_u)
+    both = build.vector("w", n.m_d.value * n.r_d0.value + first)
+    tensor = build.tensor(
+        "J",
+        n.I_d0.value + n.I_u0.value + point_inertia(n.m_d.value, n.r_d0.value) + point_inertia(m_u, r_u),
+    )
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.LEG} | {
+        h: first,
+        h2_x: 2 * first[0],
+        h2_y: 2 * first[1],
+        h2_z: 2 * first[2],
+        w: both,
+        J: tensor,
+        J2_xz: 2 * tensor[0, 2],
+        dJ_zx: tensor[2, 2] - tensor[0, 0],
+        g_k: n.g.value.dot(n.k.value),
+        g_x_k: cross(n.g.value, n.k.value),
+        C_us: n.C_u.value + n.C_s.value,
+        m_L2: m_u,
+        r: n.b.value - n.b_1.value,
+    }
+    mass = m_u if riding else sp.S.Zero
+    added = [
+        (M_add, mass),
+        (h_add, mass * n.p.value),
+        (J_add, point_inertia(mass, n.p.value)),
+        (C_add, n.C_s.value if riding and friction else sp.S.Zero),
+    ]
+    return build.block(
+        "prepare_leg",
+        "constants of one leg, and what it adds to the platform",
+        (*n.LEG, n.b_1, n.g),
+        [*((q, values[q]) for q in needed if q in values), *added],
+    )
+
+
+def prepare_platform(needed: Iterable[Quantity]) -> Block:
+    """The platform's constants in ``needed``, from the robot's numbers and from sums over the legs."""
+    build = Builder()
+    M, R_0 = n.M.value, n.R_0.value
+    tensor = build.tensor("J_P", n.I_p.value + point_inertia(M, R_0) + J_add.value)
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in (*n.PLATFORM, n.b_1)} | {
+        M_P: M + M_add.value,
+        h_P: M * R_0 + h_add.value,
+        J_P: tensor,
+        dJ_P: differences(tensor),
+        C_P: C_add.value,
+    }
+    return build.block(
+        "prepare_platform",
+        "constants of the platform",
+        (*n.PLATFORM, n.b_1, *ADDED),
+        [(q, values[q]) for q in needed if q in values],
+    )
