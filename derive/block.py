@@ -249,8 +249,8 @@ def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> 
         return known[expr.name]
     if expr.is_Integer:
         return int(expr)
-    if expr == sp.Rational(1, 2):
-        return 0.5
+    if expr.is_Rational and expr.q == 2:
+        return expr.p * 0.5
     if expr.is_Pow and expr.exp == sp.Rational(1, 2):
         return sqrt(run(expr.base, known, sqrt))
     values = [run(arg, known, sqrt) for arg in expr.args]

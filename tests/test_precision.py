@@ -39,14 +39,20 @@ def block_inputs(robot: Robot, motion: Motion, leg: int) -> dict[str, mp.mpf]:
     return values
 
 
-def truth(form: Formulation, robot: Robot, motion: Motion) -> dict[str, mp.matrix]:
-    """D, K, H, c, x, F from the blocks as they were derived, without sharing, at 50 digits."""
+def truth(
+    form: Formulation, robot: Robot, motion: Motion, raw: list[dict[str, mp.mpf]] | None = None
+) -> dict[str, mp.matrix]:
+    """D, K, H, c, x, F from the blocks as they were derived, without sharing, at 50 digits.
+
+    raw: the inputs of each leg; None for those of the robot and the motion.
+    """
     blocks = derived(form)
-    own = blocks.platform.run(block_inputs(robot, motion, 0), mp.sqrt)
+    raw = raw or [block_inputs(robot, motion, i) for i in range(6)]
+    own = blocks.platform.run(raw[0], mp.sqrt)
     c = mp.matrix([*own["c_force"], *own["c_moment"]])
     D, K, H = mp.matrix(6, 1), mp.matrix(6, 3), mp.matrix(6, 6)
     for i in range(6):
-        leg = blocks.leg.run(block_inputs(robot, motion, i), mp.sqrt)
+        leg = blocks.leg.run(raw[i], mp.sqrt)
         D[i] = leg["D"][0]
         c += mp.matrix([*leg["c_force"], *leg["c_moment"]])
         for j in range(3):

@@ -1,0 +1,579 @@
+"""The closed form: M [a; alpha] + C [v; omega] + g + friction = H F + external wrench, as blocks.
+
+Every leg is a mechanism of three freedoms at its tip (``tip``, ``joint_leg``); the platform sees it through
+J = [E, -[q]x]. Blocks here give what a pose has for all legs with the platform's own part, and one leg's part
+of each sum: of M, C, g and friction; of M and the right side of forward dynamics; of the bias; and of the
+derivatives of the wrench by pose, twist and acceleration. Poses move by [dt; dphi], R becoming
+exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of sharing or printing.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import notation as n
+from . import prepared as p
+from . import tip
+from .block import Block, Builder, Quantity
+from .joint_leg import (
+    JointFrame,
+    friction_moment,
+    gravity_torques,
+    joint_accelerations,
+    joint_forces,
+    joint_frame,
+    joint_inertia,
+    joint_rates,
+    tip_force,
+)
+from .leg import cross
+from .regroup import rotary
+
+
+def _matrix(name: str, unit: str, meaning: str, symmetric: bool = False) -> Quantity:
+    return Quantity(name, (3, 3), unit, meaning, symmetric)
+
+
+def _vector(name: str, unit: str, meaning: str) -> Quantity:
+    return Quantity(name, (3,), unit, meaning)
+
+
+# Inertia, rows and columns of v and omega.
+M_VV = _matrix("M_vv", "kg", "inertia, force by a", True)
+M_VW = _matrix("M_vw", "kg m", "inertia, force by alpha")
+M_WW = _matrix("M_ww", "kg m^2", "inertia, moment by alpha", True)
+INERTIA = (M_VV, M_VW, M_WW)
+
+# Coriolis matrix, gravity, friction, bias, right side.
+C_VV = _matrix("C_vv", "kg/s", "Coriolis matrix, force by v")
+C_VW = _matrix("C_vw", "kg m/s", "Coriolis matrix, force by omega")
+C_WV = _matrix("C_wv", "kg m/s", "Coriolis matrix, moment by v")
+C_WW = _matrix("C_ww", "kg m^2/s", "Coriolis matrix, moment by omega")
+CORIOLIS = (C_VV, C_VW, C_WV, C_WW)
+GRAVITY = (_vector("g_force", "N", "gravity, force"), _vector("g_moment", "N m", "gravity, moment"))
+FRICTION = (
+    _vector("friction_force", "N", "friction, force"),
+    _vector("friction_moment", "N m", "friction, moment"),
+)
+BIAS = (
+    _vector("bias_force", "N", "C twist + g + friction, force"),
+    _vector("bias_moment", "N m", "C twist + g + friction, moment"),
+)
+RIGHT = (
+    _vector("right_force", "N", "H F + external wrench - bias, force"),
+    _vector("right_moment", "N m", "H F + external wrench - bias, moment"),
+)
+
+# Derivatives of the wrench M [a; alpha] + bias - external wrench - H F at fixed F.
+BY_POSE = (
+    _matrix("W_ft", "N/m", "force by dt"),
+    _matrix("W_fr", "N", "force by dphi"),
+    _matrix("W_mt", "N", "moment by dt"),
+    _matrix("W_mr", "N m", "moment by dphi"),
+)
+BY_TWIST = (
+    _matrix("W_fv", "N s/m", "force by v"),
+    _matrix("W_fw", "N s", "force by omega"),
+    _matrix("W_mv", "N s", "moment by v"),
+    _matrix("W_mw", "N m s", "moment by omega"),
+)
+
+# What the pose hands to the legs.
+B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
+F_LEG = Quantity("F", (), "N", "actuator force of the leg")
+S_DOT = (
+    _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
+    _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
+)
+JUDGED = (n.q, n.L, n.k3)
+
+
+@dataclass(frozen=True)
+class SumKernel:
+    """A pose's part and one leg's part of sums over the machine.
+
+    summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
+    column of H where it is needed, and q, L, k3 by which the leg is judged.
+    """
+
+    name: str
+    summed: tuple[Quantity, ...]
+    pose: Block
+    leg: Block
+
+
+def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
+    """All of them: equations, bias, forward dynamics, derivatives."""
+    return (
+        equations_kernel(friction),
+        bias_kernel(friction),
+        forward_kernel(friction),
+        derivatives_kernel(friction),
+    )
+
+
+# ---------------------------------------------------------------- the platform's own part
+
+
+@dataclass(frozen=True)
+class _Platform:
+    """First moment h, inertia J about the reference point, in the base frame, and omega x h, J omega."""
+
+    h: sp.Matrix
+    J: sp.Matrix
+    w_h: sp.Matrix
+    J_w: sp.Matrix
+
+
+def _platform(build: Builder) -> _Platform:
+    R, omega = n.R.value, n.omega.value
+    h = build.vector("h_base", R * p.h_P.value, "(30)", "first moment of the platform, base frame")
+    J = build.tensor("J_base", R * p.J_P.value * R.T, "(32)", "inertia of the platform, base frame")
+    w_h = build.vector("w_h", cross(omega, h), "(31)", "omega x h")
+    J_w = build.vector("J_w", J * omega, "(34)", "I omega")
+    return _Platform(h, J, w_h, J_w)
+
+
+def _platform_inertia(at: _Platform) -> list[tuple[Quantity, sp.Matrix]]:
+    return [(M_VV, p.M_P.value * sp.eye(3)), (M_VW, -tip.skew(at.h)), (M_WW, at.J)]
+
+
+def _platform_bias(at: _Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """C twist + g + friction of the platform with what rides on it, force and moment."""
+    omega, g = n.omega.value, n.g.value
+    moment = cross(omega, at.J_w) - cross(at.h, g)
+    if friction:
+        moment += p.C_P.value * omega
+    return cross(omega, at.w_h) - p.M_P.value * g, moment
+
+
+def _external() -> tuple[sp.Matrix, sp.Matrix]:
+    return n.R.value * n.F_ext.value, n.R.value * n.M_ext.value
+
+
+_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g)
+
+
+def _centripetal(build: Builder) -> sp.Matrix:
+    return rotary(build, n.omega.value, sp.zeros(3, 1))
+
+
+# ---------------------------------------------------------------- one leg
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """A leg on its way: frame with third axis, rates, tip velocity."""
+
+    at: JointFrame
+    z: sp.Matrix
+    S_dot: sp.Matrix
+
+    @property
+    def T(self) -> sp.Matrix:
+        return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
+
+
+def _leg(build: Builder) -> _Leg:
+    at = joint_frame(build)
+    z = build.vector("z", cross(at.s, at.y), "(10)", "third axis of the leg frame")
+    S_dot = build.vector(
+        "S_dot", cross(n.omega.value, at.q) + n.v.value, "(4)", "velocity of the platform point"
+    )
+    return _Leg(at, z, S_dot)
+
+
+def _judged(at: JointFrame) -> list[tuple[Quantity, sp.Expr | sp.Matrix]]:
+    return [(n.q, at.q), (n.L, at.L), (n.k3, at.k3)]
+
+
+def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
+    return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
+
+
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, n.g)
+
+
+def _tip_inertia(build: Builder, leg: _Leg) -> sp.Matrix:
+    """m of (L, theta, phi) at the tip, base frame, 3x3 symmetric; nothing along s alone."""
+    at = leg.at
+    inner = joint_inertia(build, at)
+    meaning = "inertia at the tip, leg frame"
+    y, z = at.inv_rho, -at.inv_L
+    m_sy = build.scalar("m_leg_sy", inner.L_phi * y, "", meaning)
+    m_sz = build.scalar("m_leg_sz", inner.L_theta * z, "", meaning)
+    m_yy = build.scalar("m_leg_yy", inner.phi * y * y, "", meaning)
+    m_yz = build.scalar("m_leg_yz", inner.mixed * y * z, "", meaning)
+    m_zz = build.scalar("m_leg_zz", inner.theta * z * z, "", meaning)
+    local = sp.Matrix([[0, m_sy, m_sz], [m_sy, m_yy, m_yz], [m_sz, m_yz, m_zz]])
+    return _turned(build, "m", leg.T, local, "inertia at the tip, base frame", symmetric=True)
+
+
+def _turned(
+    build: Builder, name: str, T: sp.Matrix, local: sp.Matrix, meaning: str, symmetric: bool = False
+) -> sp.Matrix:
+    """T local T^T, its entries named."""
+    half = sp.Matrix(
+        3, 3, lambda i, j: build.scalar(f"{name}_T_{'xyz'[i]}{'syz'[j]}", (T[i, :] * local[:, j])[0])
+    )
+    if symmetric:
+        return build.tensor(name, half * T.T, "", meaning)
+    return _named(build, name, half * T.T, meaning)
+
+
+def _named(build: Builder, name: str, value: sp.Matrix, meaning: str = "") -> sp.Matrix:
+    return sp.Matrix(
+        3, 3, lambda i, j: build.scalar(f"{name}_{'xyz'[i]}{'xyz'[j]}", value[i, j], "", meaning)
+    )
+
+
+def _leg_inertia(build: Builder, m: sp.Matrix, q: sp.Matrix) -> list[tuple[Quantity, sp.Matrix]]:
+    """J^T m J."""
+    mq = _named(build, "m_q", m * tip.skew(q), "m [q]x")
+    return [(M_VV, m), (M_VW, -mq), (M_WW, -tip.skew(q) * mq)]
+
+
+def _wrench(force: sp.Matrix, q: sp.Matrix, less: sp.Matrix | None = None) -> list[sp.Matrix]:
+    moment = cross(q, force)
+    return [force, moment if less is None else moment - less]
+
+
+# ---------------------------------------------------------------- the kernels
+
+
+def bias_kernel(friction: bool) -> SumKernel:
+    """C twist + g + friction without C."""
+    build = Builder()
+    force, moment = _platform_bias(_platform(build), friction)
+    pose = build.block(
+        "bias_of_platform",
+        "the platform's part of C twist + g + friction",
+        _POSE_INPUTS,
+        [(B_0, _centripetal(build)), *zip(BIAS, (force, moment), strict=True)],
+    )
+    build = Builder()
+    leg = _leg(build)
+    D, K, f = _tip_bias(build, leg, friction)
+    R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
+    block = build.block(
+        "bias_of_leg",
+        "one leg's part of C twist + g + friction",
+        _LEG_INPUTS,
+        [*zip(BIAS, _wrench(R, leg.at.q, f), strict=True), *_judged(leg.at)],
+    )
+    return SumKernel("bias", BIAS, pose, block)
+
+
+def _tip_bias(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Expr, sp.Matrix, sp.Matrix]:
+    """D, K and f of the leg without accelerations of the platform."""
+    at = leg.at
+    rates = joint_rates(build, at, leg.S_dot)
+    S_ddot = build.vector(
+        "S_ddot", B_0.value * at.q, "(7)", "acceleration of the platform point, a = alpha = 0"
+    )
+    accelerations = joint_accelerations(build, at, rates, S_ddot)
+    D, K = tip_force(build, at, joint_forces(build, at, rates, accelerations, friction))
+    return D, K, friction_moment(at, rates, friction)
+
+
+def forward_kernel(friction: bool) -> SumKernel:
+    """M, and the right side H F + external wrench - bias."""
+    build = Builder()
+    at = _platform(build)
+    bias, load = _platform_bias(at, friction), _external()
+    pose = build.block(
+        "forward_of_platform",
+        "the platform's part of M and of the right side",
+        _POSE_INPUTS,
+        [
+            (B_0, _centripetal(build)),
+            *_platform_inertia(at),
+            *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
+        ],
+    )
+    build = Builder()
+    leg = _leg(build)
+    D, K, f = _tip_bias(build, leg, friction)
+    push = build.vector("push", (F_LEG.value - D) * leg.at.s - K, "", "force on the platform at the tip")
+    m = _tip_inertia(build, leg)
+    block = build.block(
+        "forward_of_leg",
+        "one leg's part of M and of the right side",
+        _LEG_INPUTS,
+        [
+            *_leg_inertia(build, m, leg.at.q),
+            *zip(RIGHT, _wrench(push, leg.at.q, -f), strict=True),
+            *_judged(leg.at),
+        ],
+    )
+    return SumKernel("forward_dynamics", (*INERTIA, *RIGHT), pose, block)
+
+
+def equations_kernel(friction: bool) -> SumKernel:
+    """M, C, g and friction apart, H and its rate."""
+    summed = (*INERTIA, *CORIOLIS, *GRAVITY, *FRICTION)
+    return SumKernel("equations", summed, _equations_of_platform(friction), _equations_of_leg(friction))
+
+
+def _equations_of_platform(friction: bool) -> Block:
+    build = Builder()
+    at = _platform(build)
+    omega, g = n.omega.value, n.g.value
+    half_trace = build.scalar("half_trace", (at.J[0, 0] + at.J[1, 1] + at.J[2, 2]) / 2)
+    turn = tip.skew(omega)
+    zero = sp.zeros(3, 3)
+    coriolis = (zero, -tip.skew(at.w_h), zero, turn * at.J - half_trace * turn)
+    rub = p.C_P.value * omega if friction else sp.zeros(3, 1)
+    return build.block(
+        "equations_of_platform",
+        "the platform's part of M, C, g and friction",
+        _POSE_INPUTS,
+        [
+            *_platform_inertia(at),
+            *zip(CORIOLIS, coriolis, strict=True),
+            *zip(GRAVITY, (-p.M_P.value * g, -cross(at.h, g)), strict=True),
+            *zip(FRICTION, (sp.zeros(3, 1), rub), strict=True),
+        ],
+    )
+
+
+def _equations_of_leg(friction: bool) -> Block:
+    build = Builder()
+    leg = _leg(build)
+    at, q = leg.at, leg.at.q
+    rates = joint_rates(build, at, leg.S_dot)
+    m = _tip_inertia(build, leg)
+    inner = tip.gradients()
+    M, C = _named_inertia(build), _local(build, "C_xi", tip.christoffel(tip.inertia()))
+    rate = _local(build, "G_dot", inner.rate)
+    C_tip = _turned(
+        build,
+        "C_tip",
+        leg.T,
+        _local(build, "C_leg", inner.value.T * (C * inner.value + M * rate)),
+        "Coriolis matrix at the tip, base frame",
+    )
+    w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    C_vw = _named(build, "C_q", -C_tip * tip.skew(q) - m * tip.skew(w_q))
+    turn = tip.skew(q)
+    about_y, about_k = gravity_torques(build, at)
+    held = build.vector("held", _from_torques(build, leg, sp.S.Zero, about_y, about_k), "", "against gravity")
+    rub, f = sp.zeros(3, 1), friction_moment(at, rates, friction)
+    if friction:
+        omega, C_s, C_us = n.omega.value, n.C_s.value, p.C_us.value
+        rub = build.vector(
+            "rubbed",
+            _from_torques(
+                build,
+                leg,
+                n.C_p.value * rates.L,
+                C_us * rates.theta - C_s * at.y.dot(omega),
+                C_us * rates.phi - C_s * n.k.value.dot(omega),
+            ),
+            "",
+            "against friction",
+        )
+    s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "rate of s")
+    return build.block(
+        "equations_of_leg",
+        "one leg's part of M, C, g and friction, its column of H and the column's rate",
+        _LEG_INPUTS,
+        [
+            *_leg_inertia(build, m, q),
+            *zip(CORIOLIS, (C_tip, C_vw, turn * C_tip, turn * C_vw), strict=True),
+            *zip(GRAVITY, _wrench(held, q), strict=True),
+            *zip(FRICTION, _wrench(rub, q, f), strict=True),
+            *_columns(at),
+            *zip(S_DOT, (s_dot, cross(w_q, at.s) + cross(q, s_dot)), strict=True),
+            *_judged(at),
+        ],
+    )
+
+
+def _from_torques(build: Builder, leg: _Leg, axial: sp.Expr, about_y: sp.Expr, about_k: sp.Expr) -> sp.Matrix:
+    """Gamma^T tau, base frame."""
+    return axial * leg.at.s - leg.at.inv_L * about_y * leg.z + leg.at.inv_rho * about_k * leg.at.y
+
+
+def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
+    """Entries of a matrix of the leg frame or of the joint coordinates, named; zeros stay zeros."""
+    return sp.Matrix(
+        *value.shape,
+        lambda i, j: build.scalar(f"{name}_{i + 1}{j + 1}", value[i, j]),
+    )
+
+
+def _named_inertia(build: Builder) -> sp.Matrix:
+    """M of the joint coordinates by the names that ``joint_inertia`` gave."""
+    names = {step.name for step in build.steps}
+    theta, mixed, phi = (sp.Symbol(name, real=True) for name in ("M_theta", "M_mixed", "M_phi"))
+    if not {"M_theta", "M_mixed", "M_phi", "k3_h"} <= names:
+        raise ValueError("the inertia of the joint coordinates must be named first")
+    hz, k3h = p.h.value[2], sp.Symbol("k3_h", real=True)
+    return sp.Matrix([[0, hz, -k3h], [hz, theta, mixed], [-k3h, mixed, phi]])
+
+
+# ---------------------------------------------------------------- derivatives
+
+
+def derivatives_kernel(friction: bool) -> SumKernel:
+    """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
+    summed = (*INERTIA, *BY_POSE, *BY_TWIST)
+    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), _derivatives_of_leg(friction))
+
+
+def _derivatives_of_platform(friction: bool) -> Block:
+    build = Builder()
+    at = _platform(build)
+    omega, alpha = n.omega.value, n.alpha.value
+    turn, J = tip.skew(omega), at.J
+    B = rotary(build, omega, alpha)
+    J_alpha = build.vector("J_alpha", J * alpha)
+    rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
+    F_load, M_load = (
+        build.vector(name, v) for name, v in zip(("F_load", "M_load"), _external(), strict=True)
+    )
+    spin = _named(build, "spin", J * turn - tip.skew(at.J_w), "derivative of I omega by dphi at fixed omega")
+    by_omega = turn * J - tip.skew(at.J_w)
+    if friction:
+        by_omega += p.C_P.value * sp.eye(3)
+    zero = sp.zeros(3, 3)
+    pose = (
+        zero,
+        -B * tip.skew(at.h) + tip.skew(F_load),
+        zero,
+        tip.skew(rise) * tip.skew(at.h)
+        + J * tip.skew(alpha)
+        - tip.skew(J_alpha)
+        + turn * spin
+        + tip.skew(M_load),
+    )
+    twist = (zero, -tip.skew(at.w_h) - turn * tip.skew(at.h), zero, by_omega)
+    return build.block(
+        "derivatives_of_platform",
+        "the platform's part of the derivatives of the wrench",
+        _POSE_INPUTS,
+        [
+            (p.B, B),
+            *_platform_inertia(at),
+            *zip(BY_POSE, pose, strict=True),
+            *zip(BY_TWIST, twist, strict=True),
+        ],
+    )
+
+
+@dataclass(frozen=True)
+class _Slopes:
+    """Derivatives of the tip's force by S, S_dot, S_ddot and omega, and of f by S and S_dot; base frame."""
+
+    S: sp.Matrix
+    S_dot: sp.Matrix
+    S_ddot: sp.Matrix
+    omega: sp.Matrix
+    f_S: sp.Matrix
+    f_S_dot: sp.Matrix
+    force: sp.Matrix
+
+
+def _derivatives_of_leg(friction: bool) -> Block:
+    build = Builder()
+    leg = _leg(build)
+    q, turn = leg.at.q, tip.skew(leg.at.q)
+    by = _tip_slopes(build, leg, friction)
+    W = tip.skew(n.omega.value)
+    w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    reach = _named(build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip")
+    pace = _named(build, "Y", by.S_dot + by.S_ddot * W)
+    fr = _named(build, "Z", -reach * turn)
+    fw = _named(build, "V", -pace * turn - by.S_ddot * tip.skew(w_q) + by.omega)
+    mr, mw = turn * fr + tip.skew(by.force) * turn, turn * fw
+    mt, mv = turn * by.S, turn * by.S_dot
+    if friction:
+        mt, mr = mt - by.f_S, mr + (by.f_S + by.f_S_dot * W) * turn
+        mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
+    return build.block(
+        "derivatives_of_leg",
+        "one leg's part of the derivatives of the wrench",
+        _LEG_INPUTS,
+        [
+            *_leg_inertia(build, by.S_ddot, q),
+            *zip(BY_POSE, (by.S, fr, mt, mr), strict=True),
+            *zip(BY_TWIST, (by.S_dot, fw, mv, mw), strict=True),
+            *_columns(leg.at),
+            *_judged(leg.at),
+        ],
+    )
+
+
+def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
+    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+    at = leg.at
+    rates = joint_rates(build, at, leg.S_dot)
+    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", "acceleration of the platform point")
+    joint_accelerations(build, at, rates, S_ddot)
+    m = _tip_inertia(build, leg)
+    _projections(build, leg, friction)
+    inner = tip.gradients()
+    tau = sp.Matrix(
+        [
+            build.scalar(name, value)
+            for name, value in zip(("tau_L", "tau_theta", "tau_phi"), tip.torques(friction), strict=True)
+        ]
+    )
+    M = _named_inertia(build)
+    rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
+    raw = tip.torques(friction)
+    by_rate = _local(build, "tau_rate", raw.jacobian(tip.rates))
+    by_place = _local(build, "tau_place", tip.place(raw))
+    net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
+    bend = tip.hessian(net)
+    A_0 = inner.value.T * (M * second + by_rate * rate + by_place * inner.value) + bend
+    A_1 = inner.value.T * (2 * M * rate + by_rate * inner.value)
+    T, value = leg.T, inner.value
+    force = build.vector(
+        "R_tip",
+        _from_torques(build, leg, net[0], net[1], net[2]),
+        "",
+        "force at the tip, less the actuator's",
+    )
+    f_S = f_S_dot = by_omega = sp.zeros(3, 3)
+    if friction:
+        k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
+        C_s = n.C_s.value
+        by_omega = C_s * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
+        f_S_dot = C_s * (k * value[2, :] + y * value[1, :])
+        f_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * value[2, :])
+        by_omega, f_S, f_S_dot = (
+            _turned(build, name, T, _local(build, f"{name}_leg", local), meaning)
+            for name, local, meaning in (
+                ("A_3", by_omega, "force at the tip by omega"),
+                ("f_S", f_S, "friction moment by S"),
+                ("f_S_dot", f_S_dot, "friction moment by S_dot"),
+            )
+        )
+    return _Slopes(
+        S=_turned(build, "A_0", T, _local(build, "A_0_leg", A_0), "force at the tip by S"),
+        S_dot=_turned(build, "A_1", T, _local(build, "A_1_leg", A_1), "force at the tip by S_dot"),
+        S_ddot=m,
+        omega=by_omega,
+        f_S=f_S,
+        f_S_dot=f_S_dot,
+        force=force,
+    )
+
+
+def _projections(build: Builder, leg: _Leg, friction: bool) -> None:
+    """Names what ``tip`` takes as given: gravity and omega along k x y, y and k."""
+    y, k, omega = leg.at.y, n.k.value, n.omega.value
+    gravity_torques(build, leg.at)
+    if friction:
+        normal = build.vector("normal", cross(k, y), "", "k x y")
+        build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", "omega along k x y, y and k")
+        build.scalar(tip.OMEGA_Y.name, y.dot(omega), "", "omega along k x y, y and k")
+        build.scalar(tip.OMEGA_K.name, k.dot(omega), "", "omega along k x y, y and k")
+
+
+def all_summed(kernels: Sequence[SumKernel]) -> tuple[Quantity, ...]:
+    """Every quantity that some kernel adds up."""
+    return tuple(dict.fromkeys(q for kernel in kernels for q in kernel.summed))

@@ -1,0 +1,140 @@
+"""One leg as a mechanism of three freedoms at its tip: inertia, Coriolis matrix, derivatives. Used by ``motion``.
+
+The joint coordinates xi = (L, theta, phi) of ``joint_leg`` are functions of S. With Gamma the gradient of xi,
+xi_dot = Gamma S_dot and the tip's force is F = Gamma^T tau, so that
+
+    m = Gamma^T M Gamma,   C_tip = Gamma^T (C_xi Gamma + M Gamma_dot),
+    dF/dS_ddot = m,   dF/dS_dot = Gamma^T (2 M Gamma_dot + tau_rate Gamma),
+    dF/dS = Gamma^T (M Gamma_ddot + tau_rate Gamma_dot + tau_place Gamma) + sum of tau_a Hess xi_a,
+
+since dxi_dot/dS = Gamma_dot, dxi_ddot/dS = Gamma_ddot and dxi_ddot/dS_dot = 2 Gamma_dot for any coordinates.
+All matrices are in the leg frame, where Gamma has three entries. C_xi is made of Christoffel's symbols, which
+makes the rate of m less twice C_tip skew. Knows nothing of the platform, of sharing or of printing.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import notation as n
+from . import prepared as p
+
+L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", real=True)
+rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
+accelerations = sp.symbols("L_ddot theta_ddot phi_ddot", real=True)
+
+_SLOPES = (
+    {L: 1, inv_L: -(inv_L**2), inv_rho: -inv_L * inv_rho},
+    {k1: -k3, k3: k1, inv_rho: -kappa * inv_rho, kappa: -1 - kappa**2},
+    {},
+)
+"""How the leg's geometry changes with L, theta (k1 = cos theta, k3 = sin theta, kappa = k1 / k3) and phi."""
+
+
+def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
+    """Derivative by L, theta or phi (0, 1, 2)."""
+    slopes = [expr.diff(symbol) * slope for symbol, slope in _SLOPES[coordinate].items()]
+    return sum(slopes[1:], slopes[0]) if slopes else 0 * expr
+
+
+def inertia() -> sp.Matrix:
+    """M of (L, theta, phi), 3x3, from J and h; the upper part's mass rides on the platform."""
+    hx, hy, hz = p.h.value
+    J = p.J.value
+    a3 = J[0, 1] - L * hy
+    mixed = k1 * a3 + k3 * J[1, 2]
+    M_phi = J[0, 0] + k3**2 * (J[2, 2] - J[0, 0] + 2 * L * hx) + 2 * k1 * k3 * (J[0, 2] - L * hz)
+    M_theta = J[1, 1] + 2 * L * hx
+    return sp.Matrix([[0, hz, -k3 * hy], [hz, M_theta, mixed], [-k3 * hy, mixed, M_phi]])
+
+
+def christoffel(M: sp.Matrix) -> sp.Matrix:
+    """C_xi, 3x3: C_ij = sum over k of (M_ij,k + M_ik,j - M_jk,i) xi_dot_k / 2."""
+    by = [along(M, coordinate) for coordinate in range(3)]
+    half = sp.Rational(1, 2)
+    return sp.Matrix(
+        3,
+        3,
+        lambda i, j: sum(half * (by[k][i, j] + by[j][i, k] - by[i][j, k]) * rates[k] for k in range(3)),
+    )
+
+
+def gravity() -> sp.Matrix:
+    """Generalised force that holds the leg against gravity, 3x1; gamma_n, gamma_y as in ``joint_leg``."""
+    wx, wy, wz = p.w.value
+    w_k, w_n = k1 * wx + k3 * wz, k3 * wx - k1 * wz
+    return sp.Matrix([0, w_n * p.g_k.value + w_k * GAMMA_N, -wy * GAMMA_N - w_n * GAMMA_Y])
+
+
+GAMMA_N, GAMMA_Y = sp.symbols("gamma_n gamma_y", real=True)
+OMEGA_N, OMEGA_Y, OMEGA_K = sp.symbols("w_n_omega w_y_omega w_k_omega", real=True)
+
+
+def friction() -> sp.Matrix:
+    """Generalised force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: the platform's omega along y and k."""
+    C_s, C_us = n.C_s.value, p.C_us.value
+    return sp.Matrix(
+        [
+            n.C_p.value * rates[0],
+            C_us * rates[1] - C_s * OMEGA_Y,
+            C_us * rates[2] - C_s * OMEGA_K,
+        ]
+    )
+
+
+def torques(with_friction: bool) -> sp.Matrix:
+    """Lagrange's generalised forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
+    M = inertia()
+    tau = M * sp.Matrix(accelerations) + christoffel(M) * sp.Matrix(rates) + gravity()
+    return tau + friction() if with_friction else tau
+
+
+def place(expr: sp.Matrix) -> sp.Matrix:
+    """Slopes of generalised forces along L, theta, phi at fixed rates and accelerations, 3x3.
+
+    What points in the base frame turns against the leg as phi grows: d gamma_y / d phi = gamma_n and
+    d gamma_n / d phi = -gamma_y, and alike for omega; d gamma / d theta = 0.
+    """
+    turned = (
+        expr.diff(GAMMA_Y) * GAMMA_N
+        - expr.diff(GAMMA_N) * GAMMA_Y
+        + expr.diff(OMEGA_Y) * OMEGA_N
+        - expr.diff(OMEGA_N) * OMEGA_Y
+    )
+    return sp.Matrix.hstack(along(expr, 0), along(expr, 1), turned)
+
+
+@dataclass(frozen=True)
+class Gradients:
+    """Gamma, Gamma_dot, Gamma_ddot, 3x3, rows L, theta, phi, columns along s, y, z."""
+
+    value: sp.Matrix
+    rate: sp.Matrix
+    second: sp.Matrix
+
+
+def skew(w: sp.Matrix) -> sp.Matrix:
+    """[w]x of a 3x1 matrix."""
+    return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+def gradients() -> Gradients:
+    """Gradients of L, theta, phi and their rates as the leg turns with W = phi_dot k + theta_dot y."""
+    W = sp.Matrix([k1 * rates[2], rates[1], k3 * rates[2]])
+    value = sp.Matrix([[1, 0, 0], [0, 0, -inv_L], [0, inv_rho, 0]])
+    rate = _rate(value) - value * skew(W)
+    return Gradients(value, rate, _rate(rate) - rate * skew(W))
+
+
+def _rate(expr: sp.Matrix) -> sp.Matrix:
+    """Time derivative of leg-frame entries."""
+    by_place = sum((along(expr, i) * rates[i] for i in range(3)), sp.zeros(*expr.shape))
+    return by_place + sum((expr.diff(rates[i]) * accelerations[i] for i in range(3)), sp.zeros(*expr.shape))
+
+
+def hessian(tau: sp.Matrix) -> sp.Matrix:
+    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot."""
+    u = sp.Matrix(sp.symbols("u_x u_y u_z", real=True))
+    by_tip = dict(zip(rates, gradients().value * u, strict=True))
+    push = (gradients().rate.T * tau).xreplace(by_tip)
+    return push.jacobian(u).applyfunc(sp.expand)
