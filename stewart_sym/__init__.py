@@ -9,12 +9,12 @@ forces = ss.inverse_dynamics(robot, motion).F
 from . import results, robots
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import (
-    SingularPoseWarning,
     dynamic_fraction,
     inverse_dynamics,
     joint_reactions,
     massless_forces,
 )
+from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .kinematics import inverse_kinematics
 from .motion import Motion
