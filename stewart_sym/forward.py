@@ -24,6 +24,7 @@ from .rotation import rotation_from_vector
 Array = NDArray[np.float64]
 Status = NDArray[np.int32]
 Poses = tuple[Array, Array]
+Guess = tuple[ArrayLike, ArrayLike]
 
 REASONS = STATUS_TEXT | {SINGULAR: "H is singular there: leg lengths and rates do not settle the platform's"}
 """One line for each status code of forward kinematics."""
@@ -62,7 +63,7 @@ class PlatformPose:
 def forward_kinematics(
     robot: Robot,
     L: ArrayLike,
-    guess: tuple[ArrayLike, ArrayLike] | None = None,
+    guess: Guess | None = None,
     on_failure: OnFault = "raise",
     limits: bool = True,
 ) -> PlatformPose:
@@ -70,9 +71,10 @@ def forward_kinematics(
 
     L: m, (..., 6).  guess: pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the
     base and on the side of it to which the base frame's z points (where the base stands upright, the side
-    against gravity), and other such poses where that one leads nowhere.  limits: whether lengths outside the
-    robot's length_limits count as a failure.  on_failure: what to do about lengths without an answer:
-    "raise" ValueError, "warn" and return nan there, or return "nan" silently; ``status`` tells.
+    against gravity); where that leads nowhere, other such poses, and in the end the other side.
+    limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
+    about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return "nan"
+    silently; ``status`` tells.
 
     A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of
     S = q + t - b.  It is the assembly mode next to the guess if the guess is near; from afar it may be any.
@@ -94,7 +96,8 @@ def forward_kinematics(
         R, t, residual, iterations, found = _search(
             robot, flat, [(R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3))]
         )
-    status = np.where(found, np.where(_unsettled(robot, R, t), SINGULAR, OK), NOT_CONVERGED)
+    status = np.full(len(flat), NOT_CONVERGED)
+    status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
     if limits:
         low, high = robot.length_limits.T
         status = np.where(np.any((flat < low) | (flat > high), axis=-1), OUT_OF_LIMITS, status)
@@ -176,7 +179,8 @@ def _rates(
     wanted = finite_array(rates, (6,), name)
     shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
     with np.errstate(over="ignore", invalid="ignore"):
-        wanted = wanted - inverse_kinematics(robot, motion).L_ddot
+        # Without accelerations of the platform, what is left of L_ddot is what its velocities make of it.
+        wanted = wanted - np.asarray(inverse_kinematics(robot, motion).L_ddot)
         J = jacobian(robot, motion.R, motion.t)
         unsettled = np.broadcast_to(_unsettled(robot, motion.R, motion.t), shape)
         solution, _ = solve(np.broadcast_to(J, (*shape, 6, 6)), np.broadcast_to(wanted, (*shape, 6)))
@@ -195,12 +199,15 @@ def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
 
 def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Return x, (..., 6), of A x = y and where A has one; 0 where elimination meets a pivot of 0."""
+    regular = np.ones(y.shape[:-1], dtype=np.bool_)
     try:
-        return np.linalg.solve(A, y[..., None])[..., 0], np.ones(y.shape[:-1], dtype=np.bool_)
+        x = np.linalg.solve(A, y[..., None])
     except np.linalg.LinAlgError:
-        regular = np.linalg.slogdet(A)[0] != 0.0
+        # NumPy does not say at which matrix; the sign of the determinant comes from the same elimination.
+        regular = np.asarray(np.linalg.slogdet(A)[0] != 0.0)
         A = np.where(regular[..., None, None], A, np.eye(6))
-        return np.linalg.solve(A, np.where(regular[..., None], y, 0.0)[..., None])[..., 0], regular
+        x = np.linalg.solve(A, np.where(regular[..., None], y, 0.0)[..., None])
+    return np.asarray(x[..., 0]), regular
 
 
 # The search for a pose
@@ -285,9 +292,8 @@ def _rows(q: Array, S: Array, L: Array) -> Array:
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:
     """Largest component of the terms of S = q + t - b, m, (...)."""
-    return np.maximum(
-        np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1)), np.max(np.abs(robot.b))
-    )
+    of_platform = np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1))
+    return np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
 
 
 def _orthonormal(R: Array) -> Array:
@@ -310,18 +316,20 @@ def _default_starts(robot: Robot, L: Array) -> list[Poses]:
     """Return poses (n, 3, 3) and (n, 3), the likeliest first, for lengths (n, 6).
 
     Orientations: E, and the one that brings each platform point nearest to its base point (Kabsch, 1976);
-    the latter first when E tilts or turns the platform far from it.  Height: that of the mean square length.
+    the latter first when E tilts or turns the platform far from it; then both turned about the base's normal,
+    and both on its other side.  Height: that of the mean square length.
     """
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     U, _, V_T = np.linalg.svd(b.T @ p)
     nearest = U @ np.diag([1.0, 1.0, np.linalg.det(U @ V_T)]) @ V_T
-    n = _normal(robot, b)
-    as_drawn = n @ nearest @ n > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
+    normal = _normal(robot, b)
+    as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
     first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
-    turned = [rotation_from_vector(angle * n) @ R for angle in _MORE_TURNS for R in first]
-    mean_length = np.hypot.reduce(L, axis=-1) / math.sqrt(6.0)
+    turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
+    longest = np.max(L, axis=-1)
+    mean_length = longest * np.sqrt(np.mean((L / longest[:, None]) ** 2, axis=-1))
     starts = []
-    for R in (*first, *turned):
+    for R, n in [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]:
         across = math.sqrt(np.mean(np.sum((p @ R.T - b) ** 2, axis=-1)))
         height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
         t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[:, None] * n
@@ -339,8 +347,9 @@ def _normal(robot: Robot, b: Array) -> Array:
 def _checked_guess(guess: object) -> Motion:
     if not isinstance(guess, tuple | list) or len(guess) != 2:
         raise ValueError(f"guess: expected a pose (R, t) or None, got {type(guess).__name__}")
+    R, t = guess
     try:
-        return Motion(*guess, np.zeros(3), np.zeros(3))
+        return Motion(R, t, np.zeros(3), np.zeros(3))
     except ValueError as error:
         raise ValueError(f"guess: {error}") from None
 

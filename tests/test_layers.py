@@ -16,7 +16,7 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 FLOORS = (
     {"checks", "faults", "publish", "results", "rotation", "generated"},
     {"robot", "motion", "native"},
-    {"robots", "reference", "conditioning", "kinematics", "forward", "trajectory", "kernel"},
+    {"robots", "reference", "conditioning", "kinematics", "forward", "trajectory", "joint_space", "kernel"},
     {"dynamics", "forces"},
     {"studies", "kit"},
     {"cli"},
