@@ -35,6 +35,8 @@ NO_WAY = (
 
 # A sample is approached in parts no smaller than this share of the way from the one before.
 _SMALLEST_PART = 2.0**-20
+# A step this share of its length away from where the tangent points may have left the way.
+_ASTRAY = 0.1
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
 
@@ -73,7 +75,7 @@ def motion_from_lengths(
     ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  The robot's length_limits are not asked for.
 
     Between samples the legs are taken to move along a straight line in the space of lengths, and the pose
-    found is the one to which this leads: where a step in pose is not near the one that (5) foretells, it is
+    found is the one to which this leads: a step in pose more than a tenth away from what (5) foretells is
     made in smaller parts.  Raises ``ValueError`` naming the sample where that fails (the lengths jump, belong
     to no pose, or lead through a singular one), and naming the argument for any other bad input.
     """
@@ -160,7 +162,7 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
     size = characteristic_length(robot)
     unit = np.repeat([1.0, size], 3)
     apart = np.linalg.norm((made - foretold[0]) * unit)
-    if apart > 0.5 * np.linalg.norm(foretold[0] * unit) + _SAME_POSE * size:
+    if apart > _ASTRAY * np.linalg.norm(foretold[0] * unit) + _SAME_POSE * size:
         return None
     found = _pose(robot, R, t, L)
     return found if found.sign == pose.sign else None

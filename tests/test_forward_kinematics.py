@@ -214,8 +214,8 @@ def test_a_guess_broadcasts_and_is_left_as_it_was() -> None:
 def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
     robot = dasgupta()
     rough = np.eye(3) + 2e-10 * np.random.default_rng(8).normal(size=(3, 3))
-    for pose in ((rough, HOME), (np.eye(3), HOME)):
-        found = ss.forward_kinematics(robot, lengths(robot, np.eye(3), HOME), pose)
+    for R in (rough, np.eye(3)):
+        found = ss.forward_kinematics(robot, lengths(robot, R, HOME), (rough, HOME))
         assert np.abs(found.R.T @ found.R - np.eye(3)).max() <= 8 * EPS
 
 
@@ -434,6 +434,31 @@ def test_few_samples_lead_the_same_way_as_many(seed: int) -> None:
     for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
         found, given = getattr(back, name), getattr(motion, name)
         np.testing.assert_allclose(found, given, atol=1e-10 * np.abs(given).max())
+
+
+def end_of_way(robot: ss.Robot, L: Array, start: Poses) -> Array | None:
+    """Position after the lengths L, (n, 6), were followed from a pose; None if there is no way."""
+    try:
+        return ss.motion_from_lengths(robot, L, np.zeros_like(L), guess=start).t[-1]
+    except ValueError:
+        return None
+
+
+def test_a_long_step_ends_where_many_short_ones_do() -> None:
+    """Between poses far apart a plain search often ends in another mode, often with J's sign unchanged."""
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(18), 48, angle=0.4, way=0.2)
+    L = lengths(robot, R, t)
+    plain = ss.forward_kinematics(robot, L[1::2], (R[::2], t[::2]), on_failure="nan").t
+    led_astray = 0
+    for i in range(0, 48, 2):
+        straight = L[i] + np.linspace(0.0, 1.0, 21)[:, None] * (L[i + 1] - L[i])
+        short, long = (end_of_way(robot, way, (R[i], t[i])) for way in (straight, straight[[0, -1]]))
+        assert (short is None) == (long is None)
+        if short is not None and long is not None:
+            np.testing.assert_allclose(long, short, atol=1e-9)
+            led_astray += bool(np.abs(plain[i // 2] - short).max() > 1e-6)
+    assert led_astray > 0
 
 
 def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
