@@ -9,13 +9,15 @@ forces = ss.inverse_dynamics(robot, motion).F
 from . import results, robots
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import (
-    SingularPoseWarning,
     dynamic_fraction,
     inverse_dynamics,
     joint_reactions,
     massless_forces,
 )
+from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
+from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
+from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics
 from .motion import Motion
 from .results import Forces, Reactions
@@ -28,6 +30,7 @@ __all__ = [
     "Forces",
     "Motion",
     "PhysicalityWarning",
+    "PlatformPose",
     "Reactions",
     "Robot",
     "SingularPoseWarning",
@@ -35,10 +38,14 @@ __all__ = [
     "characteristic_length",
     "condition_number",
     "dynamic_fraction",
+    "forward_acceleration",
+    "forward_kinematics",
+    "forward_velocity",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
     "massless_forces",
+    "motion_from_lengths",
     "prepare",
     "results",
     "robots",

@@ -3,7 +3,7 @@
 Stands at the bottom; knows nothing of what the arguments mean.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,32 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
     if given.dtype.kind not in "iuf":
         raise ValueError(f"{name}: expected {expected}, got {given.dtype} entries")
     return np.array(given, dtype=np.float64)
+
+
+def finite_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:
+    """Return a float64 copy of shape (..., *core) with finite entries; ValueError for anything else."""
+    expected = f"(..., {', '.join(str(n) for n in core)})"
+    array = real_array(value, name, f"real numbers of shape {expected}")
+    if array.shape[-len(core) :] != core:
+        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
+    finite = np.isfinite(array)
+    if not np.all(finite):
+        where = tuple(int(i) for i in np.argwhere(~finite)[0])
+        raise ValueError(f"{name}: expected finite numbers, entry {where} is {array[where]}")
+    return array
+
+
+def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """Return the shape to which the named shapes broadcast; ValueError names the first that does not."""
+    shape: tuple[int, ...] = ()
+    for name, lead in leading.items():
+        try:
+            shape = np.broadcast_shapes(shape, lead)
+        except ValueError:
+            raise ValueError(
+                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
+            ) from None
+    return shape
 
 
 def instance(value: object, kind: type, name: str) -> None:

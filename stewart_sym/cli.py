@@ -7,6 +7,7 @@ is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but t
 
 import argparse
 import contextlib
+import math
 import os
 import sys
 import time
@@ -83,17 +84,26 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _forces(arguments: argparse.Namespace) -> int:
+    from .joint_space import on_platform
     from .publish import replaced_file
     from .robot import Robot
+    from .rotation import rotation_from_rpy
     from .studies.output import csv_lines
     from .studies.track import track
-    from .trajectory import read_csv
+    from .trajectory import JointTrajectory, read_any_csv
 
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
     robot = Robot.from_toml(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
         progress("reading the trajectory")
-        trajectory = read_csv(arguments.trajectory)
+        trajectory = read_any_csv(arguments.trajectory)
+        start = arguments.start
+        if isinstance(trajectory, JointTrajectory):
+            progress(f"finding {len(trajectory.time)} poses")
+            guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
+            trajectory = on_platform(robot, trajectory, guess)
+        elif start is not None:
+            raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
         progress(f"computing {len(trajectory.time)} instants")
         columns, exceeded = track(
             robot,
@@ -347,14 +357,24 @@ def _parser() -> argparse.ArgumentParser:
         "stewart-sym forces hexapod.toml trajectory.csv -o forces.csv",
         "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
         "(rad); optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
-        "F_ext_* and M_ext_* (platform frame). SI units. Moments M_p are taken about the base points.",
+        "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally "
+        "L_dot_* and L_ddot_* together. SI units. Moments M_p are taken about the base points.",
     )
     _robot(verb)
-    verb.add_argument("trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses")
+    verb.add_argument(
+        "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
+    )
     _output(verb, "FILE.csv", "file to write, - for standard output", None)
     _formulation(verb)
     verb.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
     verb.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
+    verb.add_argument(
+        "--start",
+        nargs=6,
+        type=_finite,
+        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
+        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
+    )
     verb.add_argument(
         "--allow-singular",
         action="store_true",
@@ -422,6 +442,13 @@ def _output(verb: argparse.ArgumentParser, metavar: str, what: str, default: Pat
     verb.add_argument(
         "-o", "--output", metavar=metavar, type=Path, required=default is None, default=default, help=text
     )
+
+
+def _finite(text: str) -> float:
+    number = float(text)
+    if not math.isfinite(number):
+        raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+    return number
 
 
 def _formulation(verb: argparse.ArgumentParser) -> None:

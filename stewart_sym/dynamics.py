@@ -12,8 +12,9 @@ from typing import Literal, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import reference
+from . import faults, reference
 from .checks import instance, option, real_array
+from .faults import ON_FAULT, OnFault
 from .kernel import FORMULATIONS, CKernel, NumpyKernel, kernel_name
 from .motion import Motion
 from .native import CompilerError
@@ -23,12 +24,6 @@ from .robot import Robot
 Array = NDArray[np.float64]
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
-OnSingular = Literal["raise", "warn", "nan"]
-ON_SINGULAR = ("raise", "warn", "nan")
-
-
-class SingularPoseWarning(UserWarning):
-    """Some poses have no finite answer; their results are NaN and their status says why."""
 
 
 class _Kernel(Protocol):
@@ -56,7 +51,7 @@ def inverse_dynamics(
     motion: Motion,
     formulation: Formulation = "exact",
     backend: Backend = "c",
-    on_singular: OnSingular = "raise",
+    on_singular: OnFault = "raise",
 ) -> Forces:
     """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
 
@@ -77,7 +72,7 @@ def joint_reactions(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     bearing: ArrayLike | None = None,
-    on_singular: OnSingular = "raise",
+    on_singular: OnFault = "raise",
 ) -> Reactions:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
@@ -111,7 +106,7 @@ def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
 def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> _Kernel:
     need_motion(robot, motion)
     option(formulation, FORMULATIONS, "formulation")
-    option(on_singular, ON_SINGULAR, "on_singular")
+    option(on_singular, ON_FAULT, "on_singular")
     kernels: dict[str, Callable[[Robot, str], _Kernel]] = {
         "c": _compiled_or_numpy,
         "numpy": NumpyKernel.prepare,
@@ -178,13 +173,7 @@ def report_faults(
     status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
 ) -> None:
     """Raise or warn, as ``on_singular`` says, if a pose has no answer; stacklevel: of the user's call."""
-    if on_singular == "nan" or not status.any():
-        return
-    where, reason = first_fault(status, robot, motion)
-    text = f"motion[{', '.join(map(str, where))}]: {reason}" if where else f"motion: {reason}"
-    if on_singular == "raise":
-        raise ValueError(text)
-    warnings.warn(text, SingularPoseWarning, stacklevel=stacklevel)
+    faults.report(status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1)
 
 
 def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
@@ -192,11 +181,9 @@ def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tupl
 
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
     """
-    where = tuple(int(i) for i in np.argwhere(status)[0])
+    where, others = faults.first(status)
     code = int(status[where])
     leg = f" (leg {_worst_leg(code, robot, motion[where]) + 1})" if code in (SHORT_LEG, POLE) else ""
-    more = int(np.count_nonzero(status)) - 1
-    others = f"; {more} more poses have no answer either" if more else ""
     return where, f"{STATUS_TEXT[code]}{leg}{others}"
 
 

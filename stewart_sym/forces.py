@@ -17,7 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import instance, option
-from .dynamics import ON_SINGULAR, Formulation, OnSingular, need_motion, report_faults
+from .dynamics import Formulation, need_motion, report_faults
+from .faults import ON_FAULT, OnFault
 from .kernel import FORMULATIONS, kernel_name, library, module, robot_numbers
 from .motion import Motion
 from .robot import Robot
@@ -60,13 +61,13 @@ class ForceKernel:
         """Type of the numbers that the kernel computes with."""
         return np.float64 if self.precision == "double" else np.float32
 
-    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
+    def forces(self, motion: Motion, threads: int = 1, on_singular: OnFault = "raise") -> Array:
         """Actuator forces, N, (..., 6), of every pose of ``motion``, (37).
 
         threads: how many share the work; the result does not depend on it. on_singular: "raise" ValueError,
         "warn" and return NaN, or return "nan" for poses without an answer.
         """
-        option(on_singular, ON_SINGULAR, "on_singular")
+        option(on_singular, ON_FAULT, "on_singular")
         need_motion(self.robot, motion)
         F, status = self._batch(motion, threads)
         report_faults(status, self.robot, motion, on_singular, stacklevel=3)

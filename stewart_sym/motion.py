@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import finite_array, leading_shape
 from .rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
@@ -69,7 +69,7 @@ class Motion:
         for field in fields(self):
             value = getattr(self, field.name)
             if value is not None or field.name in ("R", "t", "omega", "v"):
-                arrays[field.name] = _finite(value, (3, 3) if field.name == "R" else (3,), field.name)
+                arrays[field.name] = finite_array(value, (3, 3) if field.name == "R" else (3,), field.name)
         _check_rotation(arrays["R"])
         shape = _leading_shape(arrays)
         for name, array in arrays.items():
@@ -120,47 +120,31 @@ class Motion:
         if (a is None) != (theta_ddot is None):
             missing = "a" if a is None else "theta_ddot"
             raise ValueError(f"{missing}: expected both accelerations, a and theta_ddot, or neither")
-        angles = {"theta": _finite(theta, (3,), "theta"), "theta_dot": _finite(theta_dot, (3,), "theta_dot")}
+        angles = {
+            "theta": finite_array(theta, (3,), "theta"),
+            "theta_dot": finite_array(theta_dot, (3,), "theta_dot"),
+        }
         if theta_ddot is not None:
-            angles["theta_ddot"] = _finite(theta_ddot, (3,), "theta_ddot")
+            angles["theta_ddot"] = finite_array(theta_ddot, (3,), "theta_ddot")
         _leading_shape(angles)
         alpha = None if theta_ddot is None else angular_acceleration_from_rpy(*angles.values())
         load = {"F_ext": F_ext, "M_ext": M_ext}
         return cls(
             R=rotation_from_rpy(angles["theta"]),
-            t=_finite(t, (3,), "t"),
+            t=finite_array(t, (3,), "t"),
             omega=angular_velocity_from_rpy(angles["theta"], angles["theta_dot"]),
-            v=_finite(v, (3,), "v"),
+            v=finite_array(v, (3,), "v"),
             alpha=alpha,
-            a=None if a is None else _finite(a, (3,), "a"),
-            **{name: None if value is None else _finite(value, (3,), name) for name, value in load.items()},
+            a=None if a is None else finite_array(a, (3,), "a"),
+            **{
+                name: None if value is None else finite_array(value, (3,), name)
+                for name, value in load.items()
+            },
         )
 
 
-def _finite(value: object, core: tuple[int, ...], name: str) -> Array:
-    """Return a float64 copy of shape (..., *core) with finite entries."""
-    expected = f"(..., {', '.join(str(n) for n in core)})"
-    array = real_array(value, name, f"real numbers of shape {expected}")
-    if array.shape[-len(core) :] != core:
-        raise ValueError(f"{name}: expected shape {expected}, got {array.shape}")
-    finite = np.isfinite(array)
-    if not np.all(finite):
-        where = tuple(int(i) for i in np.argwhere(~finite)[0])
-        raise ValueError(f"{name}: expected finite numbers, entry {where} is {array[where]}")
-    return array
-
-
 def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
-    leading = {name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()}
-    shape: tuple[int, ...] = ()
-    for name, lead in leading.items():
-        try:
-            shape = np.broadcast_shapes(shape, lead)
-        except ValueError:
-            raise ValueError(
-                f"{name}: expected a leading shape that broadcasts with {shape}, got {lead}"
-            ) from None
-    return shape
+    return leading_shape({name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()})
 
 
 def _check_rotation(R: Array) -> None:

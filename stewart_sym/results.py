@@ -14,6 +14,8 @@ SHORT_LEG = 2
 POLE = 3
 SINGULAR = 4
 BAD_ARGUMENT = 5
+NOT_CONVERGED = 6
+OUT_OF_LIMITS = 7
 
 STATUS_TEXT = {
     OK: "ok",
@@ -22,8 +24,10 @@ STATUS_TEXT = {
     POLE: "a leg lies along the fixed axis of its universal joint",
     SINGULAR: "H is singular: no leg forces can hold the platform",
     BAD_ARGUMENT: "a required argument is missing",
+    NOT_CONVERGED: "no pose with these leg lengths was found",
+    OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
 }
-"""One line for each status code of the kernels."""
+"""One line for each status code: 0 to 5 of the kernels, the rest of forward kinematics."""
 
 
 @dataclass(frozen=True, eq=False)

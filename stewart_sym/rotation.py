@@ -1,4 +1,4 @@
-"""Roll, pitch and yaw, (38): rotation matrix, angular velocity and acceleration from angles and their rates.
+"""Rotation matrices: from roll, pitch and yaw, (38), with angular velocity and acceleration, or a vector.
 
 Plain vectorised functions of angles ``theta = (theta_x, theta_y, theta_z)``, used where a motion is made;
 they know nothing of robots or motions.
@@ -41,6 +41,19 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     theta[..., 1] = np.arctan2(-R[..., 2, 0], np.hypot(R[..., 0, 0], R[..., 1, 0]))
     theta[..., 0] = np.arctan2(s * R[..., 0, 2] - c * R[..., 1, 2], c * R[..., 1, 1] - s * R[..., 0, 1])
     return theta
+
+
+def rotation_from_vector(phi: ArrayLike) -> Array:
+    """Return R = exp([phi]x), the turn by |phi| rad about phi; phi: (..., 3).  Result: (..., 3, 3)."""
+    phi = _angles(phi, "phi")
+    angle = np.linalg.norm(phi, axis=-1)[..., None, None]
+    x, y, z = _split(phi)
+    N = np.zeros((*phi.shape, 3))
+    N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -z, y, -x
+    N -= np.swapaxes(N, -1, -2)
+    # sin(angle)/angle and (1 - cos(angle))/angle^2, good at angle 0 too; np.sinc has pi in it.
+    first, second = np.sinc(angle / np.pi), 0.5 * np.sinc(0.5 * angle / np.pi) ** 2
+    return np.asarray(np.eye(3) + first * N + second * (N @ N))
 
 
 def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:

@@ -250,6 +250,8 @@ PATHS: Mapping[str, PaperPath] = MappingProxyType(
 
 _POSE = ("t", "theta")
 _DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
+_LENGTHS = ("L",)
+_LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
 _MIN_SPLINE_POINTS = 4
 
@@ -266,29 +268,80 @@ class Trajectory(NamedTuple):
     rows: tuple[int, ...]
 
 
-def read_csv(path: str | os.PathLike[str]) -> Trajectory:
-    """Read a trajectory: a header line that names the columns, then one row per instant in order of time.
+class JointTrajectory(NamedTuple):
+    """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
 
-    Columns, in any order: ``time`` (s); ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad, (38));
-    optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and ``theta_ddot_*``; optionally ``F_ext_*`` (N) and
-    ``M_ext_*`` (N m), platform frame.  Derivatives that are not given are those of an interpolating spline
-    of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+    L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
+    N m, platform frame, (n, 3), or None. source, rows: as in ``Trajectory``.
+    """
+
+    time: Array
+    L: Array
+    L_dot: Array
+    L_ddot: Array
+    F_ext: Array | None
+    M_ext: Array | None
+    source: str
+    rows: tuple[int, ...]
+
+
+def read_csv(path: str | os.PathLike[str]) -> Trajectory:
+    """Read a trajectory of poses: a header line that names the columns, then one row per instant.
+
+    Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
+    (38)); optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and ``theta_ddot_*``; optionally ``F_ext_*``
+    (N) and ``M_ext_*`` (N m), platform frame.  Derivatives that are not given are those of an interpolating
+    spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
 
     Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
     ``ImportError`` when a spline is needed and SciPy is missing.
     """
+    found = read_any_csv(path)
+    if isinstance(found, JointTrajectory):
+        raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    return found
+
+
+def read_any_csv(path: str | os.PathLike[str]) -> Trajectory | JointTrajectory:
+    """Read a trajectory of poses, as ``read_csv``, or of leg lengths: the header tells which it is.
+
+    Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
+    else those of a spline; optionally loads.  Raises as ``read_csv``.
+    """
     source = os.fspath(path)
     columns, rows = _columns(_read_text(source), source)
+    loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
+    if "L_1" in columns:
+        return _joint_trajectory(columns, loads, source, rows)
+    return _pose_trajectory(columns, loads, source, rows)
+
+
+def _joint_trajectory(
+    columns: Mapping[str, Array], loads: Mapping[str, Array], source: str, rows: tuple[int, ...]
+) -> JointTrajectory:
+    time, L = columns["time"], _stack(columns, "L")
+    if np.any(L <= 0.0):
+        i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
+        raise ValueError(f"{source}: row {rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}")
+    if "L_dot_1" in columns:
+        L_dot, L_ddot = (_stack(columns, name) for name in _LENGTH_DERIVATIVES)
+    else:
+        L_dot, L_ddot = _differentiate(time, L, source)
+    return JointTrajectory(time, L, L_dot, L_ddot, loads.get("F_ext"), loads.get("M_ext"), source, rows)
+
+
+def _pose_trajectory(
+    columns: Mapping[str, Array], loads: Mapping[str, Array], source: str, rows: tuple[int, ...]
+) -> Trajectory:
     time = columns["time"]
     pose = {name: _stack(columns, name) for name in _POSE}
-    loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
     if "v_x" in columns:
         derivatives = {name: _stack(columns, name) for name in _DERIVATIVES}
     else:
         v, a = _differentiate(time, pose["t"], source)
         theta_dot, theta_ddot = _differentiate(time, np.unwrap(pose["theta"], axis=0), source)
         derivatives = {"v": v, "theta_dot": theta_dot, "a": a, "theta_ddot": theta_ddot}
-    numbers = pose | derivatives | loads
+    numbers = {**pose, **derivatives, **loads}
     try:
         motion = Motion.from_rpy(**numbers)
     except ValueError as error:
@@ -357,12 +410,38 @@ def _cell(text: str, where: str) -> float:
     return number
 
 
-def _components(name: str) -> list[str]:
-    return [f"{name}_{axis}" for axis in "xyz"]
+def _components(*names: str) -> list[str]:
+    return [
+        f"{name}_{part}"
+        for name in names
+        for part in ("123456" if name in (*_LENGTHS, *_LENGTH_DERIVATIVES) else "xyz")
+    ]
 
 
 def _check_header(header: list[str], source: str) -> None:
-    known = ["time", *(c for name in (*_POSE, *_DERIVATIVES, *_LOADS) for c in _components(name))]
+    in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
+    of_pose = _components(*_POSE, *_DERIVATIVES)
+    # Poses are what a header without any of the two is taken to lack.
+    joints = any(c in in_joints for c in header) and not any(c in of_pose for c in header)
+    position, derivatives = (_LENGTHS, _LENGTH_DERIVATIVES) if joints else (_POSE, _DERIVATIVES)
+    _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source)
+    missing = [c for c in _components(*derivatives) if c not in header]
+    if missing and len(missing) < len(_components(*derivatives)):
+        raise ValueError(
+            f"{source}: missing column {missing[0]}: "
+            f"expected velocities and accelerations ({', '.join(derivatives)}) all, or none of them"
+        )
+    required = ["time", *_components(*position)]
+    for name in _LOADS:
+        if any(c in header for c in _components(name)):
+            required += _components(name)
+    for column in required:
+        if column not in header:
+            raise ValueError(f"{source}: missing column {column}")
+
+
+def _check_names(header: list[str], known: list[str], source: str) -> None:
+    """Refuse columns that are not known or given twice."""
     for column in header:
         if column not in known:
             for other, name in ((";", "semicolons"), ("\t", "tabs")):
@@ -371,21 +450,6 @@ def _check_header(header: list[str], source: str) -> None:
             raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
         if header.count(column) > 1:
             raise ValueError(f"{source}: column {column} is given twice")
-    required = ["time", *_components("t"), *_components("theta")]
-    derivatives = [c for name in _DERIVATIVES for c in _components(name)]
-    if any(c in header for c in derivatives):
-        missing = [c for c in derivatives if c not in header]
-        if missing:
-            raise ValueError(
-                f"{source}: missing column {missing[0]}: "
-                "expected velocities and accelerations (v, theta_dot, a, theta_ddot) all, or none of them"
-            )
-    for name in _LOADS:
-        if any(c in header for c in _components(name)):
-            required += _components(name)
-    for column in required:
-        if column not in header:
-            raise ValueError(f"{source}: missing column {column}")
 
 
 def _stack(columns: Mapping[str, Array], name: str) -> Array:

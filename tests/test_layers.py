@@ -14,9 +14,9 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
-    {"checks", "publish", "results", "rotation", "generated"},
+    {"checks", "faults", "publish", "results", "rotation", "generated"},
     {"robot", "motion", "native"},
-    {"robots", "reference", "conditioning", "kinematics", "trajectory", "kernel"},
+    {"robots", "reference", "conditioning", "kinematics", "forward", "trajectory", "joint_space", "kernel"},
     {"dynamics", "forces"},
     {"studies", "kit"},
     {"cli"},

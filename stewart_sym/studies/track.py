@@ -14,11 +14,11 @@ from ..conditioning import condition_number
 from ..dynamics import (
     Backend,
     Formulation,
-    SingularPoseWarning,
     first_fault,
     inverse_dynamics,
     joint_reactions,
 )
+from ..faults import SingularPoseWarning
 from ..kinematics import LegKinematics, inverse_kinematics
 from ..motion import Motion
 from ..results import NOT_FINITE, OK, SHORT_LEG, Reactions

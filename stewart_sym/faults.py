@@ -1,0 +1,44 @@
+"""What is done about poses without an answer: an error, a warning, or NaN alone, as the caller asks.
+
+Stands at the bottom, below all that can fail at a pose; knows no reason for it.
+"""
+
+import warnings
+from collections.abc import Callable
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+OnFault = Literal["raise", "warn", "nan"]
+ON_FAULT = ("raise", "warn", "nan")
+
+Index = tuple[int, ...]
+
+
+class SingularPoseWarning(UserWarning):
+    """Some poses have no finite answer; their results are NaN and their status says why."""
+
+
+def report(
+    status: NDArray[Any], name: str, describe: Callable[[], tuple[Index, str]], choice: str, stacklevel: int
+) -> None:
+    """Raise ValueError or warn, as ``choice`` of ON_FAULT says, if a status is not 0.
+
+    name: the argument that held the pose. describe: index of the first such pose and why it has no answer.
+    stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.
+    """
+    if choice == "nan" or not status.any():
+        return
+    where, reason = describe()
+    text = f"{name}[{', '.join(map(str, where))}]: {reason}" if where else f"{name}: {reason}"
+    if choice == "raise":
+        raise ValueError(text)
+    warnings.warn(text, SingularPoseWarning, stacklevel=stacklevel)
+
+
+def first(status: NDArray[Any]) -> tuple[Index, str]:
+    """Index of the first status that is not 0, and what to add to its reason about the others."""
+    where = tuple(int(i) for i in np.argwhere(status)[0])
+    more = int(np.count_nonzero(status)) - 1
+    return where, f"; {more} more poses have no answer either" if more else ""

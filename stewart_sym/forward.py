@@ -1,0 +1,359 @@
+"""Forward kinematics: pose, velocity and acceleration of the platform from those of its legs, (2), (5), (8).
+
+Stands beside ``kinematics``, whose way it goes backward, and above ``Robot`` and ``Motion``; knows nothing of
+time, forces or files.  Six leg lengths belong to up to forty poses, the assembly modes: which one is found
+depends on where the search starts.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import faults
+from .checks import finite_array, instance, leading_shape, option
+from .conditioning import characteristic_length, scaled_condition_number
+from .faults import ON_FAULT, OnFault
+from .kinematics import ROUNDING, inverse_kinematics
+from .motion import Motion
+from .results import NOT_CONVERGED, NOT_FINITE, OK, OUT_OF_LIMITS, SINGULAR, STATUS_TEXT
+from .robot import Robot
+from .rotation import rotation_from_vector
+
+Array = NDArray[np.float64]
+Status = NDArray[np.int32]
+Poses = tuple[Array, Array]
+Guess = tuple[ArrayLike, ArrayLike]
+
+REASONS = STATUS_TEXT | {SINGULAR: "H is singular there: leg lengths and rates do not settle the platform's"}
+"""One line for each status code of forward kinematics."""
+
+_EPS = float(np.finfo(np.float64).eps)
+# The search ends below this share of the terms of S; what counts as found is ROUNDING.
+_GOAL = 4 * _EPS
+_MOST_STEPS = 100
+# Damping is added to J^T J, whose trace is about 12.
+_FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-6, 1e-14, 1e3
+# Lengths known to rounding tell two assembly modes apart only if they lie sqrt(eps) from a singular pose.
+_MOST_CONDITION = 1.0 / (16.0 * math.sqrt(_EPS))
+# Turns about the base's normal, rad, from which the search starts when the first two poses were no good.
+_MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class PlatformPose:
+    """Poses found from leg lengths; a leading shape ``(...)`` is that of the lengths and the guess.
+
+    R: orientation, platform to base, (..., 3, 3).  t: position of the reference point, m, (..., 3).  Both
+        are nan where the status is not 0.
+    residual: largest difference between the lengths asked for and those of the last pose tried, m, (...).
+    iterations: steps taken, those from starts that led nowhere included; int, (...).
+    status: results.OK, NOT_CONVERGED, SINGULAR (lengths fit, but the pose is not settled by them) or
+        OUT_OF_LIMITS; int, (...).
+    """
+
+    R: Array
+    t: Array
+    residual: Array
+    iterations: NDArray[np.int64]
+    status: Status
+
+
+def forward_kinematics(
+    robot: Robot,
+    L: ArrayLike,
+    guess: Guess | None = None,
+    on_failure: OnFault = "raise",
+    limits: bool = True,
+) -> PlatformPose:
+    """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
+
+    L: m, (..., 6).  guess: pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the
+    base and on the side of it to which the base frame's z points (where the base stands upright, the side
+    against gravity); where that leads nowhere, other such poses, and in the end the other side.
+    limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
+    about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return "nan"
+    silently; ``status`` tells.
+
+    A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of
+    S = q + t - b.  It is the assembly mode next to the guess if the guess is near; from afar it may be any.
+    Raises ``ValueError`` naming the argument for lengths that are not > 0 and finite, and for a guess that
+    is no pose.
+    """
+    instance(robot, Robot, "robot")
+    option(on_failure, ON_FAULT, "on_failure")
+    lengths = checked_lengths(L)
+    shape = lengths.shape[:-1]
+    if guess is None:
+        flat = lengths.reshape(-1, 6)
+        R, t, residual, iterations, found = _search(robot, flat, _default_starts(robot, flat))
+    else:
+        start = _checked_guess(guess)
+        shape = leading_shape({"L": shape, "guess": start.shape})
+        flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
+        R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
+        R, t, residual, iterations, found = _search(
+            robot, flat, [(R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3))]
+        )
+    status = np.full(len(flat), NOT_CONVERGED)
+    status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
+    if limits:
+        low, high = robot.length_limits.T
+        status = np.where(np.any((flat < low) | (flat > high), axis=-1), OUT_OF_LIMITS, status)
+    bad = status != OK
+    R[bad], t[bad] = np.nan, np.nan
+    result = PlatformPose(
+        R.reshape(*shape, 3, 3),
+        t.reshape(*shape, 3),
+        residual.reshape(shape),
+        iterations.reshape(shape),
+        status.astype(np.int32).reshape(shape),
+    )
+    faults.report(result.status, "L", lambda: _first_fault(result.status), on_failure, stacklevel=3)
+    return result
+
+
+def forward_velocity(
+    robot: Robot, R: ArrayLike, t: ArrayLike, L_dot: ArrayLike, on_failure: OnFault = "raise"
+) -> tuple[Array, Array]:
+    """Return v, m/s, and omega, rad/s, (..., 3) each, base frame: L_dot = H^T [v; omega], (5).
+
+    R, t: pose, (..., 3, 3) and (..., 3).  L_dot: rates of the legs, m/s, (..., 6).  on_failure: as in
+    ``forward_kinematics``, about poses where H is singular or the result overflows.  Raises ``ValueError``
+    naming the argument; as ``inverse_kinematics`` for a leg of length zero.
+    """
+    still = np.zeros(3)
+    return _rates(robot, R, t, (still, still), L_dot, "L_dot", on_failure)
+
+
+def forward_acceleration(
+    robot: Robot,
+    R: ArrayLike,
+    t: ArrayLike,
+    v: ArrayLike,
+    omega: ArrayLike,
+    L_ddot: ArrayLike,
+    on_failure: OnFault = "raise",
+) -> tuple[Array, Array]:
+    """Return a, m/s^2, and alpha, rad/s^2, (..., 3) each, base frame.
+
+    L_ddot = H^T [a; alpha] + what the velocities alone make of it, (8).  v, omega: of the platform, m/s and
+    rad/s, (..., 3).  L_ddot: accelerations of the legs, m/s^2, (..., 6).  The rest as in
+    ``forward_velocity``.
+    """
+    return _rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure)
+
+
+def checked_lengths(L: ArrayLike) -> Array:
+    """Return L, (..., 6), as float64; ValueError unless they are finite and > 0."""
+    lengths = finite_array(L, (6,), "L")
+    if np.any(lengths <= 0.0):
+        where = tuple(int(i) for i in np.argwhere(lengths <= 0.0)[0])
+        raise ValueError(f"L: expected lengths > 0 m, entry {where} is {lengths[where]}")
+    return lengths
+
+
+def jacobian(robot: Robot, R: Array, t: Array) -> Array:
+    """Return J = H^T, (..., 6, 6): rows [s^T, (q x s)^T] take the twist [v; omega] to L_dot, (5)."""
+    return _rows(*_legs(robot, R, t))
+
+
+# Rates
+
+
+def _rates(
+    robot: Robot,
+    R: ArrayLike,
+    t: ArrayLike,
+    twist: tuple[ArrayLike, ArrayLike],
+    rates: ArrayLike,
+    name: str,
+    on_failure: str,
+) -> tuple[Array, Array]:
+    """Solve (5) or (8) for the highest derivatives; ``twist``: what the velocities are, 0 for (5)."""
+    instance(robot, Robot, "robot")
+    option(on_failure, ON_FAULT, "on_failure")
+    v, omega = twist
+    motion = Motion(R, t, omega, v, np.zeros(3), np.zeros(3))  # type: ignore[arg-type]
+    wanted = finite_array(rates, (6,), name)
+    shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
+    with np.errstate(over="ignore", invalid="ignore"):
+        # Without accelerations of the platform, what is left of L_ddot is what its velocities make of it.
+        wanted = wanted - np.asarray(inverse_kinematics(robot, motion).L_ddot)
+        J = jacobian(robot, motion.R, motion.t)
+        unsettled = np.broadcast_to(_unsettled(robot, motion.R, motion.t), shape)
+        solution, _ = solve(np.broadcast_to(J, (*shape, 6, 6)), np.broadcast_to(wanted, (*shape, 6)))
+    finite = np.all(np.isfinite(solution), axis=-1)
+    status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
+    solution[status != OK] = np.nan
+    faults.report(status, name, lambda: _first_fault(status), on_failure, stacklevel=4)
+    return solution[..., :3], solution[..., 3:]
+
+
+def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
+    """Where H is so near to singular that lengths known to rounding leave the pose open."""
+    H = np.swapaxes(jacobian(robot, R, t), -1, -2)
+    return np.asarray(~(scaled_condition_number(H, _length(robot)) <= _MOST_CONDITION))
+
+
+def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Return x, (..., 6), of A x = y and where A has one; 0 where elimination meets a pivot of 0."""
+    regular = np.ones(y.shape[:-1], dtype=np.bool_)
+    try:
+        x = np.linalg.solve(A, y[..., None])
+    except np.linalg.LinAlgError:
+        # NumPy does not say at which matrix; the sign of the determinant comes from the same elimination.
+        regular = np.asarray(np.linalg.slogdet(A)[0] != 0.0)
+        A = np.where(regular[..., None, None], A, np.eye(6))
+        x = np.linalg.solve(A, np.where(regular[..., None], y, 0.0)[..., None])
+    return np.asarray(x[..., 0]), regular
+
+
+# The search for a pose
+
+
+def _search(
+    robot: Robot, L: Array, starts: list[Poses]
+) -> tuple[Array, Array, Array, NDArray[np.int64], NDArray[np.bool_]]:
+    """Go from each start in turn to those lengths, (n, 6), that none before has found."""
+    R, t, residual, iterations, found = newton(robot, L, *starts[0])
+    for R_0, t_0 in starts[1:]:
+        left = np.flatnonzero(~found)
+        if not left.size:
+            break
+        R[left], t[left], residual[left], steps, found[left] = newton(robot, L[left], R_0[left], t_0[left])
+        iterations[left] += steps
+    return R, t, residual, iterations, found
+
+
+def newton(
+    robot: Robot, L: Array, R: Array, t: Array
+) -> tuple[Array, Array, Array, NDArray[np.int64], NDArray[np.bool_]]:
+    """Return poses R, t, residuals, m, steps taken and where it converged, from poses (n, ...) to L, (n, 6).
+
+    Each step is a twist: t <- t + dt, R <- exp([dphi]x) R.  It solves (J^T J + damping E) d = J^T (L - |S|),
+    angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
+    steps are Newton's own, and a step that does not is taken back and tried shorter.
+    """
+    R, t = _orthonormal(R), t.copy()
+    length = _length(robot)
+    damping = np.full(len(L), _FIRST_DAMPING)
+    iterations = np.zeros(len(L), dtype=np.int64)
+    live = np.arange(len(L))
+    with np.errstate(over="ignore", invalid="ignore"):
+        for _ in range(_MOST_STEPS):
+            q, S, now = _legs(robot, R[live], t[live])
+            miss = L[live] - now
+            far = np.max(np.abs(miss), axis=-1) > _GOAL * _reach(robot, q, t[live])
+            go = far & (damping[live] <= _MOST_DAMPING)
+            live, q, S, now, miss = live[go], q[go], S[go], now[go], miss[go]
+            if not live.size:
+                break
+            J = _rows(q, S, now) / np.repeat([1.0, length], 3)
+            d = _damped_step(J, miss, damping[live])
+            d[:, 3:] /= length
+            # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
+            d /= np.maximum(1.0, np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])))[
+                :, None
+            ]
+            R_1 = _orthonormal(rotation_from_vector(d[:, 3:]) @ R[live])
+            t_1 = t[live] + d[:, :3]
+            nearer = _size(L[live] - _legs(robot, R_1, t_1)[2]) < _size(miss)
+            R[live[nearer]], t[live[nearer]] = R_1[nearer], t_1[nearer]
+            iterations[live] += 1
+            damping[live] = np.where(
+                nearer,
+                np.maximum(damping[live] * 1e-2, _LEAST_DAMPING),
+                np.maximum(damping[live] * 10.0, 1e-8),
+            )
+        q, _, now = _legs(robot, R, t)
+        residual = np.max(np.abs(L - now), axis=-1)
+    return R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t)
+
+
+def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
+    J_T = np.swapaxes(J, -1, -2)
+    return solve(J_T @ J + damping[:, None, None] * np.eye(6), np.einsum("...ji,...j->...i", J, miss))[0]
+
+
+def _legs(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q, S and the lengths of S, (..., 6, 3) twice and (..., 6)."""
+    q = robot.p @ np.swapaxes(R, -1, -2)
+    S = t[..., None, :] + q - robot.b
+    return q, S, np.linalg.norm(S, axis=-1)
+
+
+def _rows(q: Array, S: Array, L: Array) -> Array:
+    # A leg of length zero has no direction: its row is 0 and makes J singular.
+    s = S / np.where(L > 0.0, L, 1.0)[..., None]
+    return np.concatenate([s, np.cross(q, s)], axis=-1)
+
+
+def _reach(robot: Robot, q: Array, t: Array) -> Array:
+    """Largest component of the terms of S = q + t - b, m, (...)."""
+    of_platform = np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1))
+    return np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
+
+
+def _orthonormal(R: Array) -> Array:
+    """One step toward the nearest rotation: what is one to 1e-9 becomes one to rounding."""
+    return np.asarray(R @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(R, -1, -2) @ R)))
+
+
+def _size(vector: Array) -> Array:
+    return np.asarray(np.linalg.norm(vector, axis=-1))
+
+
+def _length(robot: Robot) -> float:
+    return characteristic_length(robot) or 1.0
+
+
+# Where the search starts
+
+
+def _default_starts(robot: Robot, L: Array) -> list[Poses]:
+    """Return poses (n, 3, 3) and (n, 3), the likeliest first, for lengths (n, 6).
+
+    Orientations: E, and the one that brings each platform point nearest to its base point (Kabsch, 1976);
+    the latter first when E tilts or turns the platform far from it; then both turned about the base's normal,
+    and both on its other side.  Height: that of the mean square length.
+    """
+    b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
+    U, _, V_T = np.linalg.svd(b.T @ p)
+    nearest = U @ np.diag([1.0, 1.0, np.linalg.det(U @ V_T)]) @ V_T
+    normal = _normal(robot, b)
+    as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
+    first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
+    turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
+    longest = np.max(L, axis=-1)
+    mean_length = longest * np.sqrt(np.mean((L / longest[:, None]) ** 2, axis=-1))
+    starts = []
+    for R, n in [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]:
+        across = math.sqrt(np.mean(np.sum((p @ R.T - b) ** 2, axis=-1)))
+        height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
+        t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[:, None] * n
+        starts.append((np.broadcast_to(R, (len(L), 3, 3)), t))
+    return starts
+
+
+def _normal(robot: Robot, b: Array) -> Array:
+    """Unit normal of the base points' plane, to the side where the platform is looked for."""
+    n = np.asarray(np.linalg.svd(b)[2][2])
+    side = n[2] if abs(n[2]) > 0.1 else -n @ robot.g
+    return -n if side < 0.0 else n
+
+
+def _checked_guess(guess: object) -> Motion:
+    if not isinstance(guess, tuple | list) or len(guess) != 2:
+        raise ValueError(f"guess: expected a pose (R, t) or None, got {type(guess).__name__}")
+    R, t = guess
+    try:
+        return Motion(R, t, np.zeros(3), np.zeros(3))
+    except ValueError as error:
+        raise ValueError(f"guess: {error}") from None
+
+
+def _first_fault(status: NDArray[np.integer]) -> tuple[tuple[int, ...], str]:
+    where, others = faults.first(status)
+    return where, f"{REASONS[int(status[where])]}{others}"
