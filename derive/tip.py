@@ -1,4 +1,4 @@
-"""One leg as a mechanism of three freedoms at its tip: inertia, Coriolis matrix, derivatives. Used by ``motion``.
+"""One leg as a mechanism of three freedoms at its tip: inertia, Coriolis matrix, derivatives, for ``motion``.
 
 The joint coordinates xi = (L, theta, phi) of ``joint_leg`` are functions of S. With Gamma the gradient of xi,
 xi_dot = Gamma S_dot and the tip's force is F = Gamma^T tau, so that
@@ -71,7 +71,7 @@ OMEGA_N, OMEGA_Y, OMEGA_K = sp.symbols("w_n_omega w_y_omega w_k_omega", real=Tru
 
 
 def friction() -> sp.Matrix:
-    """Generalised force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: the platform's omega along y and k."""
+    """Generalised force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: omega along y and k."""
     C_s, C_us = n.C_s.value, p.C_us.value
     return sp.Matrix(
         [
