@@ -55,8 +55,8 @@ def sizes(found: dict[str, Any]) -> str:
     swept = [each for each in found["sweep"] if each["name"] == name]
     counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
     return paragraph(
-        f"From {counts[0]} to {counts[-1]} poses ({name}) the longest time a pose is "
-        f"{flatness:.2f} times the shortest."
+        f"From {counts[0]} to {counts[-1]} poses ({name}, one call from Python each) the longest time a "
+        f"pose is {flatness:.2f} times the shortest."
     ) + table(("poses", *counts), [("ns a pose", *(f"{each['median']:.0f}" for each in swept))])
 
 

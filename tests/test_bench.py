@@ -4,6 +4,7 @@ import dataclasses
 import io
 import itertools
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -305,6 +306,30 @@ def test_tables_without_passes_and_text_are_left_out(monkeypatch: pytest.MonkeyP
     assert found.as_json()["text"] is None
     assert "after the pass" not in report(found)
     assert "bytes" not in report(found)
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize(
+    ("work", "said"), [(0.0, "took 0 % of the cores' time\n"), (1e6, "100 % of the cores' time: the figures")]
+)
+def test_a_run_that_others_disturbed_says_so(work: float, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    at = itertools.count(0.0, work)
+    monkeypatch.setattr(bench, "_work_of_others", lambda: next(at))
+    monkeypatch.setattr(bench_passes, "stages", lambda _: ())
+    assert said in report(bench.bench(quick=True))
+
+
+def test_own_work_is_not_that_of_others() -> None:
+    if bench._work_of_others() is None:
+        pytest.skip("the system doesn't tell")
+    work, times = bench._work_of_others(), os.times()
+    while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
+        pass
+    again = bench._work_of_others()
+    assert again is not None
+    assert work is not None
+    seconds = os.times().elapsed - times.elapsed
+    assert -0.05 < again - work < (os.cpu_count() or 1) * seconds - 0.25
 
 
 def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:

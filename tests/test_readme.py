@@ -23,6 +23,7 @@ from pinocchio_model import pinocchio_inverse_dynamics
 import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.kernel import module
+from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
 README_FOLDER = Path(__file__).parent.parent
@@ -113,6 +114,10 @@ def test_times_in_the_readme_are_those_of_the_benchmark() -> None:
     assert f"{found['cores']['cores']} cores over one core: {np.median(found['cores']['raw']):.2f} " in prose
     assert f" with {found['machine']['vectors']}, " in prose
     assert readme_bench.replaced(README, found) == README, REWRITE
+
+
+def test_the_committed_run_was_not_disturbed_by_others() -> None:
+    assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
 
 
 def test_every_figure_that_changes_changes_the_readme() -> None:

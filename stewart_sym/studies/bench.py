@@ -218,8 +218,10 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "multiply-add": Task(processor.run, processor.count),
     }
     rounds = QUICK_ROUNDS if quick else ROUNDS
+    others = _Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
+    machine["taken_by_others"] = others.share()
     compiling = bench_compile.compile_times(QUICK_COMPILATIONS if quick else COMPILATIONS, progress)
     return Benchmark(
         robot=poses.robot.name,
@@ -473,6 +475,31 @@ def _machine() -> dict[str, Any]:
         "system": platform.platform(),
         "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
     }
+
+
+class _Others:
+    """What other processes, and a hypervisor, take of all cores from now on."""
+
+    def __init__(self) -> None:
+        self._start, self._work = time.perf_counter(), _work_of_others()
+
+    def share(self) -> float | None:
+        """Share of the cores' time so far, 0 to 1; None where the system doesn't tell."""
+        seconds, work = time.perf_counter() - self._start, _work_of_others()
+        if self._work is None or work is None or seconds <= 0:
+            return None
+        return min(1.0, max(0.0, (work - self._work) / (CORES * seconds)))
+
+
+def _work_of_others() -> float | None:
+    """Core seconds since the machine started, but for this process's own and its children's."""
+    with contextlib.suppress(OSError, ValueError):
+        first, *_ = Path("/proc/stat").read_text(encoding="utf-8").splitlines()
+        # user, nice, system, idle, waiting for a disk, two kinds of interrupts, stolen by the hypervisor
+        user, nice, system, _, _, hard, soft, stolen = map(int, first.split()[1:9])
+        ticks = user + nice + system + hard + soft + stolen
+        return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
+    return None
 
 
 def _software() -> dict[str, Any]:

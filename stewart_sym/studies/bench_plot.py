@@ -4,7 +4,6 @@ Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench
 """
 
 import textwrap
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +15,9 @@ from .bench_figures import Benchmark, Figure, Samples
 from .table import aligned
 
 WIDTH = 110
+
+DISTURBED = 0.03
+"""Share of the cores' time in others' hands from which on the figures are called disturbed."""
 
 _STYLE: Any = {
     "svg.hashsalt": "stewart-sym",
@@ -44,7 +46,7 @@ def report(found: Benchmark) -> str:
         f"Inverse dynamics of {found.robot}, `exact`, one pose: F with friction, load and solve",
         "",
         f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
-        *_load(machine["load_average"]),
+        *_others(machine["taken_by_others"]),
         " ".join(software["flags"]),
         f"CasADi {software['casadi']}, Pinocchio {software['pin']}, NumPy {software['numpy']}, "
         f"Python {software['python']}",
@@ -57,11 +59,12 @@ def report(found: Benchmark) -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def _load(average: Sequence[float] | None) -> list[str]:
-    """What others did to the machine in the minute before; nothing where the system doesn't tell."""
-    if average is None:
+def _others(share: float | None) -> list[str]:
+    """How far other processes disturbed the run; nothing where the system doesn't tell."""
+    if share is None:
         return []
-    return [f"load average {average[0]:.2f} at the beginning: on a busy machine the figures mean little"]
+    verdict = ": the figures are disturbed, above all those of several cores" if share > DISTURBED else ""
+    return [f"other processes took {100 * share:.0f} % of the cores' time{verdict}"]
 
 
 def _contestants(found: Benchmark) -> str:
