@@ -369,8 +369,9 @@ static int legs_status(const leg_judgement *judged)
     return STEWART_OK;
 }
 
-/* Adds the six legs to the platform's part. */
-static void add_legs(
+/* Adds the six legs to the platform's part. Apart: GCC 12 makes wrong vectors of the sums where it can see the
+ * solve as well. */
+STEWART_APART static void add_legs(
     stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
 {
     int i;
@@ -491,30 +492,30 @@ static int @WHAT@_sums(
 _SOLVE = """\
 /* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.
  * Returns a status. */
-static int solve_@KIND@_@WIDTH@(stewart_real A[6][@WIDTH@])
+static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
 @SCALES@
     for (k = 0; k < 6; ++k) {
 @PIVOT@
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = 1 / A[k * @WIDTH@ + k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i * @WIDTH@ + k] * inverse[k];
             for (j = 0; j < @WIDTH@; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i * @WIDTH@ + j] = A[i * @WIDTH@ + j] - factor * A[k * @WIDTH@ + j];
             }
         }
     }
-    for (i = 5; i >= 0; --i) {
-        for (k = i + 1; k < 6; ++k) {
-            const stewart_real factor = A[i][k];
-            for (j = 6; j < @WIDTH@; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < @WIDTH@; ++j) {
-            A[i][j] = A[i][j] * inverse[i];
+            A[k * @WIDTH@ + j] = A[k * @WIDTH@ + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * @WIDTH@ + k];
+            for (j = 6; j < @WIDTH@; ++j) {
+                A[i * @WIDTH@ + j] = A[i * @WIDTH@ + j] - factor * A[k * @WIDTH@ + j];
+            }
         }
     }
     return STEWART_OK;
@@ -527,11 +528,11 @@ _DEFINITE = {
     "@METHOD@": "by L D L^T, M positive definite",
     "@SCALES@": """\
     for (k = 0; k < 6; ++k) {
-        scale[k] = A[k][k];
+        scale[k] = A[k * @WIDTH@ + k];
     }""",
     "@PIVOT@": """\
-        if (!(A[k][k] > STEWART_ROUNDING * scale[k])) {
-            return STEWART_FABS(A[k][k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        if (!(A[k * @WIDTH@ + k] > STEWART_ROUNDING * scale[k])) {
+            return STEWART_FABS(A[k * @WIDTH@ + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }""",
 }
 
@@ -543,7 +544,7 @@ _PIVOTED = {
     stewart_real moment = 0;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i][j]), moment);
+            moment = STEWART_LARGER(STEWART_FABS(A[i * @WIDTH@ + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
@@ -553,19 +554,19 @@ _PIVOTED = {
         int pivot = k;
         stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+            if (STEWART_FABS(A[i * @WIDTH@ + k]) > STEWART_FABS(A[pivot * @WIDTH@ + k])) {
                 pivot = i;
             }
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot][k]) > STEWART_ROUNDING * row_scale)) {
-            return STEWART_FABS(A[pivot][k]) <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        if (!(STEWART_FABS(A[pivot * @WIDTH@ + k]) > STEWART_ROUNDING * row_scale)) {
+            return A[pivot * @WIDTH@ + k] == A[pivot * @WIDTH@ + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < @WIDTH@; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
+            const stewart_real moved = A[k * @WIDTH@ + j];
+            A[k * @WIDTH@ + j] = A[pivot * @WIDTH@ + j];
+            A[pivot * @WIDTH@ + j] = moved;
         }""",
 }
 
@@ -629,7 +630,7 @@ int stewart_@NAME@_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[6][8], sum[27];
+    stewart_real A[48], sum[27];
     int i, status;
     if (!model || !motion || !F || !acceleration) {
         return STEWART_BAD_ARGUMENT;
@@ -638,22 +639,22 @@ int stewart_@NAME@_forward_dynamics(
     if (status != STEWART_OK) {
         return status;
     }
-    inertia_rows(sum, 8, A[0]);
+    inertia_rows(sum, 8, A);
     for (i = 0; i < 6; ++i) {
-        A[i][6] = sum[21 + i];
-        A[i][7] = 0;
+        A[8 * i + 6] = sum[21 + i];
+        A[8 * i + 7] = 0;
     }
     status = solve_definite_8(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(&A[i][6], 1)) {
+        if (!is_finite(&A[8 * i + 6], 1)) {
             return STEWART_NOT_FINITE;
         }
     }
     for (i = 0; i < 6; ++i) {
-        acceleration[i] = A[i][6];
+        acceleration[i] = A[8 * i + 6];
     }
     return STEWART_OK;
 }
@@ -662,7 +663,7 @@ int stewart_@NAME@_joint_inertia(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36])
 {
     equations_legs legs;
-    stewart_real A[6][12], X[36], sum[69];
+    stewart_real A[72], X[36], sum[69];
     int i, j, status;
     if (!model || !motion || !inertia) {
         return STEWART_BAD_ARGUMENT;
@@ -671,20 +672,20 @@ int stewart_@NAME@_joint_inertia(
     if (status != STEWART_OK) {
         return status;
     }
-    column_rows(legs.H_force, legs.H_moment, 12, A[0]);
-    inertia_rows(sum, 12, A[0] + 6);
+    column_rows(legs.H_force, legs.H_moment, 12, A);
+    inertia_rows(sum, 12, A + 6);
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            X[6 * j + i] = A[i][6 + j];
+            X[6 * j + i] = A[12 * i + 6 + j];
         }
     }
-    column_rows(legs.H_force, legs.H_moment, 12, A[0]);
+    column_rows(legs.H_force, legs.H_moment, 12, A);
     for (i = 0; i < 6; ++i) {
-        copy(X + 6 * i, 6, A[i] + 6);
+        copy(X + 6 * i, 6, A + 12 * i + 6);
     }
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
@@ -692,7 +693,7 @@ int stewart_@NAME@_joint_inertia(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            X[6 * i + j] = (A[i][6 + j] + A[j][6 + i]) * STEWART_HALF;
+            X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
         }
     }
     if (!is_finite(X, 36)) {
@@ -707,7 +708,7 @@ int stewart_@NAME@_derivatives(
 {
     derivatives_legs legs;
     stewart_derivatives found;
-    stewart_real A[6][24], sum[93];
+    stewart_real A[144], sum[93];
     int i, j, status;
     if (!model || !motion || !out) {
         return STEWART_BAD_ARGUMENT;
@@ -719,22 +720,22 @@ int stewart_@NAME@_derivatives(
     if (status != STEWART_OK) {
         return status;
     }
-    column_rows(legs.H_force, legs.H_moment, 24, A[0]);
-    block_rows(sum + 21, 24, A[0] + 6);
-    block_rows(sum + 57, 24, A[0] + 12);
-    inertia_rows(sum, 24, A[0] + 18);
+    column_rows(legs.H_force, legs.H_moment, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    inertia_rows(sum, 24, A + 18);
     status = solve_pivoted_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(A[i] + 6, 18)) {
+        if (!is_finite(A + 24 * i + 6, 18)) {
             return STEWART_NOT_FINITE;
         }
         for (j = 0; j < 6; ++j) {
-            found.by_pose[6 * i + j] = A[i][6 + j];
-            found.by_twist[6 * i + j] = A[i][12 + j];
-            found.by_acceleration[6 * i + j] = A[i][18 + j];
+            found.by_pose[6 * i + j] = A[24 * i + 6 + j];
+            found.by_twist[6 * i + j] = A[24 * i + 12 + j];
+            found.by_acceleration[6 * i + j] = A[24 * i + 18 + j];
         }
     }
     *out = found;
@@ -742,7 +743,7 @@ int stewart_@NAME@_derivatives(
 }
 
 /* A of the linearisation from M^-1 times the derivatives of the wrench, columns 6 to 17 of the rows. */
-static void system_matrix(const stewart_real *omega, stewart_real A[6][24], stewart_real *system)
+static void system_matrix(const stewart_real *omega, stewart_real A[144], stewart_real *system)
 {
     int i, j;
     for (i = 0; i < 144; ++i) {
@@ -751,7 +752,7 @@ static void system_matrix(const stewart_real *omega, stewart_real A[6][24], stew
     for (i = 0; i < 6; ++i) {
         system[12 * i + 6 + i] = 1;
         for (j = 0; j < 12; ++j) {
-            system[12 * (i + 6) + j] = -A[i][6 + j];
+            system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
         }
     }
     system[12 * 3 + 4] = -omega[2];
@@ -769,7 +770,7 @@ int stewart_@NAME@_linearisation(
     derivatives_legs legs;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[6][24], sum[93];
+    stewart_real A[144], sum[93];
     int i, j, status;
     if (!model || !motion || !F || !out) {
         return STEWART_BAD_ARGUMENT;
@@ -785,10 +786,10 @@ int stewart_@NAME@_linearisation(
     if (status != STEWART_OK) {
         return status;
     }
-    inertia_rows(sum, 24, A[0]);
-    block_rows(sum + 21, 24, A[0] + 6);
-    block_rows(sum + 57, 24, A[0] + 12);
-    column_rows(legs.H_force, legs.H_moment, 24, A[0] + 18);
+    inertia_rows(sum, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    column_rows(legs.H_force, legs.H_moment, 24, A + 18);
     status = solve_definite_24(A);
     if (status != STEWART_OK) {
         return status;
@@ -799,7 +800,7 @@ int stewart_@NAME@_linearisation(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            found.B[6 * (i + 6) + j] = A[i][18 + j];
+            found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
         }
     }
     if (!is_finite(found.A, 144) || !is_finite(found.B, 72)) {

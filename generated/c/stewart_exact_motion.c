@@ -61,8 +61,9 @@ static int legs_status(const leg_judgement *judged)
     return STEWART_OK;
 }
 
-/* Adds the six legs to the platform's part. */
-static void add_legs(
+/* Adds the six legs to the platform's part. Apart: GCC 12 makes wrong vectors of the sums where it can see the
+ * solve as well. */
+STEWART_APART static void add_legs(
     stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
 {
     int i;
@@ -2124,34 +2125,34 @@ static int derivatives_sums(
 
 /* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_8(stewart_real A[6][8])
+static int solve_definite_8(stewart_real A[6 * 8])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
     for (k = 0; k < 6; ++k) {
-        scale[k] = A[k][k];
+        scale[k] = A[k * 8 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k][k] > STEWART_ROUNDING * scale[k])) {
-            return STEWART_FABS(A[k][k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        if (!(A[k * 8 + k] > STEWART_ROUNDING * scale[k])) {
+            return STEWART_FABS(A[k * 8 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = 1 / A[k * 8 + k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i * 8 + k] * inverse[k];
             for (j = 0; j < 8; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i * 8 + j] = A[i * 8 + j] - factor * A[k * 8 + j];
             }
         }
     }
-    for (i = 5; i >= 0; --i) {
-        for (k = i + 1; k < 6; ++k) {
-            const stewart_real factor = A[i][k];
-            for (j = 6; j < 8; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 8; ++j) {
-            A[i][j] = A[i][j] * inverse[i];
+            A[k * 8 + j] = A[k * 8 + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * 8 + k];
+            for (j = 6; j < 8; ++j) {
+                A[i * 8 + j] = A[i * 8 + j] - factor * A[k * 8 + j];
+            }
         }
     }
     return STEWART_OK;
@@ -2159,34 +2160,34 @@ static int solve_definite_8(stewart_real A[6][8])
 
 /* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_24(stewart_real A[6][24])
+static int solve_definite_24(stewart_real A[6 * 24])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
     for (k = 0; k < 6; ++k) {
-        scale[k] = A[k][k];
+        scale[k] = A[k * 24 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k][k] > STEWART_ROUNDING * scale[k])) {
-            return STEWART_FABS(A[k][k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        if (!(A[k * 24 + k] > STEWART_ROUNDING * scale[k])) {
+            return STEWART_FABS(A[k * 24 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = 1 / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i * 24 + k] * inverse[k];
             for (j = 0; j < 24; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
             }
         }
     }
-    for (i = 5; i >= 0; --i) {
-        for (k = i + 1; k < 6; ++k) {
-            const stewart_real factor = A[i][k];
-            for (j = 6; j < 24; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[i][j] = A[i][j] * inverse[i];
+            A[k * 24 + j] = A[k * 24 + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * 24 + k];
+            for (j = 6; j < 24; ++j) {
+                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
+            }
         }
     }
     return STEWART_OK;
@@ -2194,14 +2195,14 @@ static int solve_definite_24(stewart_real A[6][24])
 
 /* Solves for X the rows [H | Y] of 12 numbers by elimination with partial pivoting, leaving X in place of Y.
  * Returns a status. */
-static int solve_pivoted_12(stewart_real A[6][12])
+static int solve_pivoted_12(stewart_real A[6 * 12])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
     stewart_real moment = 0;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i][j]), moment);
+            moment = STEWART_LARGER(STEWART_FABS(A[i * 12 + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
@@ -2211,37 +2212,37 @@ static int solve_pivoted_12(stewart_real A[6][12])
         int pivot = k;
         stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+            if (STEWART_FABS(A[i * 12 + k]) > STEWART_FABS(A[pivot * 12 + k])) {
                 pivot = i;
             }
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot][k]) > STEWART_ROUNDING * row_scale)) {
-            return STEWART_FABS(A[pivot][k]) <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        if (!(STEWART_FABS(A[pivot * 12 + k]) > STEWART_ROUNDING * row_scale)) {
+            return A[pivot * 12 + k] == A[pivot * 12 + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 12; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
+            const stewart_real moved = A[k * 12 + j];
+            A[k * 12 + j] = A[pivot * 12 + j];
+            A[pivot * 12 + j] = moved;
         }
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = 1 / A[k * 12 + k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i * 12 + k] * inverse[k];
             for (j = 0; j < 12; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i * 12 + j] = A[i * 12 + j] - factor * A[k * 12 + j];
             }
         }
     }
-    for (i = 5; i >= 0; --i) {
-        for (k = i + 1; k < 6; ++k) {
-            const stewart_real factor = A[i][k];
-            for (j = 6; j < 12; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 12; ++j) {
-            A[i][j] = A[i][j] * inverse[i];
+            A[k * 12 + j] = A[k * 12 + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * 12 + k];
+            for (j = 6; j < 12; ++j) {
+                A[i * 12 + j] = A[i * 12 + j] - factor * A[k * 12 + j];
+            }
         }
     }
     return STEWART_OK;
@@ -2249,14 +2250,14 @@ static int solve_pivoted_12(stewart_real A[6][12])
 
 /* Solves for X the rows [H | Y] of 24 numbers by elimination with partial pivoting, leaving X in place of Y.
  * Returns a status. */
-static int solve_pivoted_24(stewart_real A[6][24])
+static int solve_pivoted_24(stewart_real A[6 * 24])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
     stewart_real moment = 0;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i][j]), moment);
+            moment = STEWART_LARGER(STEWART_FABS(A[i * 24 + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
@@ -2266,37 +2267,37 @@ static int solve_pivoted_24(stewart_real A[6][24])
         int pivot = k;
         stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+            if (STEWART_FABS(A[i * 24 + k]) > STEWART_FABS(A[pivot * 24 + k])) {
                 pivot = i;
             }
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot][k]) > STEWART_ROUNDING * row_scale)) {
-            return STEWART_FABS(A[pivot][k]) <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        if (!(STEWART_FABS(A[pivot * 24 + k]) > STEWART_ROUNDING * row_scale)) {
+            return A[pivot * 24 + k] == A[pivot * 24 + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 24; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
+            const stewart_real moved = A[k * 24 + j];
+            A[k * 24 + j] = A[pivot * 24 + j];
+            A[pivot * 24 + j] = moved;
         }
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = 1 / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i * 24 + k] * inverse[k];
             for (j = 0; j < 24; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
             }
         }
     }
-    for (i = 5; i >= 0; --i) {
-        for (k = i + 1; k < 6; ++k) {
-            const stewart_real factor = A[i][k];
-            for (j = 6; j < 24; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[i][j] = A[i][j] * inverse[i];
+            A[k * 24 + j] = A[k * 24 + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * 24 + k];
+            for (j = 6; j < 24; ++j) {
+                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
+            }
         }
     }
     return STEWART_OK;
@@ -2361,7 +2362,7 @@ int stewart_exact_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[6][8], sum[27];
+    stewart_real A[48], sum[27];
     int i, status;
     if (!model || !motion || !F || !acceleration) {
         return STEWART_BAD_ARGUMENT;
@@ -2370,22 +2371,22 @@ int stewart_exact_forward_dynamics(
     if (status != STEWART_OK) {
         return status;
     }
-    inertia_rows(sum, 8, A[0]);
+    inertia_rows(sum, 8, A);
     for (i = 0; i < 6; ++i) {
-        A[i][6] = sum[21 + i];
-        A[i][7] = 0;
+        A[8 * i + 6] = sum[21 + i];
+        A[8 * i + 7] = 0;
     }
     status = solve_definite_8(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(&A[i][6], 1)) {
+        if (!is_finite(&A[8 * i + 6], 1)) {
             return STEWART_NOT_FINITE;
         }
     }
     for (i = 0; i < 6; ++i) {
-        acceleration[i] = A[i][6];
+        acceleration[i] = A[8 * i + 6];
     }
     return STEWART_OK;
 }
@@ -2394,7 +2395,7 @@ int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36])
 {
     equations_legs legs;
-    stewart_real A[6][12], X[36], sum[69];
+    stewart_real A[72], X[36], sum[69];
     int i, j, status;
     if (!model || !motion || !inertia) {
         return STEWART_BAD_ARGUMENT;
@@ -2403,20 +2404,20 @@ int stewart_exact_joint_inertia(
     if (status != STEWART_OK) {
         return status;
     }
-    column_rows(legs.H_force, legs.H_moment, 12, A[0]);
-    inertia_rows(sum, 12, A[0] + 6);
+    column_rows(legs.H_force, legs.H_moment, 12, A);
+    inertia_rows(sum, 12, A + 6);
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            X[6 * j + i] = A[i][6 + j];
+            X[6 * j + i] = A[12 * i + 6 + j];
         }
     }
-    column_rows(legs.H_force, legs.H_moment, 12, A[0]);
+    column_rows(legs.H_force, legs.H_moment, 12, A);
     for (i = 0; i < 6; ++i) {
-        copy(X + 6 * i, 6, A[i] + 6);
+        copy(X + 6 * i, 6, A + 12 * i + 6);
     }
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
@@ -2424,7 +2425,7 @@ int stewart_exact_joint_inertia(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            X[6 * i + j] = (A[i][6 + j] + A[j][6 + i]) * STEWART_HALF;
+            X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
         }
     }
     if (!is_finite(X, 36)) {
@@ -2439,7 +2440,7 @@ int stewart_exact_derivatives(
 {
     derivatives_legs legs;
     stewart_derivatives found;
-    stewart_real A[6][24], sum[93];
+    stewart_real A[144], sum[93];
     int i, j, status;
     if (!model || !motion || !out) {
         return STEWART_BAD_ARGUMENT;
@@ -2451,22 +2452,22 @@ int stewart_exact_derivatives(
     if (status != STEWART_OK) {
         return status;
     }
-    column_rows(legs.H_force, legs.H_moment, 24, A[0]);
-    block_rows(sum + 21, 24, A[0] + 6);
-    block_rows(sum + 57, 24, A[0] + 12);
-    inertia_rows(sum, 24, A[0] + 18);
+    column_rows(legs.H_force, legs.H_moment, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    inertia_rows(sum, 24, A + 18);
     status = solve_pivoted_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(A[i] + 6, 18)) {
+        if (!is_finite(A + 24 * i + 6, 18)) {
             return STEWART_NOT_FINITE;
         }
         for (j = 0; j < 6; ++j) {
-            found.by_pose[6 * i + j] = A[i][6 + j];
-            found.by_twist[6 * i + j] = A[i][12 + j];
-            found.by_acceleration[6 * i + j] = A[i][18 + j];
+            found.by_pose[6 * i + j] = A[24 * i + 6 + j];
+            found.by_twist[6 * i + j] = A[24 * i + 12 + j];
+            found.by_acceleration[6 * i + j] = A[24 * i + 18 + j];
         }
     }
     *out = found;
@@ -2474,7 +2475,7 @@ int stewart_exact_derivatives(
 }
 
 /* A of the linearisation from M^-1 times the derivatives of the wrench, columns 6 to 17 of the rows. */
-static void system_matrix(const stewart_real *omega, stewart_real A[6][24], stewart_real *system)
+static void system_matrix(const stewart_real *omega, stewart_real A[144], stewart_real *system)
 {
     int i, j;
     for (i = 0; i < 144; ++i) {
@@ -2483,7 +2484,7 @@ static void system_matrix(const stewart_real *omega, stewart_real A[6][24], stew
     for (i = 0; i < 6; ++i) {
         system[12 * i + 6 + i] = 1;
         for (j = 0; j < 12; ++j) {
-            system[12 * (i + 6) + j] = -A[i][6 + j];
+            system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
         }
     }
     system[12 * 3 + 4] = -omega[2];
@@ -2501,7 +2502,7 @@ int stewart_exact_linearisation(
     derivatives_legs legs;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[6][24], sum[93];
+    stewart_real A[144], sum[93];
     int i, j, status;
     if (!model || !motion || !F || !out) {
         return STEWART_BAD_ARGUMENT;
@@ -2517,10 +2518,10 @@ int stewart_exact_linearisation(
     if (status != STEWART_OK) {
         return status;
     }
-    inertia_rows(sum, 24, A[0]);
-    block_rows(sum + 21, 24, A[0] + 6);
-    block_rows(sum + 57, 24, A[0] + 12);
-    column_rows(legs.H_force, legs.H_moment, 24, A[0] + 18);
+    inertia_rows(sum, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    column_rows(legs.H_force, legs.H_moment, 24, A + 18);
     status = solve_definite_24(A);
     if (status != STEWART_OK) {
         return status;
@@ -2531,7 +2532,7 @@ int stewart_exact_linearisation(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            found.B[6 * (i + 6) + j] = A[i][18 + j];
+            found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
         }
     }
     if (!is_finite(found.A, 144) || !is_finite(found.B, 72)) {
