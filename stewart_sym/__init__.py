@@ -15,15 +15,17 @@ from .dynamics import (
     joint_reactions,
     massless_forces,
 )
+from .equations import equations_of_motion, forward_dynamics, joint_space_inertia
 from .forces import ForceKernel, prepare
-from .kinematics import inverse_kinematics
+from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .motion import Motion
-from .results import Forces, Reactions
+from .results import EquationsOfMotion, Forces, Reactions
 from .robot import PhysicalityWarning, Robot
 from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "EquationsOfMotion",
     "ForceKernel",
     "Forces",
     "Motion",
@@ -35,12 +37,17 @@ __all__ = [
     "characteristic_length",
     "condition_number",
     "dynamic_fraction",
+    "equations_of_motion",
+    "forward_dynamics",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
+    "joint_space_inertia",
     "massless_forces",
     "prepare",
     "results",
     "robots",
     "scaled_condition_number",
+    "wrench_matrix",
+    "wrench_matrix_rate",
 ]

@@ -100,6 +100,28 @@ class Motion:
         return (self[i] for i in range(self.shape[0]))
 
     @classmethod
+    def unchecked(
+        cls,
+        R: Array,
+        t: Array,
+        omega: Array,
+        v: Array,
+        alpha: Array | None = None,
+        a: Array | None = None,
+        F_ext: Array | None = None,
+        M_ext: Array | None = None,
+    ) -> "Motion":
+        """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
+
+        For inner loops, where the checks would cost more than the dynamics.
+        """
+        motion = object.__new__(cls)
+        arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
+        for field, array in zip(fields(cls), arrays, strict=True):
+            object.__setattr__(motion, field.name, array)
+        return motion
+
+    @classmethod
     def from_rpy(
         cls,
         t: ArrayLike,
