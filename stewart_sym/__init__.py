@@ -18,22 +18,30 @@ from .dynamics import (
 from .equations import equations_of_motion, forward_dynamics, joint_space_inertia
 from .forces import ForceKernel, prepare
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
+from .laws import ComputedTorque, LegSprings
 from .motion import Motion
 from .results import EquationsOfMotion, Forces, Reactions
 from .robot import PhysicalityWarning, Robot
+from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "ComputedTorque",
     "EquationsOfMotion",
     "ForceKernel",
     "Forces",
+    "LegSprings",
     "Motion",
     "PhysicalityWarning",
     "Reactions",
     "Robot",
+    "Simulation",
     "SingularPoseWarning",
+    "Stop",
     "StraightLinePath",
+    "Thresholds",
+    "Trace",
     "characteristic_length",
     "condition_number",
     "dynamic_fraction",
@@ -48,6 +56,7 @@ __all__ = [
     "results",
     "robots",
     "scaled_condition_number",
+    "simulate",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

@@ -25,6 +25,7 @@ from .motion import Motion
 from .reference_equations import ActuatorWrench, by_linearity, inertia_and_bias
 from .results import INDEFINITE, NOT_FINITE, OK, SINGULAR, EquationsOfMotion
 from .robot import Robot
+from .rotation import cross
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int32]
@@ -142,24 +143,26 @@ class ForwardDynamics:
 
 
 def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...).
+    """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
+    try:
+        G = np.linalg.cholesky(M)
+        definite = np.ones(M.shape[:-2], dtype=np.bool_)
+    except np.linalg.LinAlgError:
+        # One bad matrix refuses a whole batch: find out which, and put the unit matrix in its place.
+        flat = np.array([_is_positive(matrix) for matrix in M.reshape(-1, *M.shape[-2:])], dtype=np.bool_)
+        definite = flat.reshape(M.shape[:-2])
+        G = np.linalg.cholesky(np.where(definite[..., None, None], M, np.eye(M.shape[-1])))
+    half = np.linalg.solve(G, w[..., None])
+    x = np.linalg.solve(np.swapaxes(G, -1, -2), half)[..., 0]
+    return np.where(definite[..., None], x, np.nan), definite
 
-    Reads the lower triangle of M. NumPy's own factorisation refuses a whole batch for one bad matrix.
-    """
-    n = M.shape[-1]
-    G = np.zeros_like(M)
-    x = w.copy()
-    definite = np.ones(M.shape[:-2], dtype=np.bool_)
-    for j in range(n):
-        column = M[..., j:, j] - (G[..., j:, :j] @ G[..., j, :j, None])[..., 0]
-        pivot = column[..., 0]
-        definite &= pivot > 0.0
-        G[..., j:, j] = column / np.sqrt(pivot)[..., None]
-    for j in range(n):
-        x[..., j] = (x[..., j] - (G[..., j, :j] * x[..., :j]).sum(axis=-1)) / G[..., j, j]
-    for j in reversed(range(n)):
-        x[..., j] = (x[..., j] - (G[..., j + 1 :, j] * x[..., j + 1 :]).sum(axis=-1)) / G[..., j, j]
-    return x, definite
+
+def _is_positive(matrix: Array) -> bool:
+    try:
+        np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        return False
+    return True
 
 
 def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
@@ -167,7 +170,7 @@ def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
     S = q + motion.t[..., None, :] - robot.b
     push = S * (F / np.sqrt(np.einsum("...i,...i->...", S, S)))[..., None]
-    force, moment = push.sum(axis=-2), np.cross(q, push).sum(axis=-2)
+    force, moment = push.sum(axis=-2), cross(q, push).sum(axis=-2)
     if motion.F_ext is not None:
         force = force + np.einsum("...ij,...j->...i", motion.R, motion.F_ext)
     if motion.M_ext is not None:

@@ -116,9 +116,7 @@ class Motion:
         For inner loops, where the checks would cost more than the dynamics.
         """
         motion = object.__new__(cls)
-        arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
-        for field, array in zip(fields(cls), arrays, strict=True):
-            object.__setattr__(motion, field.name, array)
+        motion.__dict__.update(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)
         return motion
 
     @classmethod

@@ -14,12 +14,13 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
-    {"checks", "publish", "results", "rotation", "generated"},
+    {"checks", "publish", "results", "rotation", "tables", "generated"},
     {"robot", "motion", "native"},
     {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
     {"dynamics", "forces"},
-    {"equations"},
-    {"studies", "kit"},
+    {"equations", "laws"},
+    {"simulation"},
+    {"studies", "kit", "scene"},
     {"cli"},
 )
 GENERATE_ON_COMMAND = {f"{PACKAGE}.cli", f"{PACKAGE}.kit"}
