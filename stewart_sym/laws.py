@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import instance, real_array
-from .dynamics import Backend, DynamicsKernel, Formulation, prepared_kernel
+from .dynamics import Backend, DynamicsKernel, Formulation, inverse_dynamics, prepared_kernel
+from .kinematics import inverse_kinematics
 from .motion import Motion
 from .robot import Robot
 from .rotation import cross, vector_from_rotation
@@ -41,6 +42,22 @@ class LegSprings:
         instance(self.robot, Robot, "robot")
         for name in ("stiffness", "rest_length", "damping"):
             object.__setattr__(self, name, of_six(getattr(self, name), name))
+
+    @classmethod
+    def balanced(
+        cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
+    ) -> "LegSprings":
+        """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
+
+        stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose has no answer.
+        """
+        k = of_six(stiffness, "stiffness")
+        if not k.all():
+            raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
+        zero = np.zeros(3)
+        rest = Motion(pose.R, pose.t, zero, zero, zero, zero, pose.F_ext, pose.M_ext)
+        F = inverse_dynamics(robot, rest).F
+        return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (..., 6), of any state."""

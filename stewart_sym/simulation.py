@@ -129,6 +129,11 @@ class Simulation(Trace):
     _law: ForceLaw
     _pieces: tuple[_Piece, ...]
 
+    @property
+    def steps(self) -> int:
+        """How many steps the integration took."""
+        return len(self._pieces)
+
     def at(self, times: ArrayLike) -> Trace:
         """States and forces at times, s, (n,), interpolated to the accuracy of the run.
 

@@ -20,7 +20,8 @@ FLOORS = (
     {"dynamics", "forces"},
     {"equations", "laws"},
     {"simulation"},
-    {"studies", "kit", "scene"},
+    {"scene"},
+    {"studies", "kit"},
     {"cli"},
 )
 GENERATE_ON_COMMAND = {f"{PACKAGE}.cli", f"{PACKAGE}.kit"}

@@ -12,7 +12,7 @@ import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.laws import along
 from stewart_sym.rotation import rotation_from_vector, vector_from_rotation, vector_rate
-from stewart_sym.studies.energy_drift import balanced_springs, energy_drift
+from stewart_sym.studies.energy_drift import energy_drift
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)
@@ -36,7 +36,8 @@ def test_exact_keeps_the_energy_and_paper_does_not() -> None:
     """Over 10 s: `exact` to 1e-9 of the kinetic energy; `paper` is off by 0.7 of it on this machine."""
     robot = machine(friction=False)
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    found = energy_drift(robot, state, stiffness(robot, 1.6), duration=10.0, rtol=3e-9)
+    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 1.6))
+    found = energy_drift(springs, state, duration=10.0, rtol=3e-9)
     assert {drift.stop.kind for drift in found.values()} == {"duration"}
     assert found["exact"].worst < 1e-9
     assert found["paper"].worst > 0.1
@@ -47,7 +48,7 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     robot = machine()
     state = home(robot, v=[0.5, 0.2, 0.2])
     k = stiffness(robot, 2.0)
-    springs = balanced_springs(robot, state, k, damping=0.01 * k)
+    springs = ss.LegSprings.balanced(robot, state, k, damping=0.01 * k)
     run = ss.simulate(robot, state, springs, 0.5)
     nodes, weights = np.polynomial.legendre.leggauss(60)
     at = run.at(0.25 * (nodes + 1))
@@ -87,7 +88,7 @@ def test_start_and_accelerations_are_those_asked_for() -> None:
 def test_runs_of_twice_the_accuracy_agree() -> None:
     robot = machine()
     state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
-    springs = balanced_springs(robot, state, stiffness(robot, 2.0))
+    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 2.0))
     runs = [
         ss.simulate(robot, state, springs, 0.5, **options)
         for options in (

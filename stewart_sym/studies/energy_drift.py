@@ -7,18 +7,17 @@ Takes a robot and returns records; draws them if asked (extra ``plot``). Writes 
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics import Formulation, inverse_dynamics
+from ..dynamics import Formulation
 from ..kernel import FORMULATIONS
-from ..kinematics import inverse_kinematics
 from ..laws import LegSprings
 from ..motion import Motion
-from ..robot import Robot
-from ..simulation import Simulation, Stop, simulate
+from ..scene import Scene
+from ..simulation import Simulation, Stop, Thresholds, simulate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,37 +45,35 @@ class Drift:
         """Largest magnitude of the drift."""
         return float(np.abs(self.drift).max())
 
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Columns (n,) by name: time and drift."""
+        return {"time": self.times, "drift": self.drift}
+
 
 def energy_drift(
-    robot: Robot,
+    springs: LegSprings,
     state: Motion,
-    stiffness: float,
     duration: float = 10.0,
     rtol: float = 1e-9,
-) -> Mapping[Formulation, Drift]:
-    """Set the frictionless machine swinging on leg springs and return its drift in each formulation.
+    thresholds: Thresholds | None = None,
+) -> dict[Formulation, Drift]:
+    """Set the springs' machine swinging and return its drift in each formulation.
 
-    state: pose, where the springs balance the weight, and rates to start with, of shape (). stiffness: of
-    each leg, N/m. duration: s. rtol: as for ``simulate``. Friction of the robot is left out. Raises
-    ValueError as ``simulate``.
+    springs: their dampers, and the friction of their robot, are left out. state: to start from, of shape (),
+    without its load. duration, rtol, thresholds: as for ``simulate``, and so are the errors.
     """
     none = np.zeros(6)
-    robot = dataclasses.replace(robot, C_u=none, C_p=none, C_s=none)
-    springs = balanced_springs(robot, state, stiffness)
+    robot = dataclasses.replace(springs.robot, C_u=none, C_p=none, C_s=none)
+    springs = dataclasses.replace(springs, robot=robot, damping=0.0)
+    state = Motion(state.R, state.t, state.omega, state.v)
     runs: dict[Formulation, Drift] = {}
     for name in FORMULATIONS:
         formulation = cast(Formulation, name)
-        run = simulate(robot, state, springs, duration, formulation=formulation, rtol=rtol)
+        run = simulate(
+            robot, state, springs, duration, formulation=formulation, rtol=rtol, thresholds=thresholds
+        )
         runs[formulation] = drift_of(run, springs)
     return runs
-
-
-def balanced_springs(robot: Robot, pose: Motion, stiffness: float, damping: float = 0.0) -> LegSprings:
-    """Springs that hold the machine at rest in a pose, stiffness in N/m and damping in N s/m."""
-    zero = np.zeros(3)
-    rest = Motion(pose.R, pose.t, zero, zero, zero, zero)
-    F = inverse_dynamics(robot, rest).F
-    return LegSprings(robot, stiffness, inverse_kinematics(robot, rest).L + F / stiffness, damping)
 
 
 def drift_of(run: Simulation, springs: LegSprings) -> Drift:
@@ -86,7 +83,24 @@ def drift_of(run: Simulation, springs: LegSprings) -> Drift:
     return Drift(run.times, (energy - energy[0]) / kinetic, kinetic, run.stop)
 
 
-def figure(drifts: Mapping[str, Drift]) -> "Figure":
+def springs_of(scene: Scene) -> LegSprings:
+    """The springs of a scene; ValueError if its legs are none."""
+    if not isinstance(scene.law, LegSprings):
+        raise ValueError("energy drift: expected a scene whose legs are springs")
+    return scene.law
+
+
+def summary(drifts: Mapping[Formulation, Drift]) -> str:
+    """One line for each formulation: the worst drift and why the run ended."""
+    lines = [
+        f"{name:<9}  without friction the energy changes by up to {drift.worst:.2e} of the largest kinetic "
+        f"energy; {drift.stop.text}"
+        for name, drift in drifts.items()
+    ]
+    return "\n".join(lines)
+
+
+def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
     """The drifts over time, their magnitudes on a logarithmic axis."""
     from matplotlib.figure import Figure
 
@@ -102,7 +116,7 @@ def figure(drifts: Mapping[str, Drift]) -> "Figure":
             label=f"`{name}`, largest {drift.worst:.1e}",
         )
     axes.set_xlabel("time, s")
-    axes.set_ylabel("|energy - energy at start| / largest kinetic energy")
+    axes.set_ylabel("change of energy / largest kinetic energy")
     axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
     axes.margins(x=0.0)
     axes.grid(alpha=0.35, linewidth=0.6)
