@@ -262,7 +262,10 @@ class _Run:
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
             solver.step()
             if solver.status == "failed":
-                return self._failed(solver.t), solver.t, solver.y, center, step
+                stop = self._failed(solver.t)
+                if not pieces:
+                    raise ValueError(f"initial_state: {stop.text}")
+                return stop, stop.time, solver.y, center, step
             piece = _Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
             stop = self.watch.first(piece, self.law)
             if stop is not None:
@@ -464,7 +467,7 @@ def _forces(law: ForceLaw, when: Array, states: Motion, held: Array | None) -> A
 
 def _output_times(pieces: list[_Piece], end: float, step: float | None) -> Array:
     if step is None:
-        return np.array([pieces[0].start, *(piece.end for piece in pieces)])
+        return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
     grid = np.arange(math.floor(end / step * (1.0 + 1e-12)) + 1) * step
     return np.append(grid[grid < end * (1.0 - 1e-12)], end)
 
