@@ -262,10 +262,10 @@ class _Run:
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
             solver.step()
             if solver.status == "failed":
-                stop = self._failed(solver.t)
+                failure = self._failed(solver.t)
                 if not pieces:
-                    raise ValueError(f"initial_state: {stop.text}")
-                return stop, stop.time, solver.y, center, step
+                    raise ValueError(f"initial_state: {failure.text}")
+                return failure, failure.time, solver.y, center, step
             piece = _Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
             stop = self.watch.first(piece, self.law)
             if stop is not None:
