@@ -266,6 +266,19 @@ def test_computed_torque_follows_a_path_and_takes_an_error_away() -> None:
     np.testing.assert_allclose(run.R, wanted.R, atol=1e-6)
 
 
+def test_computed_torque_turns_back_about_the_axis_of_the_error() -> None:
+    """The error is a turn about an axis of the base, while the platform stands askew."""
+    robot = machine()
+    wanted = ss.Motion(rotation_from_vector([0.0, 0.0, 0.4]), home(robot).t, ZERO, ZERO, ZERO, ZERO)
+    off = np.array([0.2, 0.0, 0.0])
+    state = ss.Motion(rotation_from_vector(off) @ wanted.R, wanted.t, ZERO, ZERO)
+    law = ss.ComputedTorque(robot, lambda _: wanted, k_p=400.0, k_d=40.0)
+    run = ss.simulate(robot, state, law, 0.2, rtol=1e-8)
+    turn = vector_from_rotation(run.R @ wanted.R.T)
+    decay = (1 + 20 * run.times) * np.exp(-20 * run.times)
+    np.testing.assert_allclose(turn, decay[:, None] * off, atol=1e-7)
+
+
 def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
     robot = machine()
     asked: list[float] = []
