@@ -14,40 +14,56 @@ from .dynamics import (
     joint_reactions,
     massless_forces,
 )
+from .equations import equations_of_motion, forward_dynamics, joint_space_inertia
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
 from .joint_space import motion_from_lengths
-from .kinematics import inverse_kinematics
+from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
+from .laws import ComputedTorque, LegSprings
 from .motion import Motion
-from .results import Forces, Reactions
+from .results import EquationsOfMotion, Forces, Reactions
 from .robot import PhysicalityWarning, Robot
+from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "ComputedTorque",
+    "EquationsOfMotion",
     "ForceKernel",
     "Forces",
+    "LegSprings",
     "Motion",
     "PhysicalityWarning",
     "PlatformPose",
     "Reactions",
     "Robot",
+    "Simulation",
     "SingularPoseWarning",
+    "Stop",
     "StraightLinePath",
+    "Thresholds",
+    "Trace",
     "characteristic_length",
     "condition_number",
     "dynamic_fraction",
+    "equations_of_motion",
     "forward_acceleration",
+    "forward_dynamics",
     "forward_kinematics",
     "forward_velocity",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
+    "joint_space_inertia",
     "massless_forces",
     "motion_from_lengths",
     "prepare",
     "results",
     "robots",
     "scaled_condition_number",
+    "simulate",
+    "wrench_matrix",
+    "wrench_matrix_rate",
 ]

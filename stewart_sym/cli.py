@@ -173,6 +173,44 @@ def _bench(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _simulate(arguments: argparse.Namespace) -> int:
+    from .publish import replaced_file, staged_folder
+    from .scene import read_scene
+    from .studies import energy_drift, run
+    from .studies.output import csv_lines
+
+    if arguments.pictures:
+        _plots()
+    scene = read_scene(arguments.scene)
+    springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        progress("simulating")
+        done = scene.run()
+        tables = {"run": run.run_columns(done)}
+        text = run.summary(done, scene.law)
+        drifts = {}
+        if springs is not None:
+            progress("comparing the formulations")
+            drifts = energy_drift.energy_drift(
+                springs, scene.state, scene.duration, scene.rtol, scene.thresholds
+            )
+            tables |= {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
+            text += "\n" + energy_drift.summary(drifts)
+        for name, columns in tables.items():
+            with replaced_file(folder / f"{name}.csv") as stream:
+                stream.writelines(csv_lines(columns))
+        (folder / "summary.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
+        if arguments.pictures:
+            progress("drawing")
+            run.save(run.figure(done), folder / "run.png")
+            if drifts:
+                run.save(energy_drift.figure(drifts), folder / "energy_drift.png")
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
 # Their parts
 
 
@@ -379,6 +417,30 @@ def _parser() -> argparse.ArgumentParser:
         "--allow-singular",
         action="store_true",
         help="write nan and a status for poses without an answer instead of refusing the trajectory",
+    )
+
+    verb = _verb(
+        verbs,
+        "simulate",
+        _simulate,
+        "let a machine move under its legs' forces: a table, a summary and pictures",
+        "stewart-sym simulate swing.toml -o swing",
+        "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and if you like "
+        "formulation, output_step (s), method, rtol. [state]: t, theta (roll, pitch, yaw), v, omega. [load]: "
+        "F_ext, M_ext, platform frame. [thresholds]: max_condition, min_length, min_pole_sine. [legs]: law = "
+        '"forces" with forces; "springs" with stiffness, damping, rest_length (without it they balance the '
+        'weight at the start); "tracking" by computed torque with path (I, II, III or a CSV file as for '
+        "`forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops where a leg reaches a limit.",
+    )
+    verb.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
+    _output(verb, "DIR", "folder to write to", Path("simulation"))
+    verb.add_argument(
+        "--energy-drift",
+        action="store_true",
+        help="compare the energy in both formulations, without friction and dampers (springs only)",
+    )
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
     )
 
     verb = _verb(

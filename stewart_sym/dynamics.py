@@ -26,9 +26,14 @@ Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
 
 
-class _Kernel(Protocol):
-    def forces(self, motion: Motion) -> Forces: ...
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions: ...
+class DynamicsKernel(Protocol):
+    """What every backend can do with its robot; NaN where the status is not 0."""
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose."""
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; bearing (6,), m."""
 
 
 class _Reference:
@@ -103,11 +108,18 @@ def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     return (forces - F0) / forces
 
 
-def _prepared(robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str) -> _Kernel:
+def _prepared(
+    robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
+) -> DynamicsKernel:
     need_motion(robot, motion)
-    option(formulation, FORMULATIONS, "formulation")
     option(on_singular, ON_FAULT, "on_singular")
-    kernels: dict[str, Callable[[Robot, str], _Kernel]] = {
+    return prepared_kernel(robot, formulation, backend)
+
+
+def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
+    """The kernel of a formulation and backend with the robot's numbers; ValueError for unknown options."""
+    option(formulation, FORMULATIONS, "formulation")
+    kernels: dict[str, Callable[[Robot, str], DynamicsKernel]] = {
         "c": _compiled_or_numpy,
         "numpy": NumpyKernel.prepare,
         "reference": _Reference,
@@ -124,7 +136,7 @@ def need_motion(robot: Robot, motion: Motion) -> None:
         raise ValueError("motion: expected accelerations alpha and a, got none")
 
 
-def _compiled_or_numpy(robot: Robot, formulation: str) -> _Kernel:
+def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
     kernel_name(formulation, robot.base_joint)
     try:
         return CKernel.prepare(robot, formulation)

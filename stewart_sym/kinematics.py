@@ -1,8 +1,9 @@
-"""Inverse kinematics of the legs: lengths, rates and directions from the platform's motion, (1)-(5) and (8).
+"""Inverse kinematics of the legs, (1)-(5) and (8), and H of (36) with its rate, from the platform's motion.
 
 Stands beside ``reference`` and above ``Robot`` and ``Motion``; knows nothing of forces.
 """
 
+import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,6 +44,33 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
     rounding units of the largest component of the terms of S = q + t - b, (2).
     """
+    legs, q, S_dot = _legs(robot, motion)
+    return dataclasses.replace(legs, L_ddot=_second_rate(motion, q, legs, S_dot))
+
+
+def wrench_matrix(robot: Robot, motion: Motion) -> Array:
+    """Return H of (36), (..., 6, 6): column i is [s_i; q_i x s_i], the wrench of a unit force of leg i.
+
+    Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], actuator forces push with the
+    wrench H F.  Raises ``ValueError`` as ``inverse_kinematics``.
+    """
+    legs, q, _ = _legs(robot, motion)
+    return _columns(legs.s, np.cross(q, legs.s))
+
+
+def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
+    """Return the time derivative of H along the motion, (..., 6, 6), 1/s and m/s.
+
+    With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].  Raises ``ValueError`` as ``inverse_kinematics``.
+    """
+    legs, q, S_dot = _legs(robot, motion)
+    s_dot = (S_dot - legs.L_dot[..., None] * legs.s) / legs.L[..., None]
+    q_dot = np.cross(motion.omega[..., None, :], q)
+    return _columns(s_dot, np.cross(q_dot, legs.s) + np.cross(q, s_dot))
+
+
+def _legs(robot: Robot, motion: Motion) -> tuple[LegKinematics, Array, Array]:
+    """Lengths, rates and directions, with q of (1) and S_dot of (4), both (..., 6, 3)."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
@@ -53,8 +81,11 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     s = S / L[..., None]
     omega = motion.omega[..., None, :]
     S_dot = np.cross(omega, q) + motion.v[..., None, :]
-    L_dot = _dot(s, S_dot)
-    return LegKinematics(L=L, L_dot=L_dot, L_ddot=_second_rate(motion, q, s, S_dot, L, L_dot), s=s, S=S)
+    return LegKinematics(L=L, L_dot=_dot(s, S_dot), L_ddot=None, s=s, S=S), q, S_dot
+
+
+def _columns(force: Array, moment: Array) -> Array:
+    return np.swapaxes(np.concatenate([force, moment], axis=-1), -1, -2)
 
 
 def _refuse_short(L: Array, rounding: Array) -> None:
@@ -65,15 +96,15 @@ def _refuse_short(L: Array, rounding: Array) -> None:
         raise ValueError(f"motion: leg {leg + 1} has length zero{at}")
 
 
-def _second_rate(motion: Motion, q: Array, s: Array, S_dot: Array, L: Array, L_dot: Array) -> Array | None:
+def _second_rate(motion: Motion, q: Array, legs: LegKinematics, S_dot: Array) -> Array | None:
     if motion.alpha is None or motion.a is None:
         return None
     omega = motion.omega[..., None, :]
     S_ddot = np.cross(motion.alpha[..., None, :], q) + np.cross(omega, np.cross(omega, q))
     S_ddot = S_ddot + motion.a[..., None, :]
     # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
-    across = S_dot - L_dot[..., None] * s
-    return _dot(s, S_ddot) + _dot(across, across) / L
+    across = S_dot - legs.L_dot[..., None] * legs.s
+    return _dot(legs.s, S_ddot) + _dot(across, across) / legs.L
 
 
 def _dot(x: Array, y: Array) -> Array:

@@ -100,6 +100,26 @@ class Motion:
         return (self[i] for i in range(self.shape[0]))
 
     @classmethod
+    def unchecked(
+        cls,
+        R: Array,
+        t: Array,
+        omega: Array,
+        v: Array,
+        alpha: Array | None = None,
+        a: Array | None = None,
+        F_ext: Array | None = None,
+        M_ext: Array | None = None,
+    ) -> "Motion":
+        """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
+
+        For inner loops, where the checks would cost more than the dynamics.
+        """
+        motion = object.__new__(cls)
+        motion.__dict__.update(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)
+        return motion
+
+    @classmethod
     def from_rpy(
         cls,
         t: ArrayLike,

@@ -155,6 +155,18 @@ def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
         return _legs(robot, motion, _known(faults))
 
 
+def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Array, Codes]:
+    """Wrench H F = H D - c of the actuators that make the platform follow the motion, (..., 6), and status.
+
+    Arguments and errors as for `inverse_dynamics`. No equation is solved for it, so there is an answer where
+    H is singular too; NaN where the status, (...), is not 0.
+    """
+    with np.errstate(all="ignore"):
+        leg, H, c, status = _equations(robot, motion, faults)
+        wrench = _mul(H, leg.D[..., 0]) - c
+        return _blank(wrench, status != OK), status
+
+
 def massless_forces(robot: Robot, motion: Motion) -> Array:
     """Actuator forces F0 with legs without mass and joints without friction, N, (..., 6), (41).
 
@@ -319,6 +331,23 @@ def _legs(robot: Robot, motion: Motion, faults: frozenset[int]) -> Legs:
 
 def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:
     """The legs and then the platform's six equations, (33)-(37)."""
+    leg, H, c, status = _equations(robot, motion, faults)
+    x, status = _solve_linear(robot, H, c, status)  # (36)
+    F = leg.D[..., 0] - x  # (37)
+    bad = status != OK
+    return leg, Forces(
+        F=_blank(F, bad),
+        D=_blank(leg.D[..., 0], bad),
+        x=_blank(x, bad),
+        K=_blank(leg.K, bad),
+        H=_blank(H, bad),
+        c=_blank(c, bad),
+        status=status,
+    )
+
+
+def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
+    """The legs, then H and c of (36) and a status that does not judge H."""
     leg = _legs(robot, motion, _known(faults))
     D, K = leg.D[..., 0], leg.K
     sum_K = np.sum(K, axis=-2)
@@ -331,19 +360,7 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     faults_of_legs = _leg_faults(robot, motion, leg)
     at_pole = (faults_of_legs == OK) & ~(leg.sin_pole[..., 0] > ROUNDING)
     finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
-    status = _status(np.where(at_pole, POLE, faults_of_legs), finite)
-    x, status = _solve_linear(robot, H, c, status)  # (36)
-    F = D - x  # (37)
-    bad = status != OK
-    return leg, Forces(
-        F=_blank(F, bad),
-        D=_blank(D, bad),
-        x=_blank(x, bad),
-        K=_blank(K, bad),
-        H=_blank(H, bad),
-        c=_blank(c, bad),
-        status=status,
-    )
+    return leg, H, c, _status(np.where(at_pole, POLE, faults_of_legs), finite)
 
 
 def _H(leg: _Positions) -> Array:

@@ -29,7 +29,7 @@ STATUS_TEXT = {
     NOT_CONVERGED: "no pose with these leg lengths was found",
     OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
 }
-"""One line for each status code: 0 to 5 of the kernels, the rest of forward kinematics."""
+"""One line for each status code: 0 to 6 of the kernels, the rest of forward kinematics."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,4 +73,27 @@ class Reactions:
     F_c: NDArray[np.float64]
     M_p: NDArray[np.float64]
     M_u: NDArray[np.float64]
+    status: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class EquationsOfMotion:
+    """M [a; alpha] + C [v; omega] + g + friction = H F + W_ext, of one or many poses; (...) is the motion's.
+
+    Wrenches are [force; moment], twists [v; omega], both at the platform's reference point in base axes;
+    W_ext = [R F_ext; R M_ext].
+
+    M: inertia matrix, symmetric, (..., 6, 6): kg, kg m and kg m^2 by blocks.
+    C: Coriolis matrix, (..., 6, 6): linear in the twist. In `exact` dM/dt = C + C^T.
+    g: wrench that holds the weight of the whole machine at rest, N and N m, (..., 6).
+    friction: wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
+    bias: C [v; omega] + g + friction, N and N m, (..., 6).
+    status: as in ``Forces``; all else is NaN where it is not 0.
+    """
+
+    M: NDArray[np.float64]
+    C: NDArray[np.float64]
+    g: NDArray[np.float64]
+    friction: NDArray[np.float64]
+    bias: NDArray[np.float64]
     status: NDArray[np.int32]

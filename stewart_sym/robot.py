@@ -4,18 +4,17 @@ Stands at the start of the flow, before motions and kernels; everything after it
 holds.  It knows nothing of poses, equations or backends.
 """
 
-import difflib
 import math
 import os
-import tomllib
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from . import tables
 
 Array = NDArray[np.float64]
 
@@ -87,12 +86,12 @@ class Robot:
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
-        _name(self.name, "robot: name")
+        tables.one_line(self.name, "robot: name")
         _base_joint(self.base_joint, "robot: base_joint")
         checked: dict[str, float | Array] = {
-            "g": _vector(self.g, "robot: g"),
-            "M": _positive(self.M, "robot: M"),
-            "R_0": _vector(self.R_0, "robot: R_0"),
+            "g": tables.vector(self.g, "robot: g"),
+            "M": tables.positive(self.M, "robot: M"),
+            "R_0": tables.vector(self.R_0, "robot: R_0"),
             "I_p": _inertia(self.I_p, "robot: I_p"),
             "k": self._per_leg("k", _direction if self.base_joint == "universal" else _no_direction),
         }
@@ -124,7 +123,7 @@ class Robot:
         inertias that no body can have.
         """
         source = os.fspath(path)
-        robot = _from_table(cls, _read_toml(source), source)
+        robot = _from_table(cls, tables.read_toml(source, "robot file"), source)
         _warn(robot, source)
         return robot
 
@@ -214,39 +213,23 @@ def _warn(robot: Robot, source: str) -> None:
 # From tables to a Robot
 
 
-def _read_toml(source: str) -> dict[str, Any]:
-    try:
-        text = Path(source).read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the robot file: {reason}") from None
-    try:
-        return tomllib.loads(text)
-    except RecursionError:
-        raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
-    except ValueError as error:
-        raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
-
-
 def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     """Check the tables of a robot file; ``source: `` begins every message."""
     file = f"{source}: "
-    top = _table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
     if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
-        raise ValueError(f"{file}schema: expected {SCHEMA}, got {_show(top['schema'])}")
+        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
     joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     platform = _body(top["platform"], f"{file}platform.")
-    _require(platform, _BODY_KEYS, f"{file}platform.", "missing")
-    defaults = _table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
+    tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")
+    defaults = tables.checked_table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
     shared = _shared(defaults, f"{file}leg_defaults.")
-    tables = top["leg"]
-    if not isinstance(tables, list | tuple):
-        raise ValueError(f"{file}leg: expected six [[leg]] tables, got {_show(tables)}")
-    if len(tables) != LEGS:
-        raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(tables)}")
-    legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(tables, 1)]
+    given = top["leg"]
+    if not isinstance(given, list | tuple):
+        raise ValueError(f"{file}leg: expected six [[leg]] tables, got {tables.shown(given)}")
+    if len(given) != LEGS:
+        raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(given)}")
+    legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(given, 1)]
 
     def column(key: str) -> Array:
         return np.array([leg[key] for leg in legs])
@@ -255,9 +238,9 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
         return np.array([leg[part][key] for leg in legs])
 
     return cls(
-        name=_name(top["name"], f"{file}name"),
+        name=tables.one_line(top["name"], f"{file}name"),
         base_joint=joint,
-        g=_vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
+        g=tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
         M=platform["mass"],
         R_0=platform["center_of_mass"],
         I_p=platform["inertia"],
@@ -281,15 +264,15 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
 
 def _leg(value: object, shared: Mapping[str, Any], joint: str, prefix: str) -> dict[str, Any]:
     """Check one leg's table and fill it up from the defaults, key by key."""
-    table = _table(value, prefix, _LEG_KEYS, ("base_point", "platform_point"))
+    table = tables.checked_table(value, prefix, _LEG_KEYS, ("base_point", "platform_point"))
     leg = {**_NO_LIMITS, **shared, **_shared(table, prefix)}
     for part, keys in (("lower", _BODY_KEYS), ("upper", _BODY_KEYS), ("friction", _FRICTION_KEYS)):
         leg[part] = {**shared.get(part, {}), **leg.get(part, {})}
-        _require(leg[part], keys, f"{prefix}{part}.", "missing, here and in leg_defaults")
+        tables.require(leg[part], keys, f"{prefix}{part}.", "missing, here and in leg_defaults")
     for key in ("base_point", "platform_point"):
-        leg[key] = _vector(table[key], prefix + key)
+        leg[key] = tables.vector(table[key], prefix + key)
     if joint == "universal":
-        _require(table, ("universal_axis",), prefix, "missing")
+        tables.require(table, ("universal_axis",), prefix, "missing")
         leg["universal_axis"] = _direction(table["universal_axis"], f"{prefix}universal_axis")
         return leg
     if "universal_axis" in table:
@@ -308,116 +291,43 @@ def _shared(table: Mapping[str, Any], prefix: str) -> dict[str, Any]:
         if part in table:
             checked[part] = _body(table[part], f"{prefix}{part}.")
     if "friction" in table:
-        friction = _table(table["friction"], f"{prefix}friction.", _FRICTION_KEYS)
+        friction = tables.checked_table(table["friction"], f"{prefix}friction.", _FRICTION_KEYS)
         checked["friction"] = {
-            key: _not_negative(C, f"{prefix}friction.{key}") for key, C in friction.items()
+            key: tables.not_negative(C, f"{prefix}friction.{key}") for key, C in friction.items()
         }
     if "length_limits" in table:
         checked["length_limits"] = _limits(table["length_limits"], f"{prefix}length_limits")
     for key in ("force_limit", "speed_limit"):
         if key in table:
-            checked[key] = _positive(table[key], prefix + key)
+            checked[key] = tables.positive(table[key], prefix + key)
     return checked
 
 
 def _body(value: object, prefix: str) -> dict[str, Any]:
-    table = _table(value, prefix, _BODY_KEYS)
-    checks = {"mass": _positive, "center_of_mass": _vector, "inertia": _inertia}
+    table = tables.checked_table(value, prefix, _BODY_KEYS)
+    checks = {"mass": tables.positive, "center_of_mass": tables.vector, "inertia": _inertia}
     return {key: checks[key](given, prefix + key) for key, given in table.items()}
 
 
-def _table(value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()) -> dict[str, Any]:
-    if not isinstance(value, Mapping):
-        raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {_show(value)}")
-    for key in value:
-        if key not in known:
-            near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
-            hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
-            text = key if isinstance(key, str) and key.isprintable() else _show(key)
-            raise ValueError(f"{prefix}{text}: unknown key, {hint}")
-    _require(value, required, prefix, "missing")
-    return dict(value)
-
-
-def _require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:
-    for key in keys:
-        if key not in table:
-            raise ValueError(f"{prefix}{key}: {reason}")
-
-
 # Single values
-
-
-def _show(value: object) -> str:
-    """Return a value as it may stand in a one-line message."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def _vector_text(vector: Array) -> str:
     return "(" + ", ".join(f"{x:g}" for x in vector) + ")"
 
 
-def _name(value: object, where: str) -> str:
-    if not isinstance(value, str) or not value.strip() or not value.isprintable():
-        raise ValueError(f"{where}: expected one line of text, got {_show(value)}")
-    return value
-
-
 def _base_joint(value: object, where: str) -> str:
     if not isinstance(value, str) or value not in BASE_JOINTS:
-        raise ValueError(f'{where}: expected "universal" or "spherical", got {_show(value)}')
+        raise ValueError(f'{where}: expected "universal" or "spherical", got {tables.shown(value)}')
     return value
-
-
-def _number(value: object, where: str, expected: str = "a finite number") -> float:
-    if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
-        try:
-            number = float(value)
-        except OverflowError:
-            number = math.inf
-        if math.isfinite(number):
-            return number
-    raise ValueError(f"{where}: expected {expected}, got {_show(value)}")
-
-
-def _numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
-    """Return nested lists of finite numbers as a new float64 array of just that shape."""
-    expected = " x ".join(str(n) for n in shape) + " finite numbers"
-    return np.array(_flat(value, shape, where, expected)).reshape(shape)
-
-
-def _flat(value: object, shape: tuple[int, ...], where: str, expected: str) -> list[float]:
-    if not shape:
-        return [_number(value, where, expected)]
-    items = value.tolist() if isinstance(value, np.ndarray) else value
-    if not isinstance(items, list | tuple) or len(items) != shape[0]:
-        raise ValueError(f"{where}: expected {expected}, got {_show(items)}")
-    return [number for item in items for number in _flat(item, shape[1:], where, expected)]
-
-
-def _vector(value: object, where: str) -> Array:
-    return _numbers(value, (3,), where)
-
-
-def _positive(value: object, where: str) -> float:
-    number = _number(value, where)
-    if number <= 0.0:
-        raise ValueError(f"{where}: expected a number > 0, got {number:g}")
-    return number
-
-
-def _not_negative(value: object, where: str) -> float:
-    number = _number(value, where)
-    if number < 0.0:
-        raise ValueError(f"{where}: expected a number >= 0, got {number:g}")
-    return number
 
 
 def _limits(value: object, where: str) -> Array:
-    limits = _numbers(value, (2,), where)
+    limits = tables.numbers(value, (2,), where)
     if not 0.0 <= limits[0] < limits[1]:
-        raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {_show(limits.tolist())}")
+        raise ValueError(
+            f"{where}: expected [min, max] with 0 <= min < max, got {tables.shown(limits.tolist())}"
+        )
     return limits
 
 
@@ -432,11 +342,11 @@ def _limits_or_none(value: object, where: str) -> Array:
 
 
 def _limit_or_none(value: object, where: str) -> float:
-    return math.inf if isinstance(value, float) and value == math.inf else _positive(value, where)
+    return math.inf if isinstance(value, float) and value == math.inf else tables.positive(value, where)
 
 
 def _direction(value: object, where: str) -> Array:
-    vector = _vector(value, where)
+    vector = tables.vector(value, where)
     largest = float(np.max(np.abs(vector)))
     if largest == 0.0:
         raise ValueError(f"{where}: expected a non-zero direction, got {_vector_text(vector)}")
@@ -449,7 +359,7 @@ def _direction(value: object, where: str) -> Array:
 
 
 def _no_direction(value: object, where: str) -> Array:
-    vector = _vector(value, where)
+    vector = tables.vector(value, where)
     if np.any(vector != 0.0):
         raise ValueError(
             f'{where}: expected (0, 0, 0) when base_joint is "spherical", got {_vector_text(vector)}'
@@ -458,7 +368,7 @@ def _no_direction(value: object, where: str) -> Array:
 
 
 def _inertia(value: object, where: str) -> Array:
-    inertia = _numbers(value, (3, 3), where)
+    inertia = tables.numbers(value, (3, 3), where)
     skew = np.abs(inertia - inertia.T)
     if np.max(skew) > SYMMETRY_TOLERANCE * np.max(np.abs(inertia)):
         i, j = divmod(int(np.argmax(skew)), 3)
@@ -480,17 +390,17 @@ def _axisymmetric(center: Array, inertia: Array, where_center: str, where_inerti
 
 
 _LEG_FIELDS: dict[str, Callable[[object, str], float | Array]] = {
-    "b": _vector,
-    "p": _vector,
-    "m_d": _positive,
-    "r_d0": _vector,
+    "b": tables.vector,
+    "p": tables.vector,
+    "m_d": tables.positive,
+    "r_d0": tables.vector,
     "I_d0": _inertia,
-    "m_u": _positive,
-    "r_u0": _vector,
+    "m_u": tables.positive,
+    "r_u0": tables.vector,
     "I_u0": _inertia,
-    "C_u": _not_negative,
-    "C_p": _not_negative,
-    "C_s": _not_negative,
+    "C_u": tables.not_negative,
+    "C_p": tables.not_negative,
+    "C_s": tables.not_negative,
     "length_limits": _limits_or_none,
     "force_limit": _limit_or_none,
     "speed_limit": _limit_or_none,

@@ -1,7 +1,7 @@
-"""Rotation matrices: from roll, pitch and yaw, (38), with angular velocity and acceleration, or a vector.
+"""Rotations by roll, pitch and yaw, (38), and by rotation vectors: matrices, rates and second rates.
 
-Plain vectorised functions of angles ``theta = (theta_x, theta_y, theta_z)``, used where a motion is made;
-they know nothing of robots or motions.
+Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the axis
+times the angle, base axes.  They know nothing of robots or motions.
 """
 
 import numpy as np
@@ -43,19 +43,6 @@ def rpy_from_rotation(R: ArrayLike) -> Array:
     return theta
 
 
-def rotation_from_vector(phi: ArrayLike) -> Array:
-    """Return R = exp([phi]x), the turn by |phi| rad about phi; phi: (..., 3).  Result: (..., 3, 3)."""
-    phi = _angles(phi, "phi")
-    angle = np.linalg.norm(phi, axis=-1)[..., None, None]
-    x, y, z = _split(phi)
-    N = np.zeros((*phi.shape, 3))
-    N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -z, y, -x
-    N -= np.swapaxes(N, -1, -2)
-    # sin(angle)/angle and (1 - cos(angle))/angle^2, good at angle 0 too; np.sinc has pi in it.
-    first, second = np.sinc(angle / np.pi), 0.5 * np.sinc(0.5 * angle / np.pi) ** 2
-    return np.asarray(np.eye(3) + first * N + second * (N @ N))
-
-
 def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
     """Return omega, rad/s, base frame, (..., 3), from angles (rad) and rates (rad/s), both (..., 3).
 
@@ -81,6 +68,82 @@ def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_
     e_y_dot = np.cross(e_z * z, e_y)
     e_x_dot = np.cross(e_z * z + e_y * y, e_x)
     return _on_axes(axes, theta_ddot) + e_x_dot * x + e_y_dot * y
+
+
+def rotation_from_vector(phi: ArrayLike) -> Array:
+    """Return exp([phi]x): the turn by the angle |phi| about the direction of phi, base axes.
+
+    phi: rad, (..., 3).  Result: (..., 3, 3).
+    """
+    phi = _angles(phi, "phi")
+    half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
+    N = cross_matrix(phi)
+    # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
+    return np.asarray(np.eye(3) + _sinc(2.0 * half) * N + 0.5 * _sinc(half) ** 2 * N @ N)
+
+
+def vector_from_rotation(R: ArrayLike) -> Array:
+    """Return the rotation vector, rad, (..., 3), of rotations R (..., 3, 3), its length at most pi.
+
+    By the quaternion, which is the largest eigenvector of a symmetric matrix linear in R: good to rounding at
+    angles of 0 and of pi too, where only the sign of the vector is open.
+    """
+    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
+    if R.shape[-2:] != (3, 3):
+        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    skew = np.stack(
+        [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
+    )
+    trace = np.trace(R, axis1=-2, axis2=-1)
+    K = np.empty((*R.shape[:-2], 4, 4))
+    K[..., 0, 0] = trace
+    K[..., 0, 1:] = K[..., 1:, 0] = skew
+    K[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) - trace[..., None, None] * np.eye(3)
+    quaternion = np.linalg.eigh(K)[1][..., -1]
+    quaternion = np.where(quaternion[..., :1] < 0.0, -quaternion, quaternion)
+    sine = np.linalg.norm(quaternion[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, quaternion[..., :1])
+    ratio = np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
+    return np.asarray(ratio * quaternion[..., 1:])
+
+
+def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
+    """Return the rate of phi, rad/s, (..., 3), where exp([phi]x) turns with omega, rad/s, base axes.
+
+    phi' = omega - phi x omega / 2 + c phi x (phi x omega),  c = (1 - (|phi|/2) cot(|phi|/2)) / |phi|^2;
+    needs |phi| < 2 pi.
+    """
+    phi, omega = _angles(phi, "phi"), _angles(omega, "omega")
+    square = np.sum(phi * phi, axis=-1, keepdims=True)
+    half = 0.5 * np.sqrt(square)
+    # Below 0.05 rad the two terms of c cancel; its series is then good to 1e-17.
+    small = half < 0.025
+    safe = np.where(small, 1.0, half)
+    series = (1.0 + square / 60.0 * (1.0 + square / 42.0 * (1.0 + square / 40.0))) / 12.0
+    c = np.where(small, series, (1.0 - safe / np.tan(safe)) / (4.0 * safe * safe))
+    across = cross(phi, omega)
+    return np.asarray(omega - 0.5 * across + c * cross(phi, across))
+
+
+def cross(x: Array, y: Array) -> Array:
+    """Return x x y, (..., 3): the vector product at a fraction of np.cross's cost for a few vectors."""
+    z = np.empty(np.broadcast_shapes(x.shape, y.shape))
+    (x0, x1, x2), (y0, y1, y2) = _split(x), _split(y)
+    z[..., 0], z[..., 1], z[..., 2] = x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0
+    return z
+
+
+def cross_matrix(vector: Array) -> Array:
+    """Return [vector]x, (..., 3, 3), the matrix of the vector product from the left."""
+    x, y, z = _split(vector)
+    N = np.zeros((*vector.shape, 3))
+    N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -z, y, -x
+    N[..., 1, 0], N[..., 2, 0], N[..., 2, 1] = z, -y, x
+    return N
+
+
+def _sinc(x: Array) -> Array:
+    return np.asarray(np.sinc(x / np.pi))
 
 
 def _axes(theta: Array) -> tuple[Array, Array, Array]:

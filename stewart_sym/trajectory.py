@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import real_array
 from .motion import Motion
+from .rotation import rpy_from_rotation
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -456,20 +457,45 @@ def _stack(columns: Mapping[str, Array], name: str) -> Array:
     return np.stack([columns[c] for c in _components(name)], axis=-1)
 
 
+def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
+    """A trajectory as a motion at any time since its first instant, s: at rest at its last pose afterwards.
+
+    Positions and unwrapped angles (38) are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
+    rows); given derivatives and loads don't count.  Raises as ``read_csv`` where a spline is needed.
+    """
+    since = trajectory.time - trajectory.time[0]
+    theta = np.unwrap(rpy_from_rotation(trajectory.motion.R), axis=0)
+    spline = _spline(since, np.hstack([trajectory.motion.t, theta]), trajectory.source)
+    end = float(since[-1])
+
+    def motion(time: float) -> Motion:
+        at = min(max(time, 0.0), end)
+        pose, rate, second = (
+            np.asarray(spline(at, order)) * (order == 0 or time < end) for order in range(3)
+        )
+        return Motion.from_rpy(*(half for x in (pose, rate, second) for half in (x[:3], x[3:])))
+
+    return motion
+
+
 def _differentiate(time: Array, values: Array, source: str) -> tuple[Array, Array]:
     """Return first and second derivatives of the interpolating spline at its own points."""
-    if len(time) < _MIN_SPLINE_POINTS:
+    since = time - time[0]
+    spline = _spline(since, values, source)
+    return np.asarray(spline(since, 1)), np.asarray(spline(since, 2))
+
+
+def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
+    if len(since) < _MIN_SPLINE_POINTS:
         raise ValueError(
-            f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(time)}; "
+            f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
             "add rows, or columns with velocities and accelerations"
         )
-    degree = 5 if len(time) > 5 else 3
-    since = time - time[0]
+    degree = 5 if len(since) > 5 else 3
     try:
-        spline = _spline_maker()(since, values, k=degree)
+        return _spline_maker()(since, values, k=degree)
     except (ValueError, np.linalg.LinAlgError) as error:
         raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None
-    return np.asarray(spline(since, 1)), np.asarray(spline(since, 2))
 
 
 def _spline_maker() -> Callable[..., Callable[..., Array]]:

@@ -8,7 +8,8 @@ import pytest
 from machines import random_robot
 from numpy.typing import NDArray
 
-from stewart_sym.kinematics import inverse_kinematics
+from stewart_sym.dynamics import inverse_dynamics
+from stewart_sym.kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from stewart_sym.motion import Motion
 from stewart_sym.rotation import rotation_from_rpy
 from stewart_sym.trajectory import PATHS
@@ -115,3 +116,25 @@ def test_leg_of_length_zero_is_named() -> None:
         inverse_kinematics(robot, on_base)
     with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero$"):
         inverse_kinematics(robot, on_base[1])
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_H_maps_the_twist_to_leg_rates_and_its_rate_to_their_accelerations(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, scale=1.0)
+    _, now, _ = arc(rng, 0.0)
+    legs = inverse_kinematics(robot, now)
+    H, H_dot = wrench_matrix(robot, now), wrench_matrix_rate(robot, now)
+    assert now.a is not None
+    assert now.alpha is not None
+    twist, rate = np.concatenate([now.v, now.omega]), np.concatenate([now.a, now.alpha])
+    np.testing.assert_allclose(H.T @ twist, legs.L_dot, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(H.T @ rate + H_dot.T @ twist, legs.L_ddot, rtol=1e-11, atol=1e-12)
+    np.testing.assert_allclose(H, inverse_dynamics(robot, now).H, rtol=1e-12, atol=1e-13)
+
+
+def test_H_of_a_batch_is_that_of_its_poses() -> None:
+    robot = random_robot(np.random.default_rng(13), scale=0.3)
+    motion = PATHS["I"].path.sample(np.linspace(0.0, 6.0, 6).reshape(2, 3))
+    for function in (wrench_matrix, wrench_matrix_rate):
+        np.testing.assert_allclose(function(robot, motion)[1, 2], function(robot, motion[1, 2]), rtol=1e-13)

@@ -369,8 +369,8 @@ static int legs_status(const leg_judgement *judged)
     return STEWART_OK;
 }
 
-/* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums where it can
- * see the solve as well. */
+/* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
+ * where it can see the solve as well. */
 STEWART_APART static void add_legs(
     stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
 {

@@ -1,0 +1,206 @@
+"""Equations of motion as users call them: M, C, g, friction, and forward dynamics, in either formulation.
+
+Stands above ``dynamics``, whose backends it evaluates, and below the simulation. Solves for accelerations and
+turns a status into an error, a warning or NaN. Knows no equation of a leg.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import reference
+from .checks import instance, option, real_array
+from .dynamics import Backend, DynamicsKernel, Formulation, prepared_kernel, report_faults
+from .faults import ON_FAULT, OnFault
+from .kinematics import wrench_matrix
+from .motion import Motion
+from .reference_equations import ActuatorWrench, by_linearity, inertia_and_bias
+from .results import INDEFINITE, NOT_FINITE, OK, SINGULAR, EquationsOfMotion
+from .robot import Robot
+from .rotation import cross
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+
+
+def equations_of_motion(
+    robot: Robot,
+    motion: Motion,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    on_singular: OnFault = "raise",
+) -> EquationsOfMotion:
+    """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
+
+    motion: poses and rates; accelerations and load don't count. formulation, backend, on_singular: as for
+    ``inverse_dynamics``. Backends "c" and "numpy" have no answer where H is singular, "reference" has.
+
+    Returns EquationsOfMotion; shapes and units there. Raises ValueError for unknown options and for poses
+    without an answer.
+    """
+    _need(robot, motion, on_singular)
+    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+    report_faults(found.status, robot, motion, on_singular, stacklevel=3)
+    return found
+
+
+def forward_dynamics(
+    robot: Robot,
+    motion: Motion,
+    F: ArrayLike,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    on_singular: OnFault = "raise",
+) -> tuple[Array, Array]:
+    """Accelerations (a, alpha), m/s^2 and rad/s^2, each (..., 3), under actuator forces F, N, (..., 6).
+
+    motion: poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
+    broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
+    machine whose inertias belong to no body may have no answer.
+
+    Raises ValueError for unknown options, for F of another shape or not finite, and for poses without an
+    answer.
+    """
+    _need(robot, motion, on_singular)
+    forces = real_array(F, "F", "forces of shape (..., 6)")
+    if forces.shape[-1:] != (6,):
+        raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
+    if not np.isfinite(forces).all():
+        raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
+    try:
+        shape = np.broadcast_shapes(motion.shape, forces.shape[:-1])
+    except ValueError:
+        raise ValueError(
+            f"F: expected a leading shape that broadcasts with {motion.shape}, got {forces.shape[:-1]}"
+        ) from None
+    motion, forces = _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
+    a, alpha, status = ForwardDynamics(robot, formulation, backend).solve(motion, forces)
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return a, alpha
+
+
+def joint_space_inertia(
+    robot: Robot,
+    motion: Motion,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    on_singular: OnFault = "raise",
+) -> Array:
+    """H^-1 M H^-T, kg, (..., 6, 6): actuator forces that leg accelerations cost, for legs as coordinates.
+
+    Arguments and errors as for ``equations_of_motion``; a pose where H is singular has no answer.
+    """
+    found = equations_of_motion(robot, motion, formulation, backend, on_singular)
+    ok = found.status == OK
+    H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
+    regular = np.linalg.slogdet(H)[0] != 0
+    inertia = np.full_like(found.M, np.nan)
+    status = found.status.copy()
+    status[ok] = np.where(regular, OK, SINGULAR)
+    half = np.linalg.solve(H[regular], M[regular])
+    inertia[status == OK] = np.swapaxes(np.linalg.solve(H[regular], np.swapaxes(half, -1, -2)), -1, -2)
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return inertia
+
+
+@dataclass(frozen=True, eq=False)
+class ForwardDynamics:
+    """A robot prepared for many evaluations of its forward dynamics, as a simulation makes them."""
+
+    robot: Robot
+    formulation: Formulation = "exact"
+    backend: Backend = "c"
+    _wrench: ActuatorWrench = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the options and prepare the kernels."""
+        instance(self.robot, Robot, "robot")
+        wrench = _actuator_wrench(self.robot, self.formulation, self.backend)
+        object.__setattr__(self, "_wrench", wrench)
+
+    def solve(self, motion: Motion, F: Array) -> tuple[Array, Array, Codes]:
+        """a, alpha (..., 3) and status (...) of poses under F (..., 6), of the motion's shape.
+
+        NaN where the status is not 0; raises nothing.
+        """
+        with np.errstate(all="ignore"):
+            M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
+            rest = _wrench_of(self.robot, motion, F) - bias
+            finite = np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1)
+            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+            x, definite = solve_positive(M, rest)
+            status = np.where((status == OK) & ~definite, INDEFINITE, status).astype(np.int32)
+            x = np.where((status == OK)[..., None], x, np.nan)
+        return x[..., :3], x[..., 3:], status
+
+
+def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
+    try:
+        G = np.linalg.cholesky(M)
+        definite = np.ones(M.shape[:-2], dtype=np.bool_)
+    except np.linalg.LinAlgError:
+        # One bad matrix refuses a whole batch: find out which, and put the unit matrix in its place.
+        flat = np.array([_is_positive(matrix) for matrix in M.reshape(-1, *M.shape[-2:])], dtype=np.bool_)
+        definite = flat.reshape(M.shape[:-2])
+        G = np.linalg.cholesky(np.where(definite[..., None, None], M, np.eye(M.shape[-1])))
+    half = np.linalg.solve(G, w[..., None])
+    x = np.linalg.solve(np.swapaxes(G, -1, -2), half)[..., 0]
+    return np.where(definite[..., None], x, np.nan), definite
+
+
+def _is_positive(matrix: Array) -> bool:
+    try:
+        np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        return False
+    return True
+
+
+def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
+    """H F + W_ext, (..., 6). NaN where a leg has length zero."""
+    q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
+    S = q + motion.t[..., None, :] - robot.b
+    push = S * (F / np.sqrt(np.einsum("...i,...i->...", S, S)))[..., None]
+    force, moment = push.sum(axis=-2), cross(q, push).sum(axis=-2)
+    if motion.F_ext is not None:
+        force = force + np.einsum("...ij,...j->...i", motion.R, motion.F_ext)
+    if motion.M_ext is not None:
+        moment = moment + np.einsum("...ij,...j->...i", motion.R, motion.M_ext)
+    return np.concatenate([force, moment], axis=-1)
+
+
+def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
+    """H F = H D - c of any robot that differs from this one in numbers alone."""
+    first = prepared_kernel(robot, formulation, backend)
+    if backend == "reference":
+        faults = reference.PAPER if formulation == "paper" else reference.EXACT
+        return lambda robot, motion: reference.actuator_wrench(robot, motion, faults)
+    kernels: dict[Robot, DynamicsKernel] = {robot: first}
+
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+        if robot not in kernels:
+            kernels[robot] = prepared_kernel(robot, formulation, backend)
+        found = kernels[robot].forces(motion)
+        return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
+
+    return wrench
+
+
+def _need(robot: Robot, motion: Motion, on_singular: str) -> None:
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
+    option(on_singular, ON_FAULT, "on_singular")
+
+
+def _broadcast(motion: Motion, shape: tuple[int, ...]) -> Motion:
+    if shape == motion.shape:
+        return motion
+
+    def wide(vector: Array | None) -> Array | None:
+        return None if vector is None else np.broadcast_to(vector, (*shape, 3))
+
+    R = np.broadcast_to(motion.R, (*shape, 3, 3))
+    t, omega, v = (np.broadcast_to(vector, (*shape, 3)) for vector in (motion.t, motion.omega, motion.v))
+    return Motion(R, t, omega, v, F_ext=wide(motion.F_ext), M_ext=wide(motion.M_ext))

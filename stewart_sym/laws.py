@@ -1,0 +1,138 @@
+"""Force laws of the legs: what the actuators do in a simulation, as functions of time and state.
+
+A law is any callable (time, state) -> F, N, (6,), where state is a Motion of shape () without accelerations.
+Stands above ``dynamics``, which computed torque uses as its model; knows nothing of the simulation.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .checks import instance, real_array
+from .dynamics import Backend, DynamicsKernel, Formulation, inverse_dynamics, prepared_kernel
+from .kinematics import inverse_kinematics
+from .motion import Motion
+from .robot import Robot
+from .rotation import cross, vector_from_rotation
+from .trajectory import StraightLinePath
+
+Array = NDArray[np.float64]
+ForceLaw = Callable[[float, Motion], ArrayLike]
+"""(time, s, state) -> actuator forces, N, (6,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class LegSprings:
+    """Legs as springs with dampers: F = -k (L - L0) - d L_dot.
+
+    stiffness k, N/m, rest_length L0, m, and damping d, N s/m: one number or six.
+
+    Raises ValueError naming the argument that is not finite or of another shape.
+    """
+
+    robot: Robot
+    stiffness: Array | float
+    rest_length: Array | float
+    damping: Array | float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check and spread over six legs."""
+        instance(self.robot, Robot, "robot")
+        for name in ("stiffness", "rest_length", "damping"):
+            object.__setattr__(self, name, of_six(getattr(self, name), name))
+
+    @classmethod
+    def balanced(
+        cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
+    ) -> "LegSprings":
+        """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
+
+        stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose has no answer.
+        """
+        k = of_six(stiffness, "stiffness")
+        if not k.all():
+            raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
+        zero = np.zeros(3)
+        rest = Motion(pose.R, pose.t, zero, zero, zero, zero, pose.F_ext, pose.M_ext)
+        F = inverse_dynamics(robot, rest).F
+        return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
+
+    def __call__(self, time: float, state: Motion) -> Array:
+        """Forces, N, (..., 6), of any state."""
+        q = np.einsum("...jk,ik->...ij", state.R, self.robot.p)
+        S = q + state.t[..., None, :] - self.robot.b
+        L = np.sqrt(np.einsum("...i,...i->...", S, S))
+        S_dot = cross(state.omega[..., None, :], q) + state.v[..., None, :]
+        L_dot = np.einsum("...i,...i->...", S, S_dot) / L
+        return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
+
+    def energy(self, L: ArrayLike) -> Array:
+        """Energy in the springs, J, (...), at leg lengths L, m, (..., 6)."""
+        stretch = real_array(L, "L") - self.rest_length
+        return np.asarray(np.sum(0.5 * self.stiffness * stretch**2, axis=-1))
+
+
+@dataclass(frozen=True, eq=False)
+class ComputedTorque:
+    """Follow a wanted motion by inverse dynamics of the state, with errors fed back into the accelerations.
+
+        a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
+        alpha = alpha_w + k_d (omega_w - omega) + k_p e
+
+    with e the rotation vector, base axes, of R_w R^T. On a machine that is as the model says, each error
+    decays as x'' + k_d x' + k_p x = 0.
+
+    robot: the model. wanted: time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
+    formulation, backend: of the model. Poses where the model has no answer get NaN forces.
+    """
+
+    robot: Robot
+    wanted: Callable[[float], Motion]
+    k_p: float
+    k_d: float
+    formulation: Formulation = "exact"
+    backend: Backend = "c"
+    _kernel: DynamicsKernel = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the gains and prepare the model."""
+        instance(self.robot, Robot, "robot")
+        for name in ("k_p", "k_d"):
+            gain = real_array(getattr(self, name), name, "a finite gain >= 0")
+            if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
+                raise ValueError(f"{name}: expected a finite gain >= 0, got {getattr(self, name)!r}")
+        kernel = prepared_kernel(self.robot, self.formulation, self.backend)
+        object.__setattr__(self, "_kernel", kernel)
+
+    def __call__(self, time: float, state: Motion) -> Array:
+        """Forces, N, (6,), of a state."""
+        wanted = self.wanted(time)
+        if wanted.a is None or wanted.alpha is None:
+            raise ValueError("wanted: expected a motion with accelerations, got none")
+        turn = vector_from_rotation(wanted.R @ state.R.T)
+        a = wanted.a + self.k_d * (wanted.v - state.v) + self.k_p * (wanted.t - state.t)
+        alpha = wanted.alpha + self.k_d * (wanted.omega - state.omega) + self.k_p * turn
+        motion = Motion.unchecked(state.R, state.t, state.omega, state.v, alpha, a)
+        return self._kernel.forces(motion).F
+
+
+def along(path: StraightLinePath) -> Callable[[float], Motion]:
+    """A path as a wanted motion: at rest at its end afterwards."""
+
+    def wanted(time: float) -> Motion:
+        motion = path.sample(min(time, path.tau_f))
+        zero = np.zeros(3)
+        return motion if time < path.tau_f else Motion(motion.R, motion.t, zero, zero, zero, zero)
+
+    return wanted
+
+
+def of_six(value: ArrayLike, name: str) -> Array:
+    """One finite number for each of six legs, from one or six; ValueError naming the argument otherwise."""
+    expected = "one finite number or six"
+    values = real_array(value, name, expected)
+    if values.shape not in ((), (6,)) or not np.isfinite(values).all():
+        raise ValueError(f"{name}: expected {expected}, got {value!r}")
+    return np.broadcast_to(values, (6,))

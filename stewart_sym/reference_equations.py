@@ -1,0 +1,117 @@
+"""The oracle of the equations of motion: M, C, g and friction, drawn from inverse dynamics by its linearity.
+
+The wrench H F that the actuators must give is affine in the accelerations, quadratic in the rates, and linear
+in gravity and in friction, each on its own. So differences of inverse dynamics, none of them small, give each
+term to rounding, whatever the inverse dynamics is made of; here it is the vector reference. Knows robots and
+motions; must know nothing of the derivation or of the generated kernels.
+"""
+
+import dataclasses
+import functools
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import reference
+from .motion import Motion
+from .results import OK, EquationsOfMotion
+from .robot import Robot
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+ActuatorWrench = Callable[[Robot, Motion], tuple[Array, Codes]]
+"""H F (..., 6) that makes a robot follow a motion, and the status of every pose."""
+
+
+def equations_of_motion(
+    robot: Robot, motion: Motion, faults: frozenset[int] = reference.EXACT
+) -> EquationsOfMotion:
+    """M, C, g, friction and bias of the vector reference; any load and accelerations don't count.
+
+    faults: numbers of the printed faults to keep, as for ``reference.inverse_dynamics``.
+    """
+
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+        return reference.actuator_wrench(robot, motion, faults)
+
+    return by_linearity(wrench, robot, motion)
+
+
+def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
+    """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
+    M, bias, status = inertia_and_bias(wrench, robot, motion)
+    bare, weightless = _bare(robot), _weightless(robot)
+    zero = np.zeros_like(motion.t)
+    moving = _with(motion, motion.v, motion.omega, zero, zero)
+    g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
+    inertial, _ = wrench(bare, moving)
+    with_friction, _ = wrench(weightless, moving)
+    C = _coriolis(wrench, robot, motion, M)
+    bad = status != OK
+    parts = {"M": M, "C": C, "g": g, "friction": with_friction - inertial, "bias": bias}
+    blank = {name: _blank(value, bad) for name, value in parts.items()}
+    return EquationsOfMotion(**blank, status=status)
+
+
+def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[Array, Array, Codes]:
+    """M, (..., 6, 6), bias, (..., 6), and status, (...): seven evaluations a pose."""
+    zero = np.zeros_like(motion.t)
+    still = np.zeros((*motion.shape, 6, 3))
+    unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))
+    columns, of_columns = wrench(_bare(robot), _with(motion, still, still, unit[..., :3], unit[..., 3:]))
+    bias, status = wrench(robot, _with(motion, motion.v, motion.omega, zero, zero))
+    status = np.where(status == OK, of_columns.max(axis=-1), status).astype(np.int32)
+    return np.swapaxes(columns, -1, -2), bias, status
+
+
+def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) -> Array:
+    """C, (..., 6, 6), of the Levi-Civita connection of M in the frame of twists [v; omega].
+
+    The quadratic wrench h of the rates gives by polarisation the part of C that is symmetric in twist and
+    direction. Twists are no rates of coordinates: the fields of two constant twists have the Lie bracket
+    [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt = C + C^T.
+    """
+    length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1)))) or 1.0
+    speed = np.linalg.norm(motion.omega, axis=-1) + np.linalg.norm(motion.v, axis=-1) / length
+    # Directions as large as the twist itself lose no digits in the differences.
+    step = np.where(speed > 0.0, speed, 1.0)[..., None] * np.repeat([length, 1.0], 3)
+    twist = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
+    direction = step[..., None] * np.eye(6)
+    bare = _bare(robot)
+    still = np.zeros((*motion.shape, 6, 3))
+
+    def h(twists: Array) -> Array:
+        return wrench(bare, _with(motion, twists[..., :3], twists[..., 3:], still, still))[0]
+
+    symmetric = (h(twist + direction) - h(twist - direction)) / (4 * step[..., None])
+    bracket = -np.cross(motion.omega[..., None, :], np.eye(3), axisc=-2)
+    of_bracket = np.zeros_like(M)
+    of_bracket[..., 3:] = M[..., 3:] @ bracket
+    return np.asarray(np.swapaxes(symmetric, -1, -2) + of_bracket / 2)
+
+
+def _with(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Motion:
+    """The motion's poses with other rates and accelerations, (..., 3) or (..., 6, 3), and without a load."""
+    R, t = motion.R, motion.t
+    if v.ndim > t.ndim:
+        R = np.broadcast_to(R[..., None, :, :], (*v.shape, 3))
+        t = np.broadcast_to(t[..., None, :], v.shape)
+    return Motion.unchecked(R, t, omega, v, alpha, a)
+
+
+@functools.lru_cache(maxsize=16)
+def _weightless(robot: Robot) -> Robot:
+    return dataclasses.replace(robot, g=np.zeros(3))
+
+
+@functools.lru_cache(maxsize=16)
+def _bare(robot: Robot) -> Robot:
+    """The robot without gravity and friction."""
+    none = np.zeros(6)
+    return dataclasses.replace(robot, g=np.zeros(3), C_u=none, C_p=none, C_s=none)
+
+
+def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
+    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
+    return np.where(wide, np.nan, value)

@@ -1,0 +1,197 @@
+"""Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes.
+
+Stands above ``simulation`` and the laws of the legs; the command line runs what is read here. Knows files and
+keys, no mechanics.
+"""
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import tables
+from .dynamics import Formulation
+from .kernel import FORMULATIONS
+from .laws import ComputedTorque, ForceLaw, LegSprings, along
+from .motion import Motion
+from .robot import Robot
+from .rotation import rotation_from_rpy
+from .simulation import METHODS, Method, Simulation, Thresholds, simulate
+from .trajectory import PATHS, interpolated, read_csv
+
+Array = NDArray[np.float64]
+Wanted = Callable[[float], Motion]
+
+SCHEMA = 1
+LAWS = ("forces", "springs", "tracking")
+
+_TOP_KEYS = (
+    "schema",
+    "robot",
+    "formulation",
+    "duration",
+    "output_step",
+    "method",
+    "rtol",
+    "state",
+    "load",
+    "legs",
+    "thresholds",
+)
+_STATE_KEYS = ("t", "theta", "v", "omega")
+_LOAD_KEYS = ("F_ext", "M_ext")
+_THRESHOLD_KEYS = ("max_condition", "min_length", "min_pole_sine")
+_LAW_KEYS = {
+    "forces": ("law", "forces"),
+    "springs": ("law", "stiffness", "rest_length", "damping"),
+    "tracking": ("law", "path", "k_p", "k_d", "model", "rate"),
+}
+_LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("path", "k_p", "k_d")}
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A simulation to be run; names and units are those of ``simulate``.
+
+    law: with ``rate``, Hz, its forces are held between samples.
+    """
+
+    robot: Robot
+    state: Motion
+    law: ForceLaw
+    rate: float | None
+    formulation: Formulation
+    duration: float
+    output_step: float | None
+    method: Method
+    rtol: float
+    thresholds: Thresholds
+
+    def run(self) -> Simulation:
+        """Run the simulation; raises as ``simulate``."""
+        return simulate(
+            self.robot,
+            self.state,
+            self.law,
+            self.duration,
+            rate=self.rate,
+            formulation=self.formulation,
+            method=self.method,
+            rtol=self.rtol,
+            output_step=self.output_step,
+            thresholds=self.thresholds,
+        )
+
+
+def read_scene(path: str | os.PathLike[str]) -> Scene:
+    """Read a scene file (TOML, schema 1); the files that it names are looked for beside it.
+
+    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
+    every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
+    """
+    source = os.fspath(path)
+    file = f"{source}: "
+    top = tables.checked_table(
+        tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
+    )
+    if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
+        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
+    folder = Path(source).parent
+    # What is wrong in this file comes before what is wrong in another.
+    legs = _legs(top["legs"], f"{file}legs.")
+    numbers = {
+        key: tables.positive(top[key], file + key) if key in top else default
+        for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
+    }
+    method = tables.choice(top.get("method", METHODS[0]), METHODS, f"{file}method")
+    formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
+    thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
+    load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
+    if "state" not in top and legs["law"] != "tracking":
+        raise ValueError(f"{file}state: missing")
+    given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
+    robot = Robot.from_toml(folder / tables.one_line(top["robot"], f"{file}robot"))
+    wanted = _wanted(legs["path"], folder) if legs["law"] == "tracking" else None
+    state = _state(given, wanted, load)
+    try:
+        law = _law(robot, legs, state, wanted)
+    except ValueError as error:
+        raise ValueError(f"{file}legs: {error}") from None
+    return Scene(
+        robot=robot,
+        state=state,
+        law=law,
+        rate=legs.get("rate"),
+        formulation=cast(Formulation, formulation),
+        duration=cast(float, numbers["duration"]),
+        output_step=numbers["output_step"],
+        method=cast(Method, method),
+        rtol=cast(float, numbers["rtol"]),
+        thresholds=thresholds,
+    )
+
+
+def _legs(value: object, prefix: str) -> dict[str, Any]:
+    """The law of the legs, its numbers checked; which keys there may be depends on the law."""
+    every = tuple(dict.fromkeys(key for keys in _LAW_KEYS.values() for key in keys))
+    law = tables.choice(tables.checked_table(value, prefix, every, ("law",))["law"], LAWS, f"{prefix}law")
+    legs = tables.checked_table(value, prefix, _LAW_KEYS[law], _LAW_NEEDS[law])
+    checks: dict[str, Callable[[object, str], Any]] = {
+        "law": tables.one_line,
+        "forces": lambda value, where: tables.numbers(value, (6,), where),
+        "stiffness": tables.per_leg,
+        "rest_length": tables.per_leg,
+        "damping": tables.per_leg,
+        "path": tables.one_line,
+        "k_p": tables.not_negative,
+        "k_d": tables.not_negative,
+        "model": lambda value, where: tables.choice(value, FORMULATIONS, where),
+        "rate": tables.positive,
+    }
+    return {key: checks[key](given, prefix + key) for key, given in legs.items()}
+
+
+def _thresholds(value: object, prefix: str) -> Thresholds:
+    table = tables.checked_table(value, prefix, _THRESHOLD_KEYS)
+    numbers = {key: tables.positive(given, prefix + key) for key, given in table.items()}
+    try:
+        return Thresholds(**numbers)
+    except ValueError as error:
+        raise ValueError(f"{prefix}{error}") from None
+
+
+def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:
+    table = tables.checked_table(value, prefix, keys, needed)
+    return {key: tables.vector(given, prefix + key) for key, given in table.items()}
+
+
+def _wanted(path: str, folder: Path) -> Wanted:
+    return along(PATHS[path].path) if path in PATHS else interpolated(read_csv(folder / path))
+
+
+def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:
+    """The state to start from; without one, the start of the path."""
+    if given is None:
+        assert wanted is not None
+        start = wanted(0.0)
+        return Motion(start.R, start.t, start.omega, start.v, **load)
+    zero = np.zeros(3)
+    R = rotation_from_rpy(given["theta"])
+    return Motion(R, given["t"], given.get("omega", zero), given.get("v", zero), **load)
+
+
+def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:
+    if legs["law"] == "forces":
+        constant: Array = legs["forces"]
+        return lambda time, state: constant
+    if legs["law"] == "springs":
+        stiffness, damping = legs["stiffness"], legs.get("damping", 0.0)
+        if "rest_length" in legs:
+            return LegSprings(robot, stiffness, legs["rest_length"], damping)
+        return LegSprings.balanced(robot, state, stiffness, damping)
+    assert wanted is not None
+    return ComputedTorque(robot, wanted, legs["k_p"], legs["k_d"], legs.get("model", FORMULATIONS[0]))

@@ -1,0 +1,513 @@
+"""Simulation: the machine set free under the forces of its legs, integrated until a time or a limit.
+
+Stands on ``equations``, whose forward dynamics it integrates by SciPy (extra ``sim``). Orientation lives in a
+local chart, the rotation vector from a centre that moves along, so that no attitude is special and R stays
+orthonormal to rounding. Knows charts, steps and limits; knows no equation of the machine.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import reference
+from .checks import instance, option, real_array
+from .conditioning import characteristic_length, condition_number
+from .dynamics import Backend, Formulation
+from .equations import ForwardDynamics
+from .laws import ForceLaw
+from .motion import Motion
+from .results import STATUS_TEXT
+from .robot import Robot
+from .rotation import cross, rotation_from_vector, vector_rate
+
+Array = NDArray[np.float64]
+Method = Literal["DOP853", "Radau"]
+Load = Callable[[float, Motion], ArrayLike]
+"""(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
+
+METHODS = ("DOP853", "Radau")
+CHART_RADIUS = 1.0
+"""Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
+WATCHED = 5
+"""Instants of each step at which limits are looked at."""
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """Where a run stops because the model ends, besides the robot's own limits.
+
+    max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1.
+    min_length: of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
+    min_pole_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
+
+    Raises ValueError naming the argument.
+    """
+
+    max_condition: float = 1e6
+    min_length: float | None = None
+    min_pole_sine: float = 1e-3
+
+    def __post_init__(self) -> None:
+        """Check every threshold."""
+        ranges = {
+            "max_condition": (1.0, math.inf),
+            "min_length": (0.0, math.inf),
+            "min_pole_sine": (0.0, 1.0),
+        }
+        for name, (low, high) in ranges.items():
+            value = getattr(self, name)
+            if value is not None:
+                _number(value, name, low, high)
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Why and when a run ended.
+
+    kind: "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
+    "short_leg", "pole" or "failed" (no step is small enough).
+    time: s. leg: its number from 1, None where no leg is to blame. text: all of it in one line.
+    """
+
+    kind: str
+    time: float
+    leg: int | None
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """States and forces at n instants; SI units, base frame.
+
+    times: s, (n,). R: (n, 3, 3). t, v: m and m/s, (n, 3). omega: rad/s, (n, 3).
+    F: actuator forces, N, (n, 6). L: leg lengths, m, (n, 6).
+    kinetic, potential: energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of
+    the legs in either formulation; the potential energy is that of weight, zero at the base frame's origin.
+    """
+
+    times: Array
+    R: Array
+    t: Array
+    v: Array
+    omega: Array
+    F: Array
+    L: Array
+    kinetic: Array
+    potential: Array
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy, J, (n,)."""
+        return self.kinetic + self.potential
+
+    @property
+    def motion(self) -> Motion:
+        """The states as a Motion of shape (n,) without accelerations."""
+        return Motion(self.R, self.t, self.omega, self.v)
+
+
+class _Piece(NamedTuple):
+    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces."""
+
+    start: float
+    end: float
+    interpolant: Callable[[Any], Array]
+    center: Array
+    held: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation(Trace):
+    """A run: its trace, why it stopped, and any instant between by ``at``."""
+
+    stop: Stop
+    _robot: Robot
+    _law: ForceLaw
+    _pieces: tuple[_Piece, ...]
+
+    @property
+    def steps(self) -> int:
+        """How many steps the integration took."""
+        return len(self._pieces)
+
+    def at(self, times: ArrayLike) -> Trace:
+        """States and forces at times, s, (n,), interpolated to the accuracy of the run.
+
+        Raises ValueError for times outside the run.
+        """
+        when = real_array(times, "times", "times of shape (n,)")
+        end = self.stop.time
+        if when.ndim != 1:
+            raise ValueError(f"times: expected shape (n,), got {when.shape}")
+        outside = ~((when >= 0.0) & (when <= end))
+        if outside.any():
+            raise ValueError(f"times: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
+        return _sampled(self._robot, self._law, self._pieces, when)
+
+
+def simulate(
+    robot: Robot,
+    initial_state: Motion,
+    forces: ArrayLike | ForceLaw,
+    duration: float,
+    *,
+    rate: float | None = None,
+    load: Load | None = None,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    method: Method = "DOP853",
+    rtol: float = 1e-9,
+    atol: float = 1e-12,
+    output_step: float | None = None,
+    thresholds: Thresholds | None = None,
+) -> Simulation:
+    """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
+
+    initial_state: Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on.
+    forces: N, (6,), or a law (time, state) -> (6,). A law must depend on its arguments alone, unless
+    rate: Hz; then it is asked at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
+    load: (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
+    method: "DOP853", or "Radau" where springs or dampers are stiff. rtol, atol: error of a step, relative and
+    absolute, in m, rad, m/s and rad/s. output_step: s, between instants of the trace; None: as integrated.
+    thresholds: None for the default ones.
+
+    A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
+    the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
+    and is back within that is not seen.
+
+    Returns Simulation. Raises ValueError naming the argument: unknown options, numbers out of range, a state
+    in which the machine has no accelerations, forces that are not six numbers; ImportError without SciPy.
+    """
+    instance(robot, Robot, "robot")
+    _state(initial_state)
+    option(method, METHODS, "method")
+    for name, value in (("duration", duration), ("rtol", rtol), ("atol", atol)):
+        _number(value, name, 0.0, math.inf)
+    for name, optional in (("rate", rate), ("output_step", output_step)):
+        if optional is not None:
+            _number(optional, name, 0.0, math.inf)
+    run = _Run(
+        robot=robot,
+        plant=ForwardDynamics(robot, formulation, backend),
+        law=_law(forces),
+        load=load,
+        constant=(initial_state.F_ext, initial_state.M_ext),
+        solver=_solver(method),
+        tolerances={"rtol": float(rtol), "atol": float(atol)},
+        watch=_Watch(robot, thresholds or Thresholds()),
+    )
+    stop, pieces = run.through(initial_state, float(duration), rate)
+    times = _output_times(pieces, stop.time, output_step)
+    trace = _sampled(robot, run.law, tuple(pieces), times)
+    return Simulation(**vars(trace), stop=stop, _robot=robot, _law=run.law, _pieces=tuple(pieces))
+
+
+# Integration
+
+
+@dataclass(eq=False)
+class _Run:
+    """One run's parts, and the integration from state to state."""
+
+    robot: Robot
+    plant: ForwardDynamics
+    law: ForceLaw
+    load: Load | None
+    constant: tuple[Array | None, Array | None]
+    solver: Any
+    tolerances: dict[str, float]
+    watch: "_Watch"
+    fault: int = 0
+
+    def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[_Piece]]:
+        """Go from sample to sample of the law, or in one go, until the end or a stop."""
+        pieces: list[_Piece] = []
+        time, center = 0.0, np.array(state.R)
+        y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
+        step: float | None = None
+        sample = 0
+        while time < duration:
+            sample += 1
+            held = None if rate is None else six_forces(self.law(time, _motion(y, center)), time)
+            if sample == 1:
+                self._refuse_bad_start(y, center, held)
+            end = duration if rate is None else min(sample / rate, duration)
+            while time < end:
+                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, held)
+                if stop is not None:
+                    return stop, pieces
+        return Stop("duration", duration, None, f"ran to its end at {duration:g} s"), pieces
+
+    def _chart(
+        self,
+        pieces: list[_Piece],
+        time: float,
+        end: float,
+        y: Array,
+        center: Array,
+        step: float | None,
+        held: Array | None,
+    ) -> tuple[Stop | None, float, Array, Array, float | None]:
+        """Integrate in one chart, to its rim or to ``end``; hand back the state in a chart of its own."""
+        first = None if step is None else min(step, end - time)
+
+        def rates(time: float, y: Array) -> Array:
+            return self._rates(time, y, center, held)
+
+        solver = self.solver(rates, time, y, end, first_step=first, **self.tolerances)
+        while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
+            solver.step()
+            if solver.status == "failed":
+                failure = self._failed(solver.t)
+                if not pieces:
+                    raise ValueError(f"initial_state: {failure.text}")
+                return failure, failure.time, solver.y, center, step
+            piece = _Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
+            stop = self.watch.first(piece, self.law)
+            if stop is not None:
+                # A stop where the step begins leaves no piece but the first, which the trace needs.
+                if stop.time > piece.start or not pieces:
+                    pieces.append(piece._replace(end=stop.time))
+                return stop, stop.time, solver.y, center, step
+            pieces.append(piece)
+        y = np.array(solver.y)
+        center = _orthonormal(rotation_from_vector(y[3:6]) @ center)
+        y[3:6] = 0.0
+        return None, float(solver.t), y, center, float(solver.h_abs)
+
+    def _rates(self, time: float, y: Array, center: Array, held: Array | None) -> Array:
+        state = _motion(y, center)
+        F = six_forces(self.law(time, state), time) if held is None else held
+        a, alpha, status = self.plant.solve(self._loaded(time, state), F)
+        self.fault = int(status) or self.fault
+        return np.concatenate([state.v, vector_rate(y[3:6], state.omega), a, alpha])
+
+    def _loaded(self, time: float, state: Motion) -> Motion:
+        F_ext, M_ext = self.constant
+        if self.load is not None:
+            wrench = real_array(self.load(time, state), "load", "six numbers, [F_ext; M_ext]")
+            if wrench.shape != (6,):
+                raise ValueError(f"load: expected six numbers, [F_ext; M_ext], got shape {wrench.shape}")
+            F_ext, M_ext = wrench[:3], wrench[3:]
+        return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
+
+    def _refuse_bad_start(self, y: Array, center: Array, held: Array | None) -> None:
+        if not np.isfinite(self._rates(0.0, y, center, held)).all():
+            raise ValueError(f"initial_state: no accelerations: {self._reason()}")
+        self.fault = 0
+
+    def _failed(self, time: float) -> Stop:
+        return Stop("failed", time, None, f"no step is small enough at {time:.9g} s: {self._reason()}")
+
+    def _reason(self) -> str:
+        return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
+
+
+def _motion(y: Array, center: Array) -> Motion:
+    """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
+    R = rotation_from_vector(y[..., 3:6]) @ center
+    return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
+
+
+def _orthonormal(R: Array) -> Array:
+    """R with the rounding of one product taken out: a step of Newton's method to the nearest rotation."""
+    return np.asarray(R @ (3.0 * np.eye(3) - R.T @ R) / 2.0)
+
+
+# Limits
+
+
+@dataclass(frozen=True, eq=False)
+class _Watch:
+    """Everything that stops a run, as numbers that are positive while all is well."""
+
+    robot: Robot
+    thresholds: Thresholds
+
+    def first(self, piece: _Piece, law: ForceLaw) -> Stop | None:
+        """The first stop in a piece, None if there is none."""
+        when = np.linspace(piece.start, piece.end, WATCHED + 1)
+        margins = self._margins(when, piece, law)
+        below = margins <= 0.0
+        if not below.any():
+            return None
+        roots = [
+            (self._root(int(row), when, below[:, row], piece, law), int(row))
+            for row in np.flatnonzero(below.any(axis=0))
+        ]
+        return self._stop(*min(roots), piece, law)
+
+    def _root(self, row: int, when: Array, below: NDArray[np.bool_], piece: _Piece, law: ForceLaw) -> float:
+        from scipy.optimize import brentq
+
+        i = int(np.argmax(below))
+        if i == 0:
+            return float(when[0])
+
+        def margin(time: float) -> float:
+            return float(self._margins(np.array([time]), piece, law)[0, row])
+
+        return float(brentq(margin, when[i - 1], when[i], xtol=1e-14 * max(when[i], 1.0), rtol=1e-14))
+
+    def _margins(self, when: Array, piece: _Piece, law: ForceLaw) -> Array:
+        """(n, 37): shortest, longest, speed, force, length zero, pole, six each, and singularity."""
+        robot = self.robot
+        state = _motion(piece.interpolant(when).T, piece.center)
+        legs = _legs(robot, state)
+        F = np.zeros((len(when), 6))
+        if np.isfinite(robot.force_limit).any():
+            F = _forces(law, when, state, piece.held)
+        shortest = self.thresholds.min_length or 1e-3 * self._size
+        margins = [
+            legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
+            robot.length_limits[:, 1] - legs.L,
+            robot.speed_limit - np.abs(legs.L_dot),
+            robot.force_limit - np.abs(F),
+            legs.L - shortest,
+            self._pole_sine(legs.s) - self.thresholds.min_pole_sine,
+            (1.0 - self._condition(legs) / self.thresholds.max_condition)[:, None],
+        ]
+        return np.concatenate(margins, axis=-1)
+
+    @property
+    def _size(self) -> float:
+        return characteristic_length(self.robot) or 1.0
+
+    def _pole_sine(self, s: Array) -> Array:
+        if self.robot.base_joint == "spherical":
+            return np.ones(s.shape[:-1])
+        return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
+
+    def _condition(self, legs: "_Legs") -> Array:
+        H = np.concatenate([legs.s, cross(legs.q, legs.s) / self._size], axis=-1)
+        return condition_number(H)
+
+    def _stop(self, time: float, row: int, piece: _Piece, law: ForceLaw) -> Stop:
+        robot, leg = self.robot, row % 6
+        at = np.array([time])
+        state = _motion(piece.interpolant(at).T, piece.center)
+        legs = _legs(robot, state)
+        low, high = robot.length_limits[leg]
+        length = f"{legs.L[0, leg]:.6g} m"
+        if row == 36:
+            text = f"condition number of H reaches {self._condition(legs)[0]:.4g} at {time:.9g} s"
+            return Stop("singular", time, None, f"near a singular pose: {text}")
+        kind, text = (
+            ("length_limits", f"length {length} reaches its lower limit {low:g} m"),
+            ("length_limits", f"length {length} reaches its upper limit {high:g} m"),
+            (
+                "speed_limit",
+                f"speed {legs.L_dot[0, leg]:.6g} m/s reaches its limit {robot.speed_limit[leg]:g} m/s",
+            ),
+            (
+                "force_limit",
+                f"force {_forces(law, at, state, piece.held)[0, leg]:.6g} N reaches its limit "
+                f"{robot.force_limit[leg]:g} N",
+            ),
+            ("short_leg", f"length {length} is near zero"),
+            ("pole", "lies nearly along the fixed axis of its universal joint"),
+        )[row // 6]
+        return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
+
+
+class _Legs(NamedTuple):
+    q: Array
+    L: Array
+    L_dot: Array
+    s: Array
+
+
+def _legs(robot: Robot, state: Motion) -> _Legs:
+    """Leg kinematics without the refusals of ``inverse_kinematics``: a watched leg may come to nothing."""
+    q = np.einsum("...jk,ik->...ij", state.R, robot.p)
+    S = q + state.t[..., None, :] - robot.b
+    L = np.linalg.norm(S, axis=-1)
+    with np.errstate(all="ignore"):
+        s = S / L[..., None]
+    S_dot = cross(state.omega[..., None, :], q) + state.v[..., None, :]
+    return _Legs(q, L, np.einsum("...i,...i->...", s, S_dot), s)
+
+
+# Results
+
+
+def _sampled(robot: Robot, law: ForceLaw, pieces: tuple[_Piece, ...], when: Array) -> Trace:
+    """The trace at times within the pieces."""
+    n = len(when)
+    R, t, v, omega, F = (np.empty((n, *shape)) for shape in ((3, 3), (3,), (3,), (3,), (6,)))
+    of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
+    for i in np.unique(of):
+        here = of == i
+        state = _motion(pieces[i].interpolant(when[here]).T, pieces[i].center)
+        R[here], t[here], v[here], omega[here] = state.R, state.t, state.v, state.omega
+        F[here] = _forces(law, when[here], state, pieces[i].held)
+    motion = Motion(R, t, omega, v)
+    rest = Motion(R, t, np.zeros((n, 3)), np.zeros((n, 3)))
+    potential = reference.energy(robot, rest)
+    kinetic = reference.energy(robot, motion) - potential
+    L = _legs(robot, motion).L
+    return Trace(when, R, t, v, omega, F, L, kinetic, potential)
+
+
+def _forces(law: ForceLaw, when: Array, states: Motion, held: Array | None) -> Array:
+    if held is not None:
+        return np.broadcast_to(held, (len(when), 6))
+    rows = [
+        six_forces(
+            law(float(time), Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i])), time
+        )
+        for i, time in enumerate(when)
+    ]
+    return np.array(rows)
+
+
+def _output_times(pieces: list[_Piece], end: float, step: float | None) -> Array:
+    if step is None:
+        return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
+    grid = np.arange(math.floor(end / step * (1.0 + 1e-12)) + 1) * step
+    return np.append(grid[grid < end * (1.0 - 1e-12)], end)
+
+
+# Arguments
+
+
+def six_forces(value: ArrayLike, time: float) -> Array:
+    """What a law returned, as six numbers; ValueError if it is anything else."""
+    F = real_array(value, "forces", "six numbers")
+    if F.shape != (6,):
+        raise ValueError(f"forces: expected six numbers from the law at {time:g} s, got shape {F.shape}")
+    return F
+
+
+def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
+    if callable(forces):
+        return forces
+    constant = real_array(forces, "forces", "six finite numbers or a law")
+    if constant.shape != (6,) or not np.isfinite(constant).all():
+        raise ValueError(f"forces: expected six finite numbers or a law, got shape {constant.shape}")
+    return lambda time, state: constant
+
+
+def _state(state: Motion) -> None:
+    instance(state, Motion, "initial_state")
+    if state.shape != ():
+        raise ValueError(f"initial_state: expected one state, of shape (), got {state.shape}")
+
+
+def _number(value: object, name: str, low: float, high: float) -> None:
+    text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
+    number = real_array(value, name, text)
+    if number.shape != () or not low < float(number) < high:
+        raise ValueError(f"{name}: expected {text}, got {value!r}")
+
+
+def _solver(method: str) -> Any:
+    try:
+        from scipy import integrate
+    except ImportError:
+        raise ImportError("simulation needs SciPy: pip install scipy") from None
+    return getattr(integrate, method)

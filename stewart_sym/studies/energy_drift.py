@@ -1,0 +1,125 @@
+"""Energy of a free-swinging machine on leg springs over time, in both formulations: what is right keeps it.
+
+Without friction or drive, and with springs for actuators, the energy of machine and springs is constant.
+Takes a robot and returns records; draws them if asked (extra ``plot``). Writes no file.
+"""
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics import Formulation
+from ..kernel import FORMULATIONS
+from ..laws import LegSprings
+from ..motion import Motion
+from ..scene import Scene
+from ..simulation import Simulation, Stop, Thresholds, simulate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+COLORS = {"exact": "#1f4e9c", "paper": "#c1440e"}
+
+
+@dataclass(frozen=True, eq=False)
+class Drift:
+    """One run's energy.
+
+    times: s, (n,). drift: energy of machine and springs minus that at the start, over the run's largest
+    kinetic energy, (n,). kinetic: that largest kinetic energy, J. stop: why the run ended.
+    """
+
+    times: Array
+    drift: Array
+    kinetic: float
+    stop: Stop
+
+    @property
+    def worst(self) -> float:
+        """Largest magnitude of the drift."""
+        return float(np.abs(self.drift).max())
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Columns (n,) by name: time and drift."""
+        return {"time": self.times, "drift": self.drift}
+
+
+def energy_drift(
+    springs: LegSprings,
+    state: Motion,
+    duration: float = 10.0,
+    rtol: float = 1e-9,
+    thresholds: Thresholds | None = None,
+) -> dict[Formulation, Drift]:
+    """Set the springs' machine swinging and return its drift in each formulation.
+
+    springs: their dampers, and the friction of their robot, are left out. state: to start from, of shape (),
+    without its load. duration, rtol, thresholds: as for ``simulate``, and so are the errors.
+    """
+    none = np.zeros(6)
+    robot = dataclasses.replace(springs.robot, C_u=none, C_p=none, C_s=none)
+    springs = dataclasses.replace(springs, robot=robot, damping=0.0)
+    state = Motion(state.R, state.t, state.omega, state.v)
+    runs: dict[Formulation, Drift] = {}
+    for name in FORMULATIONS:
+        formulation = cast(Formulation, name)
+        run = simulate(
+            robot, state, springs, duration, formulation=formulation, rtol=rtol, thresholds=thresholds
+        )
+        runs[formulation] = drift_of(run, springs)
+    return runs
+
+
+def drift_of(run: Simulation, springs: LegSprings) -> Drift:
+    """Drift of the energy of machine and springs along a run."""
+    energy = run.energy + springs.energy(run.L)
+    kinetic = float(run.kinetic.max())
+    return Drift(run.times, (energy - energy[0]) / kinetic, kinetic, run.stop)
+
+
+def springs_of(scene: Scene) -> LegSprings:
+    """The springs of a scene; ValueError if its legs are none."""
+    if not isinstance(scene.law, LegSprings):
+        raise ValueError("energy drift: expected a scene whose legs are springs")
+    return scene.law
+
+
+def summary(drifts: Mapping[Formulation, Drift]) -> str:
+    """One line for each formulation: the worst drift and why the run ended."""
+    lines = [
+        f"{name:<9}  without friction the energy changes by up to {drift.worst:.2e} of the largest kinetic "
+        f"energy; {drift.stop.text}"
+        for name, drift in drifts.items()
+    ]
+    return "\n".join(lines)
+
+
+def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
+    """The drifts over time, their magnitudes on a logarithmic axis."""
+    from matplotlib.figure import Figure
+
+    picture = Figure(figsize=(8.0, 4.2), layout="constrained")
+    axes = picture.subplots()
+    for name, drift in drifts.items():
+        # The first instant is the measure of the others, and zero has no logarithm.
+        axes.semilogy(
+            drift.times[1:],
+            np.maximum(np.abs(drift.drift[1:]), np.finfo(np.float64).eps),
+            color=COLORS[name],
+            linewidth=1.3,
+            label=f"`{name}`, largest {drift.worst:.1e}",
+        )
+    axes.set_xlabel("time, s")
+    axes.set_ylabel("change of energy / largest kinetic energy")
+    axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
+    axes.margins(x=0.0)
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    picture.legend(loc="outside lower center", ncols=2, frameon=False)
+    return picture

@@ -1,0 +1,94 @@
+"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture.
+
+Takes a Simulation and the law it ran under. The pictures need the extra ``plot``; nothing else is written.
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..laws import ForceLaw, LegSprings
+from ..rotation import rpy_from_rotation
+from ..simulation import Simulation
+from .energy_drift import drift_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Columns = dict[str, NDArray[Any]]
+
+
+def run_columns(run: Simulation) -> Columns:
+    """Columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L and energies."""
+    vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
+    columns: Columns = {"time": run.times}
+    columns |= {f"{name}_{axis}": x[:, j] for name, x in vectors.items() for j, axis in enumerate("xyz")}
+    for name, of_legs in (("F", run.F), ("L", run.L)):
+        columns |= {f"{name}{leg + 1}": of_legs[:, leg] for leg in range(6)}
+    return columns | {"kinetic": run.kinetic, "potential": run.potential}
+
+
+def summary(run: Simulation, law: ForceLaw) -> str:
+    """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift."""
+    i, leg = np.unravel_index(int(np.argmax(np.abs(run.F))), run.F.shape)
+    first, last, most = run.energy[0], run.energy[-1], run.kinetic.max()
+    lines = [
+        f"stopped    {run.stop.text}",
+        f"steps      {run.steps}",
+        f"force      up to {run.F[i, leg]:.6g} N, leg {leg + 1} at {run.times[i]:g} s",
+        f"length     {run.L.min():.6g} to {run.L.max():.6g} m",
+        f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
+    ]
+    if isinstance(law, LegSprings):
+        drift = drift_of(run, law)
+        lines.append(
+            f"springs    energy with that of the springs changes by up to {drift.worst:.2e} of the largest "
+            "kinetic energy"
+        )
+    return "\n".join(lines)
+
+
+def figure(run: Simulation) -> "Figure":
+    """Position, attitude, forces, lengths and energy over time."""
+    from matplotlib.figure import Figure
+
+    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
+    grid = picture.subplots(3, 2, sharex=True)
+    legs = {f"leg {leg + 1}": leg for leg in range(6)}
+    axes_of = dict(zip("xyz", range(3), strict=True))
+    # An angle that leaps by a turn is not drawn as a line across the panel.
+    theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
+    _curves(grid[0][0], run.times, run.t, axes_of, "position, m")
+    _curves(grid[0][1], run.times, np.degrees(theta), axes_of, "roll, pitch, yaw, degrees")
+    _curves(grid[1][0], run.times, run.F, legs, "force, N")
+    _curves(grid[1][1], run.times, run.L, legs, "leg length, m")
+    _curves(grid[2][0], run.times, run.omega, axes_of, "angular velocity, rad/s")
+    gained = run.potential - run.potential[0]
+    energies = np.stack([run.kinetic, gained, run.kinetic + gained], axis=-1)
+    names = {"kinetic": 0, "potential gained": 1, "both": 2}
+    _curves(grid[2][1], run.times, energies, names, "energy, J")
+    for axes in grid[2]:
+        axes.set_xlabel("time, s")
+    picture.suptitle(run.stop.text, fontsize=10.0)
+    return picture
+
+
+def save(picture: "Figure", path: Path) -> None:
+    """Write a picture as PNG; the same numbers give the same bytes."""
+    picture.savefig(path, dpi=160, metadata={"Software": None})
+
+
+def _curves(axes: "Axes", times: Array, values: Array, names: Mapping[str, int], label: str) -> None:
+    for name, column in names.items():
+        axes.plot(times, values[:, column], linewidth=1.1, label=name)
+    axes.set_ylabel(label)
+    axes.margins(x=0.0)
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    # Beside the panel, where no curve can run through it.
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8.0)

@@ -1,0 +1,136 @@
+"""Tables of TOML files read and checked key by key, each refusal one line that names file and key.
+
+The prefix or place handed in begins every message: ``file: key: what was expected``. Stands at the bottom,
+below the readers of robots and scenes; knows nothing of what the keys mean.
+"""
+
+import difflib
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def read_toml(source: str, what: str) -> dict[str, Any]:
+    """Tables of a TOML file; ``what`` it is, for the message that it can't be read."""
+    try:
+        text = Path(source).read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
+    except ValueError as error:
+        raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
+
+
+def checked_table(
+    value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()
+) -> dict[str, Any]:
+    """A table whose keys are all known and that has those required."""
+    if not isinstance(value, Mapping):
+        raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {shown(value)}")
+    for key in value:
+        if key not in known:
+            near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
+            hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
+            text = key if isinstance(key, str) and key.isprintable() else shown(key)
+            raise ValueError(f"{prefix}{text}: unknown key, {hint}")
+    require(value, required, prefix, "missing")
+    return dict(value)
+
+
+def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:
+    """Refuse a table that lacks one of the keys, with a reason."""
+    for key in keys:
+        if key not in table:
+            raise ValueError(f"{prefix}{key}: {reason}")
+
+
+# Single values
+
+
+def shown(value: object) -> str:
+    """Return a value as it may stand in a one-line message."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def one_line(value: object, where: str) -> str:
+    """A text of one line that is not blank."""
+    if not isinstance(value, str) or not value.strip() or not value.isprintable():
+        raise ValueError(f"{where}: expected one line of text, got {shown(value)}")
+    return value
+
+
+def number(value: object, where: str, expected: str = "a finite number") -> float:
+    """A finite number and no truth value."""
+    if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
+        try:
+            given = float(value)
+        except OverflowError:
+            given = math.inf
+        if math.isfinite(given):
+            return given
+    raise ValueError(f"{where}: expected {expected}, got {shown(value)}")
+
+
+def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
+    """Return nested lists of finite numbers as a new float64 array of just that shape."""
+    expected = " x ".join(str(n) for n in shape) + " finite numbers"
+    return np.array(_flat(value, shape, where, expected)).reshape(shape)
+
+
+def _flat(value: object, shape: tuple[int, ...], where: str, expected: str) -> list[float]:
+    if not shape:
+        return [number(value, where, expected)]
+    items = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(items, list | tuple) or len(items) != shape[0]:
+        raise ValueError(f"{where}: expected {expected}, got {shown(items)}")
+    return [entry for item in items for entry in _flat(item, shape[1:], where, expected)]
+
+
+def vector(value: object, where: str) -> Array:
+    """Three finite numbers, (3,)."""
+    return numbers(value, (3,), where)
+
+
+def positive(value: object, where: str) -> float:
+    """A finite number > 0."""
+    given = number(value, where)
+    if given <= 0.0:
+        raise ValueError(f"{where}: expected a number > 0, got {given:g}")
+    return given
+
+
+def not_negative(value: object, where: str) -> float:
+    """A finite number >= 0."""
+    given = number(value, where)
+    if given < 0.0:
+        raise ValueError(f"{where}: expected a number >= 0, got {given:g}")
+    return given
+
+
+def per_leg(value: object, where: str) -> Array:
+    """One finite number for all six legs or six, as (6,)."""
+    if isinstance(value, list | tuple | np.ndarray):
+        return numbers(value, (6,), where)
+    return np.full(6, number(value, where, "one finite number or six"))
+
+
+def choice(value: object, options: Sequence[str], where: str) -> str:
+    """One of the options."""
+    if not isinstance(value, str) or value not in options:
+        quoted = [f'"{text}"' for text in options]
+        raise ValueError(f"{where}: expected {', '.join(quoted[:-1])} or {quoted[-1]}, got {shown(value)}")
+    return value

@@ -1,0 +1,323 @@
+"""Equations of motion: they restate inverse dynamics, and have the structure that mechanics gives them."""
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import machine_size, random_motion, random_robot, rotation
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym import reference
+from stewart_sym.equations import solve_positive
+from stewart_sym.reference_equations import equations_of_motion as oracle
+
+Array = NDArray[np.float64]
+
+BACKENDS = ("c", "numpy", "reference")
+FORMULATIONS = ("exact", "paper")
+JOINTS = ("universal", "spherical")
+
+
+def load_of(motion: ss.Motion) -> Array:
+    """W_ext = [R F_ext; R M_ext], (..., 6)."""
+    assert motion.F_ext is not None
+    assert motion.M_ext is not None
+    return np.concatenate([(motion.R @ x[..., None])[..., 0] for x in (motion.F_ext, motion.M_ext)], axis=-1)
+
+
+def twist(motion: ss.Motion) -> Array:
+    return np.concatenate([motion.v, motion.omega], axis=-1)
+
+
+def acceleration(motion: ss.Motion) -> Array:
+    assert motion.a is not None
+    assert motion.alpha is not None
+    return np.concatenate([motion.a, motion.alpha], axis=-1)
+
+
+def times(A: Array, x: Array) -> Array:
+    return np.asarray((A @ x[..., None])[..., 0])
+
+
+def in_one_unit(robot: ss.Robot, wrench: Array) -> Array:
+    """Moments over the machine's size, so that forces and moments may be compared."""
+    return wrench / np.repeat([1.0, machine_size(robot)], 3)
+
+
+def worst(robot: ss.Robot, found: Array, true: Array) -> float:
+    """Largest difference of wrenches beside the largest of each pose."""
+    found, true = in_one_unit(robot, found), in_one_unit(robot, true)
+    return float(np.max(np.abs(found - true).max(axis=-1) / np.abs(true).max(axis=-1)))
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint)
+        motion = random_motion(rng, robot, (4,))
+        e = ss.equations_of_motion(robot, motion, formulation, backend)
+        r = ss.inverse_dynamics(robot, motion, formulation, "reference")
+        left = times(e.M, acceleration(motion)) + times(e.C, twist(motion)) + e.g + e.friction
+        right = times(r.H, r.F) + load_of(motion)
+        assert worst(robot, left, right) < 1e-13 * ss.condition_number(r.H).max()
+        assert worst(robot, times(e.C, twist(motion)) + e.g + e.friction, e.bias) < 1e-12
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joint: str) -> None:
+    faults = reference.PAPER if formulation == "paper" else reference.EXACT
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint)
+        motion = random_motion(rng, robot, (4,))
+        found, true = (
+            ss.equations_of_motion(robot, motion, formulation, backend),
+            oracle(robot, motion, faults),
+        )
+        for name in ("M", "g", "friction", "bias"):
+            a, b = getattr(found, name), getattr(true, name)
+            np.testing.assert_allclose(a, b, rtol=1e-11, atol=1e-12 * np.abs(b).max(), err_msg=name)
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_exact_M_is_symmetric_positive_definite_and_makes_the_kinetic_energy(
+    backend: Any, base_joint: str
+) -> None:
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint)
+        motion = random_motion(rng, robot, (4,))
+        M = ss.equations_of_motion(robot, motion, backend=backend).M
+        np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
+        assert np.linalg.eigvalsh(M).min() > 0
+        rest = ss.Motion(motion.R, motion.t, 0 * motion.omega, 0 * motion.v)
+        kinetic = reference.energy(robot, motion) - reference.energy(robot, rest)
+        of_M = np.einsum("ni,nij,nj->n", twist(motion), M, twist(motion)) / 2
+        np.testing.assert_allclose(of_M, kinetic, rtol=1e-10)
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_paper_M_is_symmetric_positive_definite_and_too_large(backend: Any, base_joint: str) -> None:
+    """Legs that must not spin, held by moments along themselves, still obey d'Alembert's principle.
+
+    Fault 3 adds m_u L^2 of inertia; for spherical base joints it is all that is wrong.
+    """
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint)
+        motion = random_motion(rng, robot, (4,))
+        M = ss.equations_of_motion(robot, motion, "paper", backend).M
+        np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
+        assert np.linalg.eigvalsh(M).min() > 0
+        more = M - oracle(robot, motion, reference.PAPER - {reference.TRANSPORT}).M
+        assert np.linalg.eigvalsh(more).min() > -1e-9 * np.abs(M).max()
+        assert np.abs(more).max() > 1e-3 * np.abs(M).max()
+
+
+@pytest.mark.parametrize("fault", [reference.SPIN, reference.MOMENT])
+def test_one_of_the_faults_1_and_2_without_the_other_makes_M_unsymmetric(fault: int) -> None:
+    rng = np.random.default_rng(0)
+    robot = random_robot(rng)
+    M = oracle(robot, random_motion(rng, robot), frozenset({fault})).M
+    assert np.abs(M - M.T).max() > 1e-3 * np.abs(M).max()
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_rate_of_exact_M_is_C_plus_its_transpose(backend: Any, base_joint: str) -> None:
+    """So that dM/dt - 2 C is skew. The rate is a fourth-order difference along the motion."""
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint, scale=1.0)
+        motion = random_motion(rng, robot)
+        h = 1e-3 * np.sqrt(machine_size(robot) / 9.81)
+
+        def at(time: float, motion: ss.Motion = motion, robot: ss.Robot = robot) -> Array:
+            R = rotation(time * motion.omega) @ motion.R
+            moved = ss.Motion(R, motion.t + time * motion.v, motion.omega, motion.v)
+            return ss.equations_of_motion(robot, moved, backend=backend).M
+
+        rate = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)
+        C = ss.equations_of_motion(robot, motion, backend=backend).C
+        np.testing.assert_allclose(C + C.T, rate, atol=1e-8 * np.abs(rate).max())
+        assert np.abs(C - C.T).max() > 1e-3 * np.abs(C).max()
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: Any) -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot, (4,))
+    e = ss.equations_of_motion(robot, motion, backend=backend)
+    power = np.einsum("ni,ni->n", e.friction, twist(motion))
+    np.testing.assert_allclose(power, reference.friction_power(robot, motion), rtol=1e-10)
+    h = 1e-4
+    ends = [
+        reference.energy(
+            robot,
+            ss.Motion(
+                np.array([rotation(x * w) @ R for w, R in zip(motion.omega, motion.R, strict=True)]),
+                motion.t + x * motion.v,
+                0 * motion.omega,
+                0 * motion.v,
+            ),
+        )
+        for x in (-h, h)
+    ]
+    np.testing.assert_allclose(
+        np.einsum("ni,ni->n", e.g, twist(motion)), (ends[1] - ends[0]) / (2 * h), rtol=1e-6
+    )
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_at_rest_there_is_no_coriolis_matrix_and_no_friction(backend: Any) -> None:
+    robot = random_robot(np.random.default_rng(4))
+    moving = random_motion(np.random.default_rng(4), robot, (3,))
+    rest = ss.Motion(moving.R, moving.t, 0 * moving.omega, 0 * moving.v)
+    e = ss.equations_of_motion(robot, rest, backend=backend)
+    assert not e.C.any()
+    assert not e.friction.any()
+    np.testing.assert_array_equal(e.bias, e.g)
+
+
+@pytest.mark.parametrize("base_joint", JOINTS)
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: Any, base_joint: str) -> None:
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, base_joint)
+        motion = random_motion(rng, robot, (4,))
+        F = ss.inverse_dynamics(robot, motion, formulation, "reference").F
+        free = dataclasses.replace(motion, alpha=None, a=None)
+        a, alpha = ss.forward_dynamics(robot, free, F, formulation, backend)
+        e = ss.equations_of_motion(robot, motion, formulation, backend)
+        size = np.repeat([1.0, machine_size(robot)], 3)
+        # In one unit of length, as the condition number of M mixes kg and kg m^2 otherwise.
+        condition = np.linalg.cond(e.M / np.outer(size, size))
+        found, true = (np.concatenate(x, axis=-1) * size for x in ((a, alpha), (motion.a, motion.alpha)))
+        error = np.abs(found - true).max(axis=-1) / np.abs(true).max(axis=-1)
+        held = in_one_unit(robot, e.bias - load_of(motion))
+        # What cancels may be larger than what is left.
+        large = 1 + np.abs(held).max(axis=-1) / np.abs(
+            in_one_unit(robot, times(e.M, acceleration(motion)))
+        ).max(axis=-1)
+        assert (error < 1e-12 * condition * large).all()
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_leading_shapes_of_motion_and_forces_broadcast(backend: Any) -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (2, 1))
+    F = rng.normal(size=(3, 6)) * robot.M * 9.81
+    a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend)
+    assert a.shape == alpha.shape == (2, 3, 3)
+    one = ss.forward_dynamics(robot, motion[1, 0], F[2], backend=backend)
+    np.testing.assert_allclose((a[1, 2], alpha[1, 2]), one, rtol=1e-10)
+    empty = ss.equations_of_motion(robot, motion[:0], backend=backend)
+    assert empty.M.shape == empty.C.shape == (0, 1, 6, 6)
+    assert ss.forward_dynamics(robot, motion[:0], F, backend=backend)[0].shape == (0, 3, 3)
+
+
+def test_legs_as_coordinates_have_the_same_kinetic_energy() -> None:
+    rng = np.random.default_rng(6)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot, (2, 3))
+    inertia = ss.joint_space_inertia(robot, motion)
+    M = ss.equations_of_motion(robot, motion).M
+    L_dot = ss.inverse_kinematics(robot, motion).L_dot
+    in_legs = np.einsum("...i,...ij,...j->...", L_dot, inertia, L_dot)
+    np.testing.assert_allclose(in_legs, np.einsum("...i,...ij,...j->...", twist(motion), M, twist(motion)))
+    alone = ss.joint_space_inertia(robot, motion[1, 2])
+    np.testing.assert_allclose(alone, inertia[1, 2], rtol=1e-9, atol=1e-12 * np.abs(alone).max())
+
+
+def test_the_reference_has_equations_where_H_is_singular() -> None:
+    """Parallel legs: nothing holds the platform sideways, yet forces and masses have their accelerations."""
+    robot = random_robot(np.random.default_rng(7), scale=1.0)
+    robot = dataclasses.replace(robot, p=robot.b, k=np.tile([1.0, 0.0, 0.0], (6, 1)))
+    motion = ss.Motion(np.eye(3), [0.0, 0.0, 1.5], np.zeros(3), np.zeros(3))
+    a, _ = ss.forward_dynamics(robot, motion, np.zeros(6), backend="reference")
+    assert np.isfinite(a).all()
+    with pytest.raises(ValueError, match=r"^motion: H is singular"):
+        ss.joint_space_inertia(robot, motion, backend="reference")
+    assert np.isnan(ss.joint_space_inertia(robot, motion, backend="reference", on_singular="nan")).all()
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_poses_without_an_answer_are_named_or_nan(backend: Any) -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng, scale=1.0)
+    good = random_motion(rng, robot)
+    t = np.stack([good.t, robot.b[3] - good.R @ robot.p[3]])
+    motion = ss.Motion(good.R, t, good.omega, good.v)
+    F = np.ones(6)
+    with pytest.raises(ValueError, match=r"^motion\[1\]: a leg has length zero \(leg 4\)$"):
+        ss.forward_dynamics(robot, motion, F, backend=backend)
+    with pytest.raises(ValueError, match=r"^motion\[1\]: a leg has length zero \(leg 4\)$"):
+        ss.equations_of_motion(robot, motion, backend=backend)
+    a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend, on_singular="nan")
+    assert np.isfinite(a[0]).all()
+    assert np.isnan(a[1]).all()
+    assert np.isnan(alpha[1]).all()
+    e = ss.equations_of_motion(robot, motion, backend=backend, on_singular="nan")
+    assert e.status.tolist() == [0, 2]
+    assert np.isnan(e.M[1]).all()
+    with pytest.warns(ss.SingularPoseWarning):
+        ss.forward_dynamics(robot, motion, F, backend=backend, on_singular="warn")
+
+
+def test_inertias_of_no_body_are_an_error_and_not_an_acceleration() -> None:
+    robot = random_robot(np.random.default_rng(9), scale=1.0)
+    robot = dataclasses.replace(robot, I_p=-100 * robot.M * np.eye(3))
+    motion = random_motion(np.random.default_rng(9), robot)
+    with pytest.raises(ValueError, match=r"^motion: the inertia matrix M is not positive definite"):
+        ss.forward_dynamics(robot, motion, np.zeros(6))
+
+
+def test_cholesky_solves_and_tells_which_of_a_batch_is_not_positive() -> None:
+    rng = np.random.default_rng(10)
+    A = rng.normal(size=(3, 6, 6))
+    M = A @ np.swapaxes(A, -1, -2) + np.eye(6)
+    M[1, 4, 4] = -1.0
+    w = rng.normal(size=(3, 6))
+    with np.errstate(invalid="ignore"):
+        x, definite = solve_positive(M, w)
+    assert definite.tolist() == [True, False, True]
+    np.testing.assert_allclose(x[::2], np.linalg.solve(M[::2], w[::2][..., None])[..., 0], rtol=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("F", "words"),
+    [
+        (np.zeros(5), r"^F: expected forces of shape \(..., 6\), got \(5,\)$"),
+        (np.full(6, np.nan), r"^F: expected finite forces, got nan$"),
+        ("six", r"^F: expected forces of shape"),
+        (np.zeros((3, 6)), r"^F: expected a leading shape that broadcasts with \(2,\), got \(3,\)$"),
+    ],
+)
+def test_bad_forces_are_refused(F: Any, words: str) -> None:
+    robot = random_robot(np.random.default_rng(11))
+    motion = random_motion(np.random.default_rng(11), robot, (2,))
+    with pytest.raises(ValueError, match=words):
+        ss.forward_dynamics(robot, motion, F)
+
+
+@pytest.mark.parametrize("option", ["formulation", "backend", "on_singular"])
+def test_unknown_options_are_refused(option: str) -> None:
+    robot = random_robot(np.random.default_rng(12))
+    motion = random_motion(np.random.default_rng(12), robot)
+    with pytest.raises(ValueError, match=rf"^{option}: expected"):
+        ss.equations_of_motion(robot, motion, **{option: "fast"})  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=rf"^{option}: expected"):
+        ss.forward_dynamics(robot, motion, np.zeros(6), **{option: "fast"})  # type: ignore[arg-type]

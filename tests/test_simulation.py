@@ -1,0 +1,384 @@
+"""Simulation: energy is kept, attitude has no pole, limits stop a run where they are reached."""
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import dasgupta, home_position, machine_size, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym import reference
+from stewart_sym.laws import along
+from stewart_sym.rotation import rotation_from_vector, vector_from_rotation, vector_rate
+from stewart_sym.studies.energy_drift import energy_drift
+
+Array = NDArray[np.float64]
+ZERO = np.zeros(3)
+
+
+def machine(seed: int = 3, **options: Any) -> ss.Robot:
+    return random_robot(np.random.default_rng(seed), scale=1.0, **options)
+
+
+def home(robot: ss.Robot, v: Any = ZERO, omega: Any = ZERO) -> ss.Motion:
+    return ss.Motion(np.eye(3), home_position(robot.b, machine_size(robot)), omega, v)
+
+
+def stiffness(robot: ss.Robot, frequency: float) -> float:
+    """Of each of six legs, N/m, that carries the machine at about that frequency, Hz."""
+    g = ss.equations_of_motion(robot, home(robot)).g
+    return float(np.linalg.norm(g[:3]) / 9.81 * (2 * np.pi * frequency) ** 2 / 3)
+
+
+def test_exact_keeps_the_energy_and_paper_does_not() -> None:
+    """Over 10 s: `exact` to 1e-9 of the kinetic energy; `paper` is off by 0.7 of it on this machine."""
+    robot = machine(friction=False)
+    state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
+    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 1.6))
+    found = energy_drift(springs, state, duration=10.0, rtol=3e-9)
+    assert {drift.stop.kind for drift in found.values()} == {"duration"}
+    assert found["exact"].worst < 1e-9
+    assert found["paper"].worst > 0.1
+    assert found["paper"].worst > 100 * found["exact"].worst
+
+
+def test_friction_and_dampers_take_the_energy_they_should() -> None:
+    robot = machine()
+    state = home(robot, v=[0.5, 0.2, 0.2])
+    k = stiffness(robot, 2.0)
+    springs = ss.LegSprings.balanced(robot, state, k, damping=0.01 * k)
+    run = ss.simulate(robot, state, springs, 0.5)
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    at = run.at(0.25 * (nodes + 1))
+    taken = reference.friction_power(robot, at.motion) - reference.actuator_power(robot, at.motion, at.F)
+    lost = run.energy[0] - run.energy[-1]
+    assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
+
+
+def test_a_still_machine_stays_still_under_the_forces_that_hold_it() -> None:
+    robot = machine()
+    rest = home(robot)
+    F = ss.inverse_dynamics(robot, ss.Motion(rest.R, rest.t, ZERO, ZERO, ZERO, ZERO)).F
+    run = ss.simulate(robot, rest, F, 0.2)
+    np.testing.assert_allclose(run.t[-1], rest.t, atol=1e-10)
+    np.testing.assert_allclose(run.R[-1], rest.R, atol=1e-10)
+    assert run.stop.kind == "duration"
+    np.testing.assert_array_equal(run.F, np.broadcast_to(F, run.F.shape))
+
+
+def test_start_and_accelerations_are_those_asked_for() -> None:
+    robot = machine()
+    state = home(robot, v=[0.1, -0.2, 0.3], omega=[0.3, 0.2, -0.1])
+    F = np.arange(6.0) * 100
+    run = ss.simulate(robot, state, F, 0.05)
+    for name in ("R", "t", "v", "omega"):
+        np.testing.assert_array_equal(getattr(run, name)[0], getattr(state, name))
+    a, alpha = ss.forward_dynamics(robot, state, F)
+    h = 1e-3
+    at = run.at([0.0, h, 2 * h])
+    # Difference of second order from the left end.
+    for rate, true in ((at.v, a), (at.omega, alpha)):
+        np.testing.assert_allclose(
+            (-3 * rate[0] + 4 * rate[1] - rate[2]) / (2 * h), true, rtol=1e-3, atol=1e-2
+        )
+
+
+def test_runs_of_twice_the_accuracy_agree() -> None:
+    robot = machine()
+    state = home(robot, v=[0.5, 0.2, 0.2], omega=[0.5, -0.5, 0.5])
+    springs = ss.LegSprings.balanced(robot, state, stiffness(robot, 2.0))
+    runs = [
+        ss.simulate(robot, state, springs, 0.5, **options)
+        for options in (
+            {"rtol": 1e-11},
+            {"rtol": 1e-8},
+            {"method": "Radau", "rtol": 1e-7},
+            {"backend": "numpy"},
+        )
+    ]
+    times = np.linspace(0.0, 0.5, 23)
+    true = runs[0].at(times)
+    for run in runs[1:]:
+        at = run.at(times)
+        np.testing.assert_allclose(at.t, true.t, atol=2e-6)
+        np.testing.assert_allclose(at.R, true.R, atol=2e-6)
+
+
+def test_orientation_passes_the_pole_of_roll_pitch_yaw() -> None:
+    """A platform on legs so far below that it can turn over about y, through 90 degrees and on."""
+    robot = machine(base_joint="spherical", friction=False)
+    robot = dataclasses.replace(
+        robot, g=ZERO, p=0.1 * robot.p, b=10 * robot.b, R_0=ZERO, m_d=robot.m_d / 1e6, m_u=robot.m_u / 1e6
+    )
+    state = home(robot, omega=[0.0, 2.0, 0.0])
+    run = ss.simulate(robot, state, np.zeros(6), 1.4, thresholds=ss.Thresholds(max_condition=1e12))
+    assert run.stop.kind == "duration"
+    pitch = np.arctan2(-run.R[:, 2, 0], run.R[:, 0, 0])
+    assert pitch[-1] > np.radians(140)
+    np.testing.assert_allclose(
+        np.swapaxes(run.R, -1, -2) @ run.R, np.broadcast_to(np.eye(3), run.R.shape), atol=1e-14
+    )
+    at = run.at(np.linspace(0, run.stop.time, 500))
+    assert np.abs(np.swapaxes(at.R, -1, -2) @ at.R - np.eye(3)).max() < 1e-14
+    energy = run.energy
+    assert np.ptp(energy) < 1e-9 * run.kinetic.max()
+
+
+def test_attitude_stays_orthonormal_over_many_turns_of_the_chart() -> None:
+    rng = np.random.default_rng(0)
+    phi = rng.normal(size=(50, 3))
+    R = rotation_from_vector(phi)
+    np.testing.assert_allclose(np.swapaxes(R, -1, -2) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-15)
+    short = phi / np.maximum(1.0, np.linalg.norm(phi, axis=-1, keepdims=True) / 3.1)
+    np.testing.assert_allclose(vector_from_rotation(rotation_from_vector(short)), short, atol=1e-13)
+    tiny = 1e-9 * phi
+    np.testing.assert_allclose(vector_from_rotation(rotation_from_vector(tiny)), tiny, atol=1e-15)
+    half_turn = np.pi * phi[0] / np.linalg.norm(phi[0])
+    np.testing.assert_allclose(
+        np.abs(vector_from_rotation(rotation_from_vector(half_turn))), np.abs(half_turn)
+    )
+
+
+@pytest.mark.parametrize("size", [1e-8, 0.01, 0.049, 0.051, 1.0, 3.0])
+def test_rate_of_the_rotation_vector_turns_the_rotation_with_omega(size: float) -> None:
+    rng = np.random.default_rng(1)
+    phi, omega = rng.normal(size=(2, 3))
+    phi *= size / np.linalg.norm(phi)
+    h = 1e-4
+    rate = vector_rate(phi, omega)
+    ends = [rotation_from_vector(phi + x * rate) for x in (-2 * h, -h, h, 2 * h)]
+    R_dot = (8 * (ends[2] - ends[1]) - (ends[3] - ends[0])) / (12 * h)
+    turned = R_dot @ rotation_from_vector(phi).T
+    np.testing.assert_allclose([turned[2, 1], turned[0, 2], turned[1, 0]], omega, rtol=1e-9, atol=1e-9)
+
+
+# Limits
+
+
+def falling(robot: ss.Robot, **limits: Any) -> ss.Simulation:
+    """The machine let go, with the limits given."""
+    robot = dataclasses.replace(robot, **limits)
+    return ss.simulate(robot, home(robot), np.zeros(6), 3.0)
+
+
+def test_a_leg_at_its_shortest_stops_the_run_at_the_root() -> None:
+    robot = machine()
+    L = ss.inverse_kinematics(robot, home(robot)).L
+    low = np.where(np.arange(6) == 2, L - 0.05, 0.0)
+    run = falling(robot, length_limits=np.stack([low, np.full(6, 99.0)], axis=-1))
+    assert (run.stop.kind, run.stop.leg) == ("length_limits", 3)
+    assert run.times[-1] == run.stop.time
+    assert run.L[-1, 2] == pytest.approx(low[2], abs=1e-13)
+    assert (run.L[:-1, 2] > low[2]).all()
+    assert run.stop.text.startswith(f"leg 3: length {low[2]:.6g} m reaches its lower limit")
+    assert f"{run.stop.time:.9g} s" in run.stop.text
+
+
+def test_a_leg_at_its_longest_stops_the_run() -> None:
+    robot = dataclasses.replace(machine(), g=np.array([0.0, 0.0, 9.81]))
+    L = ss.inverse_kinematics(robot, home(robot)).L
+    run = falling(robot, length_limits=np.stack([0 * L, L + 0.05], axis=-1))
+    assert run.stop.kind == "length_limits"
+    assert run.stop.leg is not None
+    assert run.L[-1, run.stop.leg - 1] == pytest.approx(L[run.stop.leg - 1] + 0.05, abs=1e-13)
+    assert "upper limit" in run.stop.text
+
+
+def test_a_leg_at_its_speed_limit_stops_the_run() -> None:
+    run = falling(machine(), speed_limit=np.full(6, 0.5))
+    assert run.stop.kind == "speed_limit"
+    assert run.stop.leg is not None
+    L_dot = ss.inverse_kinematics(machine(), run.motion).L_dot
+    assert abs(L_dot[-1, run.stop.leg - 1]) == pytest.approx(0.5, abs=1e-12)
+    assert np.abs(L_dot[:-1]).max() < 0.5
+
+
+def test_a_law_at_its_force_limit_stops_the_run() -> None:
+    robot = machine()
+    state = home(robot)
+    limited = dataclasses.replace(robot, force_limit=np.full(6, 1e3))
+    run = ss.simulate(limited, state, lambda time, _: np.array([0, 0, 0, 0, -4e4 * time, 0]), 1.0)
+    assert (run.stop.kind, run.stop.leg) == ("force_limit", 5)
+    assert run.stop.time == pytest.approx(0.025, abs=1e-12)
+    assert "leg 5: force -1000 N reaches its limit 1000 N at 0.025 s" in run.stop.text
+
+
+def test_held_forces_above_the_limit_stop_the_run_when_they_are_given() -> None:
+    robot = dataclasses.replace(machine(), force_limit=np.full(6, 1e3))
+    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, 2e4 * time), 1.0, rate=100.0)
+    assert run.stop.kind == "force_limit"
+    assert run.stop.time == pytest.approx(0.05, abs=1e-15)
+
+
+def test_a_singular_pose_stops_the_run() -> None:
+    """The platform is twisted about the vertical by a moment until the legs' lines meet."""
+    robot = dataclasses.replace(machine(friction=False), g=ZERO)
+    state = dataclasses.replace(home(robot), M_ext=np.array([0.0, 0.0, 500.0]))
+    run = ss.simulate(robot, state, np.zeros(6), 20.0, thresholds=ss.Thresholds(max_condition=50.0))
+    assert (run.stop.kind, run.stop.leg) == ("singular", None)
+    H = ss.wrench_matrix(robot, run.motion)
+    condition = ss.scaled_condition_number(H, ss.characteristic_length(robot))
+    assert condition[-1] == pytest.approx(50.0, rel=1e-9)
+    assert (condition[:-1] < 50.0).all()
+
+
+def test_short_legs_and_legs_along_their_axes_stop_the_run() -> None:
+    robot = machine()
+    L = ss.inverse_kinematics(robot, home(robot)).L
+    short = ss.simulate(
+        robot, home(robot), np.zeros(6), 3.0, thresholds=ss.Thresholds(min_length=L.min() - 0.02)
+    )
+    assert short.stop.kind == "short_leg"
+    assert short.L[-1].min() == pytest.approx(L.min() - 0.02, abs=1e-13)
+    sine = np.linalg.norm(np.cross(robot.k, ss.inverse_kinematics(robot, home(robot)).s), axis=-1)
+    limit = sine.min() - 1e-3
+    state = home(robot, v=[3.0, 0.0, 0.0])
+    pole = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_pole_sine=limit))
+    assert pole.stop.kind == "pole"
+    assert pole.stop.leg is not None
+    s = ss.inverse_kinematics(robot, pole.motion).s[-1, pole.stop.leg - 1]
+    assert np.linalg.norm(np.cross(robot.k[pole.stop.leg - 1], s)) == pytest.approx(limit, abs=1e-12)
+
+
+def test_a_limit_broken_at_the_start_stops_there() -> None:
+    robot = dataclasses.replace(machine(), length_limits=np.tile([0.01, 0.02], (6, 1)))
+    run = ss.simulate(robot, home(robot), np.zeros(6), 1.0)
+    assert run.stop.time == 0.0
+    assert run.times.tolist() == [0.0]
+
+
+# Laws
+
+
+def test_computed_torque_follows_a_path_and_takes_an_error_away() -> None:
+    robot = dasgupta()
+    path = ss.PATHS["I"].path
+    law = ss.ComputedTorque(robot, along(path), k_p=400.0, k_d=40.0)
+    start = path.sample(0.0)
+    state = ss.Motion(start.R, start.t + np.array([0.01, 0.0, 0.0]), start.omega, start.v)
+    run = ss.simulate(robot, state, law, 0.5, rtol=1e-8)
+    wanted = path.sample(run.times)
+    error = np.linalg.norm(run.t - wanted.t, axis=-1)
+    # Both eigenvalues are -20 1/s.
+    np.testing.assert_allclose(error, 0.01 * (1 + 20 * run.times) * np.exp(-20 * run.times), atol=1e-7)
+    np.testing.assert_allclose(run.R, wanted.R, atol=1e-6)
+
+
+def test_computed_torque_turns_back_about_the_axis_of_the_error() -> None:
+    """The error is a turn about an axis of the base, while the platform stands askew."""
+    robot = machine()
+    wanted = ss.Motion(rotation_from_vector([0.0, 0.0, 0.4]), home(robot).t, ZERO, ZERO, ZERO, ZERO)
+    off = np.array([0.2, 0.0, 0.0])
+    state = ss.Motion(rotation_from_vector(off) @ wanted.R, wanted.t, ZERO, ZERO)
+    law = ss.ComputedTorque(robot, lambda _: wanted, k_p=400.0, k_d=40.0)
+    run = ss.simulate(robot, state, law, 0.2, rtol=1e-8)
+    turn = vector_from_rotation(run.R @ wanted.R.T)
+    decay = (1 + 20 * run.times) * np.exp(-20 * run.times)
+    np.testing.assert_allclose(turn, decay[:, None] * off, atol=1e-7)
+
+
+def test_a_sampled_law_is_asked_once_a_period_and_held_between() -> None:
+    robot = machine()
+    asked: list[float] = []
+
+    def law(time: float, state: ss.Motion) -> Array:
+        asked.append(time)
+        return np.full(6, 100.0 * len(asked))
+
+    run = ss.simulate(robot, home(robot), law, 0.05, rate=100.0)
+    assert asked == [0.0, 0.01, 0.02, 0.03, 0.04]
+    F = run.at([0.0, 0.0099, 0.0101, 0.045, 0.05]).F[:, 0]
+    assert F.tolist() == [100.0, 100.0, 200.0, 500.0, 500.0]
+
+
+def test_forces_that_are_no_numbers_end_the_run() -> None:
+    robot = machine()
+    run = ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.1 else 0.0), 1.0)
+    assert run.stop.kind == "failed"
+    assert run.stop.time == pytest.approx(0.1, abs=1e-9)
+    assert "no step is small enough" in run.stop.text
+
+
+def test_a_constant_load_is_the_same_as_one_by_function() -> None:
+    robot = machine()
+    load = np.array([30.0, 20.0, -10.0, 5.0, -3.0, 8.0])
+    state = dataclasses.replace(home(robot), F_ext=load[:3], M_ext=load[3:])
+    held = ss.simulate(robot, state, np.zeros(6), 0.1)
+    given = ss.simulate(robot, home(robot), np.zeros(6), 0.1, load=lambda time, state: load)
+    free = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
+    np.testing.assert_array_equal(held.t, given.t)
+    assert np.abs(held.t[-1] - free.t[-1]).max() > 1e-5
+
+
+def test_output_is_on_the_grid_and_ends_with_the_run() -> None:
+    robot = machine()
+    run = ss.simulate(robot, home(robot), np.zeros(6), 0.25, output_step=0.1)
+    np.testing.assert_allclose(run.times, [0.0, 0.1, 0.2, 0.25], atol=1e-15)
+    for name in ("R", "t", "v", "omega", "F", "L", "kinetic", "potential"):
+        np.testing.assert_array_equal(getattr(run.at(run.times), name), getattr(run, name))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"duration": 0.0}, r"^duration: expected a number > 0, got 0.0$"),
+        ({"duration": "long"}, r"^duration: expected"),
+        ({"forces": np.zeros(5)}, r"^forces: expected six finite numbers or a law"),
+        ({"forces": lambda time, state: np.zeros(3)}, r"^forces: expected six numbers from the law at 0 s"),
+        ({"method": "Euler"}, r"^method: expected"),
+        ({"formulation": "none"}, r"^formulation: expected"),
+        ({"rate": -1.0}, r"^rate: expected a number > 0"),
+        ({"output_step": np.inf}, r"^output_step: expected"),
+        ({"rtol": np.nan}, r"^rtol: expected"),
+        ({"initial_state": ss.PATHS["I"].path.sample([0.0, 1.0])}, r"^initial_state: expected one state"),
+        ({"load": lambda time, state: 1.0}, r"^load: expected six numbers"),
+    ],
+)
+def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
+    robot = machine()
+    arguments = {"initial_state": home(robot), "forces": np.zeros(6), "duration": 0.1} | wrong
+    with pytest.raises(ValueError, match=words):
+        ss.simulate(robot, **arguments)
+
+
+def test_a_start_without_accelerations_is_refused() -> None:
+    robot = machine()
+    state = home(robot)
+    on_base = ss.Motion(state.R, robot.b[3] - robot.p[3], ZERO, ZERO)
+    with pytest.raises(ValueError, match=r"^initial_state: no accelerations: a leg has length zero$"):
+        ss.simulate(robot, on_base, np.zeros(6), 0.1)
+
+
+def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
+    robot = machine()
+    with pytest.raises(ValueError, match=r"^initial_state: no step is small enough at 0 s"):
+        ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.0 else 0.0), 1.0)
+
+
+def test_times_outside_a_run_are_refused() -> None:
+    robot = machine()
+    run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
+    with pytest.raises(ValueError, match=r"^times: expected times in \[0, 0.1\] s, got 0.2$"):
+        run.at([0.05, 0.2])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"max_condition": 1.0}, r"^max_condition: expected a number > 1"),
+        ({"min_length": 0.0}, r"^min_length"),
+        ({"min_pole_sine": 1.0}, r"^min_pole_sine: expected a number > 0 and < 1"),
+    ],
+)
+def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        ss.Thresholds(**wrong)
+
+
+@pytest.mark.parametrize(("name", "value"), [("stiffness", np.zeros(5)), ("damping", np.inf)])
+def test_bad_springs_are_named(name: str, value: Any) -> None:
+    numbers = {"stiffness": 1.0, "rest_length": 1.0, "damping": 0.0} | {name: value}
+    with pytest.raises(ValueError, match=rf"^{name}: expected one finite number or six"):
+        ss.LegSprings(machine(), **numbers)
