@@ -219,7 +219,7 @@ def _benchmark() -> tuple[ModuleType, ModuleType]:
         from .studies import bench, bench_plot
     except ImportError:
         raise ImportError(
-            "bench needs CasADi, Pinocchio and Matplotlib: pip install casadi pin matplotlib"
+            "bench needs CasADi, MuJoCo, Pinocchio and Matplotlib: pip install casadi mujoco pin matplotlib"
         ) from None
     return bench, bench_plot
 
@@ -469,9 +469,9 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "bench",
         _bench,
-        "time the kernels beside CasADi, Pinocchio and the processor's limit: tables, JSON and a picture",
+        "time the kernels beside CasADi, Pinocchio, MuJoCo and the processor's limit: tables, JSON, pictures",
         "stewart-sym bench -o bench",
-        "Forces are compared before anything is timed. Takes a minute or two on an otherwise idle machine.",
+        "Answers are compared before anything is timed. Takes a minute or two on an otherwise idle machine.",
     )
     _output(verb, "DIR", "folder to write to", Path("bench"))
     verb.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")

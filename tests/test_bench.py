@@ -25,14 +25,18 @@ from stewart_sym import forces
 from stewart_sym.cli import main
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
-from stewart_sym.studies import bench, bench_compile, bench_passes
-from stewart_sym.studies.bench_plot import picture, report
+from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes
+from stewart_sym.studies.bench_figures import FORWARD, MOST
+from stewart_sym.studies.bench_plot import motion_picture, picture, report
 from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
+from stewart_sym.studies.peers_constraints import engines
 from stewart_sym.studies.peers_pinocchio import PinocchioMachine
+from stewart_sym.studies.peers_tree import tensors_of_bodies, tree
 
 Array = NDArray[np.float64]
 
 CONTESTANTS = (*bench.OURS, *bench.CALLS, *PEERS)
+TENSORS = ("I_p", "I_d0", "I_u0")
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
@@ -207,6 +211,98 @@ def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.M
         bench.bench(quick=True)
 
 
+# equations of motion and their peers
+
+
+@pytest.mark.parametrize("seed", [7, 8])
+def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, friction=seed % 2 == 0)
+    group = bench_motion.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
+    assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
+    peers = [engine.name for engine in group.engines]
+    assert [*group.differences] == [*(each.name for each in bench_motion.FUNCTIONS), *peers]
+    assert len(group.tasks) == len(bench_motion.FUNCTIONS) + 2 * len(peers)
+    assert all(group.differences[name] < 1e-6 for name in peers)
+
+
+@pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
+@pytest.mark.parametrize("change", ["rates", "friction", "load", "gravity"])
+def test_a_peer_feels_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
+    motion, none = stranger.motion[:2], np.zeros(6)
+    robot, zero = stranger.robot, np.zeros((2, 3))
+    F = ss.inverse_dynamics(robot, motion, backend="reference").F
+    changed = {
+        "rates": (robot, dataclasses.replace(motion, omega=zero, v=zero)),
+        "friction": (dataclasses.replace(robot, C_u=none, C_p=none, C_s=none), motion),
+        "load": (robot, dataclasses.replace(motion, F_ext=zero, M_ext=zero)),
+        "gravity": (dataclasses.replace(robot, g=np.zeros(3)), motion),
+    }
+    robot, other = changed[change]
+    a, alpha = ss.forward_dynamics(robot, other, F, backend="reference")
+    truth = np.concatenate([a, alpha], axis=-1)
+    found = engines(robot, tree(robot, other, F))[number].accelerations()
+    assert np.abs(found - truth).max() <= 1e-5 * np.abs(truth).max()
+    assert np.abs(truth - bench_motion.acceleration(motion)).max() > 1e-2 * np.abs(truth).max()
+
+
+def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> None:
+    robot = stranger.robot
+    for tensors in (getattr(robot, name) for name in TENSORS):
+        np.testing.assert_array_equal(tensors_of_bodies(tensors), tensors)
+    printed = dasgupta()
+    assert printed.physicality()
+    possible = bench_motion.robot_of_bodies(printed)
+    assert not possible.physicality()
+    for name in TENSORS:
+        once = getattr(possible, name)
+        np.testing.assert_array_equal(tensors_of_bodies(once), once)
+
+
+@pytest.mark.parametrize("function", bench_motion.FUNCTIONS, ids=lambda function: function.name)
+def test_a_wrong_answer_of_the_second_group_stops_the_run(
+    function: bench_motion.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
+) -> None:
+    def wrong(robot: Robot, motion: ss.Motion, F: Array) -> list[Array]:
+        *others, last = function.expected(robot, motion, F)
+        return [*others, last * (1 + 2 * function.tolerance)]
+
+    monkeypatch.setattr(bench_motion, "FUNCTIONS", (dataclasses.replace(function, expected=wrong),))
+    with pytest.raises(ValueError, match=f"^{re.escape(function.name)}: numbers differ"):
+        bench_motion.motion_group(stranger)
+
+
+def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
+    def heavier(robot: Robot, *rest: Any) -> Any:
+        return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)
+
+    monkeypatch.setattr(bench_motion, "engines", heavier)
+    with pytest.raises(ValueError, match=r"^Pinocchio: numbers differ"):
+        bench_motion.motion_group(stranger)
+
+
+def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
+    motion, text = figures["motion"], (written / "bench.txt").read_text()
+    inverse, peers = motion["ours"][0], motion["peers"]
+    forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
+    assert [entry["name"] for entry in motion["ours"]] == [each.name for each in bench_motion.FUNCTIONS]
+    assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
+    for entry in (*motion["ours"], *peers):
+        assert len(entry["raw"]) == figures["rounds"]
+        assert entry["ratio_to_inverse_dynamics"] == pytest.approx(entry["median"] / inverse["median"])
+        limits = tuple(entry[name] for name in ("target", "goal") if name in entry)
+        assert limits == MOST.get(entry["name"], ())
+    for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
+        assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
+    better = min(peers, key=lambda entry: float(entry["median"]))
+    assert motion["better_peer"] == better["name"]
+    assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
+    said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
+    assert said in text
+    assert all(f"ours: {entry['name']}" in text for entry in motion["ours"])
+    assert all(entry["name"] in (written / "bench_motion.svg").read_text() for entry in motion["ours"])
+
+
 # what is said
 
 
@@ -228,7 +324,9 @@ def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
     assert figures["machine"]["processor"]
     assert figures["machine"]["cores"] >= 1
     assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
-    assert all(figures["software"][name] for name in ("compiler", "python", "numpy", "casadi", "pin"))
+    assert all(
+        figures["software"][name] for name in ("compiler", "python", "numpy", "casadi", "pin", "mujoco")
+    )
 
 
 def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
@@ -361,15 +459,15 @@ def test_the_picture_shows_every_contestant(written: Path) -> None:
 
 @pytest.mark.usefixtures("small")
 def test_labels_in_the_picture_do_not_overlap() -> None:
-    canvas = picture(bench.bench(quick=True))
-    canvas.savefig(io.BytesIO(), format="png")
-    above = canvas.axes[0]
-    legend = above.get_legend()
-    assert legend is not None
-    boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
-    boxes.append(legend.get_window_extent())
-    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-    assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
+    found = bench.bench(quick=True)
+    for canvas in (picture(found), motion_picture(found)):
+        canvas.savefig(io.BytesIO(), format="png")
+        above = canvas.axes[0]
+        boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
+        legend = above.get_legend()
+        boxes.append(above.title.get_window_extent() if legend is None else legend.get_window_extent())
+        assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+        assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
 
 
 @pytest.mark.usefixtures("small")
@@ -381,7 +479,7 @@ def test_the_command_takes_any_robot_file(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "out" / "bench.json").read_text())["robot"] == "mine"
 
 
-@pytest.mark.parametrize("missing", ["casadi", "pinocchio", "matplotlib"])
+@pytest.mark.parametrize("missing", ["casadi", "mujoco", "pinocchio", "matplotlib"])
 def test_a_missing_extra_is_one_line_that_says_what_to_install(missing: str, tmp_path: Path) -> None:
     code = f"import sys; sys.modules['{missing}'] = None; from stewart_sym.cli import main; sys.exit(main())"
     command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
@@ -389,14 +487,16 @@ def test_a_missing_extra_is_one_line_that_says_what_to_install(missing: str, tmp
     assert done.returncode == 2
     assert done.stdout == ""
     (line,) = done.stderr.splitlines()
-    assert line.endswith("pip install casadi pin matplotlib")
+    assert line.endswith("pip install casadi mujoco pin matplotlib")
     assert not (tmp_path / "out").exists()
 
 
 def test_the_extra_names_what_the_bench_imports() -> None:
     project = tomllib.loads((Path(__file__).parent.parent / "pyproject.toml").read_text())["project"]
-    extra = {need.split(">")[0] for need in project["optional-dependencies"]["bench"]}
-    assert extra == {"casadi", "pin", "matplotlib"}
+    needs = project["optional-dependencies"]
+    extra = {need.split(">")[0] for need in needs["bench"]}
+    assert {need for need in needs["bench"] if "matplotlib" not in need} <= set(needs["test"])
+    assert extra == {"casadi", "mujoco", "pin", "matplotlib"}
 
 
 # how it is measured

@@ -1,9 +1,10 @@
 """Nanoseconds a pose: the generated kernels beside their peers and the processor's limit, in one process.
 
 Every contestant computes the actuator forces of `exact`, friction, load and solve included, for the same
-poses; their answers are compared before any is timed. They are then timed in turns, round after round, so
-that whatever slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module
-prints and writes nothing. Needs CasADi and Pinocchio, the extra ``bench``.
+poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them. Their
+answers are compared before any is timed. They are then timed in turns, round after round, so that whatever
+slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module prints and writes
+nothing. Needs CasADi, MuJoCo and Pinocchio, the extra ``bench``.
 """
 
 import contextlib
@@ -27,7 +28,7 @@ from ..dynamics import inverse_dynamics
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
-from . import bench_compile, bench_passes
+from . import bench_compile, bench_motion, bench_passes
 from .bench_figures import Benchmark, Figure, PassFigures, Speedup
 from .peers import (
     AGREEMENT,
@@ -208,6 +209,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     runners = {each.name: each.make(sized(each.poses)) for each in contestants}
     progress("comparing their forces")
     differences = _differences(poses, contestants, runners, pinocchio)
+    motion = bench_motion.motion_group(few)
 
     processor = multiply_add()
     tasks = {each.name: Task(runners[each.name].run, each.poses) for each in contestants}
@@ -217,6 +219,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "solve": Task(pinocchio.solve, pinocchio.solves),
         "multiply-add": Task(processor.run, processor.count),
     }
+    tasks |= {name: Task(*each) for name, each in motion.tasks.items()}
     rounds = QUICK_ROUNDS if quick else ROUNDS
     others = _Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
@@ -239,6 +242,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
             Figure("solve", "numpy.linalg.solve, 6x6", "batch", pinocchio.solves, raw["solve"]),
         ),
         sweep=sweep,
+        motion=motion.figures(raw),
         passes=tuple(_pass_figures(stage, raw) for stage in stages),
         compiling=compiling,
         text=bench_compile.text_size(),
@@ -510,7 +514,7 @@ def _software() -> dict[str, Any]:
         "command": list(compiler.command),
         "flags": list(native._FLAGS),
         "python": platform.python_version(),
-        **{name: version(name) for name in ("stewart-sym", "numpy", "casadi", "pin")},
+        **{name: version(name) for name in ("stewart-sym", "numpy", "casadi", "pin", "mujoco")},
     }
 
 

@@ -12,6 +12,14 @@ import numpy as np
 
 from .peers import CASADI, NAME
 
+FORWARD, DERIVATIVES = "forward dynamics", "derivatives"
+
+MOST = {FORWARD: (2.0,), DERIVATIVES: (8.0, 5.0)}
+"""Targets: the most that a function may take, in times of inverse dynamics; and the goal beyond."""
+
+TIMES_FASTER = 20.0
+"""Target: how many times as fast as the better peer forward dynamics is to be."""
+
 
 class Samples:
     """Medians and quartiles of ``raw``."""
@@ -106,15 +114,78 @@ class PassFigures:
 
 
 @dataclass(frozen=True)
+class MotionFigures:
+    """Equations of motion, one pose: our functions, the first of which ratios refer to, and the peers.
+
+    calls, empty: what each peer's figure is the difference of, a call from Python and one over nothing.
+    opened: m, how far MuJoCo's loops are open. differences: by contestant, from the reference's numbers,
+    share of a pose's largest.
+    """
+
+    robot: str
+    ours: tuple[Figure, ...]
+    peers: tuple[Figure, ...]
+    calls: tuple[Figure, ...]
+    empty: tuple[Figure, ...]
+    opened: float
+    differences: Mapping[str, float]
+
+    @property
+    def forward(self) -> Figure:
+        """Our forward dynamics."""
+        return next(figure for figure in self.ours if figure.name == FORWARD)
+
+    @property
+    def better(self) -> Figure:
+        """The faster of the peers."""
+        return min(self.peers, key=lambda figure: figure.median)
+
+    @property
+    def times_faster(self) -> float:
+        """Time of the faster peer over ours, forward dynamics."""
+        return self.better.median / self.forward.median
+
+    def ratio(self, figure: Figure) -> float:
+        """Median over that of our inverse dynamics."""
+        return figure.median / self.ours[0].median
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything, with ratios and targets, ready for ``json``."""
+        return {
+            "unit": "ns/pose",
+            "robot": self.robot,
+            "inertia_tensors": "near the given ones, such as bodies can have",
+            "ratio_to": self.ours[0].name,
+            "ours": [self._entry(figure) for figure in self.ours],
+            "peers": [
+                {**self._entry(figure), "ratio_to_forward_dynamics": figure.median / self.forward.median}
+                for figure in self.peers
+            ],
+            "calls": [figure.as_json() for figure in self.calls],
+            "empty_calls": [figure.as_json() for figure in self.empty],
+            "better_peer": self.better.name,
+            "times_faster": self.times_faster,
+            "target_times_faster": TIMES_FASTER,
+            "loops_open_m": self.opened,
+            "largest_difference": dict(self.differences),
+        }
+
+    def _entry(self, figure: Figure) -> dict[str, Any]:
+        targets = dict(zip(("target", "goal"), MOST.get(figure.name, ()), strict=False))
+        return {**figure.as_json(), "ratio_to_inverse_dynamics": self.ratio(figure), **targets}
+
+
+@dataclass(frozen=True)
 class Benchmark:
     """Everything that ``bench`` measured.
 
     shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores: all cores over
     one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made of. sweep:
-    batches of all sizes. passes: the kernel after each reduction. compiling: time of the compiler. text:
-    None where the system's linker or ``nm`` can't tell. multiply_add: ns for one fused multiply-add of one
-    number, on one core; lanes: numbers in one instruction. differences: by contestant, from the reference's
-    forces, share of a pose's largest. machine, software, clock: as JSON takes them.
+    batches of all sizes. motion: the second group. passes: the kernel after each reduction. compiling: time
+    of the compiler. text: None where the system's linker or ``nm`` can't tell. multiply_add: ns for one
+    fused multiply-add of one number, on one core; lanes: numbers in one instruction. differences: by
+    contestant, from the reference's forces, share of a pose's largest. machine, software, clock: as JSON
+    takes them.
     """
 
     robot: str
@@ -126,6 +197,7 @@ class Benchmark:
     calls: tuple[Figure, ...]
     parts: tuple[Figure, ...]
     sweep: tuple[Figure, ...]
+    motion: MotionFigures
     passes: tuple[PassFigures, ...]
     compiling: tuple[CompileTime, ...]
     text: TextSize | None
@@ -164,7 +236,7 @@ class Benchmark:
     def as_json(self) -> dict[str, Any]:
         """Return every figure with its unit, raw and condensed, ready for ``json``."""
         return {
-            "schema": 2,
+            "schema": 3,
             "unit": "ns/pose",
             "robot": self.robot,
             "formulation": NAME,
@@ -183,6 +255,7 @@ class Benchmark:
             ],
             "sweep": [figure.as_json() for figure in self.sweep],
             "flatness": {name: self.flatness(name) for name in dict.fromkeys(f.name for f in self.sweep)},
+            "motion": self.motion.as_json(),
             "passes": [each.as_json() for each in self.passes],
             "compiling": [{**each.as_json(), "unit": "s"} for each in self.compiling],
             "text": None if self.text is None else self.text.as_json(),
