@@ -24,6 +24,8 @@ def text(found: dict[str, Any]) -> str:
     parts = [times(found), cores(found), sizes(found), calls(found)]
     if found["passes"]:
         parts.append(passes(found))
+    if "motion" in found:
+        parts.append(motion(found["motion"], found["rounds"]))
     return "".join([*parts, compiling(found)])
 
 
@@ -85,6 +87,47 @@ def passes(found: dict[str, Any]) -> str:
         "What each reduction of the derivation brings, forces alone: operations, and time a pose, alone and "
         f"in batches of {batch:,} on one core:"
     ) + table(header, rows)
+
+
+def motion(found: dict[str, Any], rounds: int) -> str:
+    poses = found["ours"][0]["poses"]
+    better = next(each for each in found["peers"] if each["name"] == found["better_peer"])
+    agreement = " and ".join(f"{found['largest_difference'][each['name']]:.0e}" for each in found["peers"])
+    names = " and ".join(f"{each['name']}'s `{each['what'].split(',')[0]}`" for each in found["peers"])
+    rows = [
+        (
+            each["name"],
+            f"{each['median']:.0f}",
+            f"{each['ratio_to_inverse_dynamics']:.2f}",
+            ", goal ".join(f"{each[name]:g}" for name in ("target", "goal") if name in each),
+        )
+        for each in found["ours"]
+    ]
+    rows += [
+        (
+            f"{each['name']}, forward dynamics",
+            f"{each['median']:.0f}",
+            f"{each['ratio_to_inverse_dynamics']:.2f}",
+            "",
+        )
+        for each in found["peers"]
+    ]
+    lead = paragraph(
+        "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, nanoseconds a "
+        f"pose, medians of the same {rounds} rounds over {poses} poses, and the ratio to inverse dynamics:"
+    )
+    about = paragraph(
+        f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two peers, "
+        f"{better['name']} (target {found['target_times_faster']:g}). The peers are {names} over all 13 "
+        "bodies as a tree with five points closed by constraints, same load and friction, called from "
+        "Python, less a call over a model without bodies; their state and generalised forces are given to "
+        f"them, and their accelerations agree with ours to {agreement} of a pose's largest (MuJoCo's "
+        "constraints give way; their springs hold with the loops open by "
+        f"{1e9 * found['loops_open_m']:.0f} nm). The paper's inertia tensors belong to no body and MuJoCo "
+        "takes none like them: all of this table has tensors near them that bodies can have."
+    )
+    picture = "![Equations of motion, time a pose](.docs/bench_motion.png)\n\n"
+    return lead + table(("", "ns a pose", "ratio", "at most"), rows) + about + picture
 
 
 def compiling(found: dict[str, Any]) -> str:

@@ -1,8 +1,8 @@
 """The figures in the README are those that the code computes.
 
 ``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR`` wrote for the README's figures: it
-copies bench.json and bench.png into ``.docs`` and writes the README's tables anew; without DIR it only writes
-the tables.
+copies bench.json and the pictures into ``.docs`` and writes the README's tables anew; without DIR it only
+writes the tables.
 """
 
 import copy
@@ -23,6 +23,7 @@ from pinocchio_model import pinocchio_inverse_dynamics
 import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.kernel import module
+from stewart_sym.studies.bench_figures import Figure, MotionFigures
 from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
@@ -120,11 +121,37 @@ def test_the_committed_run_was_not_disturbed_by_others() -> None:
     assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
 
 
+def motion_figures() -> dict[str, Any]:
+    """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
+    ours, peers = (
+        tuple(Figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group)
+        for group in (
+            (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
+            (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
+        )
+    )
+    found = MotionFigures("machine", ours, peers, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
+    return found.as_json()
+
+
+def test_motion_in_the_readme_has_every_figure_with_its_target() -> None:
+    prose = readme_bench.motion(motion_figures(), 41)
+    for line in (
+        "| inverse dynamics | 300 | 1.00 | |",
+        "| forward dynamics | 400 | 1.33 | 2 |",
+        "| derivatives | 1500 | 5.00 | 8, goal 5 |",
+        "| MuJoCo, forward dynamics | 8000 | 26.67 | |",
+        "Forward dynamics is 20.0 times as fast as the better of the two peers, MuJoCo (target 20).",
+    ):
+        assert line in prose
+
+
 def test_every_figure_that_changes_changes_the_readme() -> None:
     found = figures()
     each = {"name": "pass", "operations": {"without_friction": 1, "with_friction": 2}}
     times = {"one_pose": {"median": 3.0}, "batch": {"median": 4.0, "poses": 10_000}}
     found["passes"] = [{**each, **times}]
+    found["motion"] = motion_figures()
     texts = {readme_bench.text(found)}
     places: list[tuple[Any, ...]] = [
         ("machine", "vectors"),
@@ -133,6 +160,9 @@ def test_every_figure_that_changes_changes_the_readme() -> None:
         ("text", "total"),
         ("passes", 0, "operations", "with_friction"),
         *((group, -1, "median") for group in ("ours", "peers", "sweep", "calls", "compiling")),
+        *(("motion", name) for name in ("times_faster", "loops_open_m")),
+        ("motion", "largest_difference", "MuJoCo"),
+        *(("motion", kind, -1, "median") for kind in ("ours", "peers")),
         *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
     ]
     for place in places:
@@ -169,7 +199,7 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
 
 def _rewrite(run: Path | None) -> None:
     if run is not None:
-        for name in ("bench.json", "bench.png"):
+        for name in ("bench.json", "bench.png", "bench_motion.png"):
             shutil.copyfile(run / name, README_FOLDER / ".docs" / name)
     (README_FOLDER / "README.md").write_text(
         readme_bench.replaced(README, figures()), encoding="utf-8", newline="\n"
