@@ -20,7 +20,7 @@ FLOORS = (
     {"forward", "joint_space"},
     {"dynamics", "forces"},
     {"equations", "laws"},
-    {"simulation"},
+    {"simulation", "fixed_step"},
     {"scene"},
     {"studies", "kit"},
     {"cli"},
