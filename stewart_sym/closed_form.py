@@ -105,10 +105,11 @@ class CClosedForm:
 
 @dataclass(frozen=True, eq=False)
 class OneState:
-    """Buffers of one state under actuator forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
+    """Buffers of one state under forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
 
-    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N, (6,);
-    acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration if that is not 0.
+    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N,
+    (6,); acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration as it was
+    if that is not 0.
     """
 
     kernel: CClosedForm
