@@ -11,7 +11,7 @@ from importlib.metadata import version as installed_version
 import sympy as sp
 
 from . import motion
-from .emit import c, lanes, numpy
+from .emit import c, lanes, numpy, numpy_motion
 from .emit import motion as motion_text
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
@@ -82,10 +82,11 @@ def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
 
 def _closed_form(version: str) -> dict[str, str]:
     built, plain = reduced_motion(), reduced_motion(friction=False)
-    name = EXACT.kernel_name
+    name, model = EXACT.kernel_name, reduced_forces(EXACT)
     return {
+        f"{name}_motion.py": numpy_motion.module(built, model, version),
         f"c/stewart_{name}_motion.h": motion_text.header(built, plain, name, version),
-        f"c/stewart_{name}_motion.c": motion_text.source(built, reduced_forces(EXACT), version),
+        f"c/stewart_{name}_motion.c": motion_text.source(built, model, version),
     }
 
 

@@ -23,7 +23,7 @@ L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", rea
 rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
 accelerations = sp.symbols("L_ddot theta_ddot phi_ddot", real=True)
 
-_SLOPES = (
+_SLOPES: tuple[dict[sp.Symbol, sp.Expr], ...] = (
     {L: 1, inv_L: -(inv_L**2), inv_rho: -inv_L * inv_rho},
     {k1: -k3, k3: k1, inv_rho: -kappa * inv_rho, kappa: -1 - kappa**2},
     {},

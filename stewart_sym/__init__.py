@@ -14,7 +14,13 @@ from .dynamics import (
     joint_reactions,
     massless_forces,
 )
-from .equations import equations_of_motion, forward_dynamics, joint_space_inertia
+from .equations import (
+    equations_of_motion,
+    force_derivatives,
+    forward_dynamics,
+    joint_space_inertia,
+    linearise,
+)
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
@@ -22,7 +28,7 @@ from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
-from .results import EquationsOfMotion, Forces, Reactions
+from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
@@ -31,9 +37,11 @@ __all__ = [
     "PATHS",
     "ComputedTorque",
     "EquationsOfMotion",
+    "ForceDerivatives",
     "ForceKernel",
     "Forces",
     "LegSprings",
+    "Linearisation",
     "Motion",
     "PhysicalityWarning",
     "PlatformPose",
@@ -49,6 +57,7 @@ __all__ = [
     "condition_number",
     "dynamic_fraction",
     "equations_of_motion",
+    "force_derivatives",
     "forward_acceleration",
     "forward_dynamics",
     "forward_kinematics",
@@ -57,6 +66,7 @@ __all__ = [
     "inverse_kinematics",
     "joint_reactions",
     "joint_space_inertia",
+    "linearise",
     "massless_forces",
     "motion_from_lengths",
     "prepare",

@@ -19,6 +19,7 @@ FLOORS = (
     {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
     {"forward", "joint_space"},
     {"dynamics", "forces"},
+    {"closed_form"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},
     {"scene"},
