@@ -211,6 +211,47 @@ def _simulate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _control(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .publish import replaced_file, staged_folder
+    from .robot import Robot
+    from .studies import control, control_report, run
+    from .studies.output import csv_lines
+
+    if arguments.pictures:
+        _plots()
+    machines = control.papers_machines()
+    if arguments.robot is not None:
+        machines = {"robot": Robot.from_toml(arguments.robot)}
+    paths = control.TRACKED if arguments.path is None else (arguments.path,)
+    settings = control.Settings(rate=arguments.rate)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        studies = {
+            label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
+        }
+        text = control_report.report(studies)
+        figures = json.dumps(control_report.as_json(studies), indent=1) + "\n"
+        texts = {"txt": text + "\n", "csv": control_report.csv_rows(studies), "json": figures}
+        for kind, content in texts.items():
+            (folder / f"control.{kind}").write_text(content, encoding="utf-8", newline="\n")
+        for number, (label, study) in enumerate(studies.items()):
+            suffix = f"_{label}" if number else ""
+            for path, runs in study.runs.items():
+                with replaced_file(folder / f"path_{path}{suffix}.csv") as stream:
+                    stream.writelines(csv_lines(control_report.run_columns(runs)))
+            if arguments.pictures:
+                progress("drawing")
+                run.save(control_report.figure(study), folder / f"control{suffix}.png")
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    for study in studies.values():
+        for line in study.exceeded:
+            warnings.warn(line, stacklevel=2)
+    return 0
+
+
 # Their parts
 
 
@@ -444,6 +485,29 @@ def _parser() -> argparse.ArgumentParser:
     )
 
     verb = _verb(
+        verbs,
+        "control",
+        _control,
+        "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures",
+        "stewart-sym control -o control --path II",
+        "The plant is `exact`; forces are held between samples. Computed torque by `exact`, by `paper` and "
+        "by the platform alone (massless legs), and PD with gravity compensation: the same gains, the same "
+        "start a little off the path. Without --robot: the paper's machine, as printed and with friction "
+        "that counts. Takes about half a minute.",
+    )
+    _output(verb, "DIR", "folder to write to", Path("control"))
+    verb.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
+    verb.add_argument(
+        "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
+    )
+    verb.add_argument(
+        "--rate", metavar="HZ", type=_positive, default=1000.0, help="of the controllers, Hz; default: 1000"
+    )
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+    )
+
+    verb = _verb(
         verbs, "derive", _derive, "derive the kernels again and write them", "stewart-sym derive --check"
     )
     verb.add_argument(
@@ -510,6 +574,13 @@ def _finite(text: str) -> float:
     number = float(text)
     if not math.isfinite(number):
         raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+    return number
+
+
+def _positive(text: str) -> float:
+    number = _finite(text)
+    if number <= 0.0:
+        raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
     return number
 
 
