@@ -5,10 +5,9 @@ Takes the studies of one or several machines by label. The picture needs the ext
 
 import csv
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from .control import Run, Settings, Study
@@ -59,11 +58,16 @@ def report(studies: Mapping[str, Study]) -> str:
 
 def conditions(settings: Settings) -> str:
     """Rate, gains and start in words."""
-    t, phi = (1e3 * np.array(offset) for offset in (settings.offset_t, settings.offset_phi))
+    t, phi = vector(settings.offset_t), vector(settings.offset_phi)
     return (
         f"Plant `exact`; forces held at {settings.rate:g} Hz, k_p = {settings.k_p:g} 1/s^2, k_d = "
-        f"{settings.k_d:g} 1/s.\nStart off the path by {_vector(t)} mm, turned by {_vector(phi)} mrad."
+        f"{settings.k_d:g} 1/s.\nStart off the path by {t} mm, turned by {phi} mrad."
     )
+
+
+def vector(values: Sequence[float]) -> str:
+    """Thousandths of the numbers given, in brackets: mm of m, mrad of rad."""
+    return f"({', '.join(f'{1e3 * value:g}' for value in values)})"
 
 
 def csv_rows(studies: Mapping[str, Study]) -> str:
@@ -122,7 +126,3 @@ def _tidy(axes: "Axes") -> None:
     axes.margins(x=0.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-
-
-def _vector(values: NDArray[np.float64]) -> str:
-    return f"({', '.join(f'{value:g}' for value in values)})"
