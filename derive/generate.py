@@ -10,8 +10,10 @@ from importlib.metadata import version as installed_version
 
 import sympy as sp
 
+from . import motion
 from .emit import c, lanes, numpy
-from .formulation import FORMULATIONS, Formulation
+from .emit import motion as motion_text
+from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .operations import force_operations, kernel_operations
 from .reduce import share
@@ -67,7 +69,24 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{form.kernel_name}.py"] = numpy.module(
             built, counts, force_counts, lanes.model_numbers(forces), version
         )
-    return files
+    progress("deriving the closed form")
+    return files | _closed_form(version)
+
+
+def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
+    """The kernels of the closed form as they are emitted."""
+    return tuple(
+        replace(each, pose=share(each.pose), leg=share(each.leg)) for each in motion.kernels(friction)
+    )
+
+
+def _closed_form(version: str) -> dict[str, str]:
+    built, plain = reduced_motion(), reduced_motion(friction=False)
+    name = EXACT.kernel_name
+    return {
+        f"c/stewart_{name}_motion.h": motion_text.header(built, plain, name, version),
+        f"c/stewart_{name}_motion.c": motion_text.source(built, reduced_forces(EXACT), version),
+    }
 
 
 _PACKAGE = '''\

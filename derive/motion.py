@@ -7,8 +7,7 @@ derivatives of the wrench by pose, twist and acceleration. Poses move by [dt; dp
 exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of sharing or printing.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -28,7 +27,7 @@ from .joint_leg import (
     tip_force,
 )
 from .leg import cross
-from .regroup import rotary
+from .regroup import from_base_point, rotary
 
 
 def _matrix(name: str, unit: str, meaning: str, symmetric: bool = False) -> Quantity:
@@ -86,7 +85,6 @@ S_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
 )
-JUDGED = (n.q, n.L, n.k3)
 
 
 @dataclass(frozen=True)
@@ -104,13 +102,14 @@ class SumKernel:
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
-    """All of them: equations, bias, forward dynamics, derivatives."""
-    return (
+    """All of them: equations, bias, forward dynamics, derivatives; S from base point 1."""
+    derived = (
         equations_kernel(friction),
         bias_kernel(friction),
         forward_kernel(friction),
         derivatives_kernel(friction),
     )
+    return tuple(replace(each, leg=from_base_point(each.leg)) for each in derived)
 
 
 # ---------------------------------------------------------------- the platform's own part
@@ -152,7 +151,8 @@ def _external() -> tuple[sp.Matrix, sp.Matrix]:
     return n.R.value * n.F_ext.value, n.R.value * n.M_ext.value
 
 
-_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g)
+_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.b_1, n.g)
+T_1 = (p.t_1, n.t.value - n.b_1.value)
 
 
 def _centripetal(build: Builder) -> sp.Matrix:
@@ -192,7 +192,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> sp.Matrix:
@@ -250,7 +250,7 @@ def bias_kernel(friction: bool) -> SumKernel:
         "bias_of_platform",
         "the platform's part of C twist + g + friction",
         _POSE_INPUTS,
-        [(B_0, _centripetal(build)), *zip(BIAS, (force, moment), strict=True)],
+        [T_1, (B_0, _centripetal(build)), *zip(BIAS, (force, moment), strict=True)],
     )
     build = Builder()
     leg = _leg(build)
@@ -287,6 +287,7 @@ def forward_kernel(friction: bool) -> SumKernel:
         "the platform's part of M and of the right side",
         _POSE_INPUTS,
         [
+            T_1,
             (B_0, _centripetal(build)),
             *_platform_inertia(at),
             *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
@@ -330,6 +331,7 @@ def _equations_of_platform(friction: bool) -> Block:
         "the platform's part of M, C, g and friction",
         _POSE_INPUTS,
         [
+            T_1,
             *_platform_inertia(at),
             *zip(CORIOLIS, coriolis, strict=True),
             *zip(GRAVITY, (-p.M_P.value * g, -cross(at.h, g)), strict=True),
@@ -455,6 +457,7 @@ def _derivatives_of_platform(friction: bool) -> Block:
         "the platform's part of the derivatives of the wrench",
         _POSE_INPUTS,
         [
+            T_1,
             (p.B, B),
             *_platform_inertia(at),
             *zip(BY_POSE, pose, strict=True),
@@ -572,8 +575,3 @@ def _projections(build: Builder, leg: _Leg, friction: bool) -> None:
         build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", "omega along k x y, y and k")
         build.scalar(tip.OMEGA_Y.name, y.dot(omega), "", "omega along k x y, y and k")
         build.scalar(tip.OMEGA_K.name, k.dot(omega), "", "omega along k x y, y and k")
-
-
-def all_summed(kernels: Sequence[SumKernel]) -> tuple[Quantity, ...]:
-    """Every quantity that some kernel adds up."""
-    return tuple(dict.fromkeys(q for kernel in kernels for q in kernel.summed))

@@ -107,7 +107,8 @@ def about_base_point(kernel: ForceKernel) -> ForceKernel:
     return replace(moved, about_base_point=True)
 
 
-def _leg_about_base_point(leg: Block) -> Block:
+def from_base_point(leg: Block) -> Block:
+    """The leg with S_1 = q + t_1, S = S_1 - r in place of S = q + t - b; it hands out S_1 in place of q."""
     steps: list[Step] = []
     for step in leg.steps:
         if step.name == "S_x":
@@ -115,23 +116,26 @@ def _leg_about_base_point(leg: Block) -> Block:
                 Step(name, q + t, "(1)", n.S_1.meaning)
                 for name, q, t in zip(n.S_1.names, n.q.symbols, p.t_1.symbols, strict=True)
             ]
-        axis = step.name[-1]
-        is_leg_vector = step.name in ("S_x", "S_y", "S_z")
-        steps.append(
-            replace(step, expr=sp.Symbol(f"S_1_{axis}", real=True) - sp.Symbol(f"r_{axis}", real=True))
-            if is_leg_vector
-            else step
-        )
-    # Any point of the leg's line serves as arm of its axial force; r makes the moment of leg 1 exactly zero.
-    arms = {out.quantity: n.S_1.symbols for out in leg.outputs} | {n.H_moment: p.r.symbols}
-    outputs = [
-        Output(
-            n.S_1 if out.quantity == n.q else out.quantity,
-            tuple(e.xreplace(dict(zip(n.q.symbols, arms[out.quantity], strict=True))) for e in out.exprs),
-        )
-        for out in leg.outputs
-    ]
+        if step.name in ("S_x", "S_y", "S_z"):
+            tip, base = (sp.Symbol(f"{name}_{step.name[-1]}", real=True) for name in ("S_1", "r"))
+            step = replace(step, expr=tip - base)
+        steps.append(step)
+    outputs = [Output(n.S_1, n.S_1.symbols) if out.quantity == n.q else out for out in leg.outputs]
     return _closed(leg, steps, outputs, (*leg.inputs, p.t_1, p.r))
+
+
+def _leg_about_base_point(leg: Block) -> Block:
+    moved = from_base_point(leg)
+    # Any point of the leg's line serves as arm of its axial force; r makes the moment of leg 1 exactly zero.
+    arms = {
+        quantity: dict(zip(n.q.symbols, arm, strict=True))
+        for quantity, arm in ((n.H_moment, p.r.symbols), (n.c_moment, n.S_1.symbols))
+    }
+    outputs = [
+        Output(out.quantity, tuple(e.xreplace(arms.get(out.quantity, {})) for e in out.exprs))
+        for out in moved.outputs
+    ]
+    return _closed(moved, list(moved.steps), outputs, (*moved.inputs, p.t_1, p.r))
 
 
 def _pose_about_base_point(pose: Block) -> Block:
@@ -157,7 +161,10 @@ def _pose_about_base_point(pose: Block) -> Block:
 def _as_value(quantity: Quantity, exprs: tuple[sp.Expr, ...]) -> sp.Expr | sp.Matrix:
     if not quantity.shape:
         return exprs[0]
-    return sp.Matrix(quantity.shape[0], 1 if len(quantity.shape) == 1 else 3, list(exprs))
+    if len(quantity.shape) == 1:
+        return sp.Matrix(exprs)
+    table = dict(zip(quantity.keys, exprs, strict=True))
+    return sp.Matrix(3, 3, lambda i, j: table[(min(i, j), max(i, j)) if quantity.symmetric else (i, j)])
 
 
 def _closed(block: Block, steps: list[Step], outputs: list[Output], inputs: tuple[Quantity, ...]) -> Block:

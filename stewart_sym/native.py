@@ -102,17 +102,45 @@ def load(
 
     Raises CompilerError if there is no compiler, or it fails; ValueError for a bad name or flag.
     """
-    _check_names(name, sources)
-    compiler = find_compiler()
-    if compiler is None:
-        raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
-    macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
-    recipe = _Recipe(name, dict(sources), compiler, (*_FLAGS, *macros, *flags))
+    recipe = _recipe(name, sources, flags, defines)
     key = recipe.key()
     with _lock:
         if key not in _loaded:
             _loaded[key] = _open(recipe, key)
         return _loaded[key]
+
+
+def compiled(folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = ()) -> Path:
+    """Compile as ``load`` does, but anew, into ``folder``, past the cache; returns the library, not loaded.
+
+    Raises as ``load`` does.
+    """
+    return _compile(folder, _recipe(name, sources, flags, None))
+
+
+def ran(command: Sequence[str], folder: Path) -> str:
+    """Run a compiler or one of its tools in ``folder``; returns what it printed.
+
+    Raises CompilerError if it fails, takes longer than COMPILE_TIMEOUT or does not start.
+    """
+    try:
+        code, output = _run(command, COMPILE_TIMEOUT, folder)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise CompilerError(f"{command[0]} does not run: {error}") from error
+    if code != 0:
+        raise CompilerError(f"{command[0]} fails: {_first_error(output)}", output)
+    return output
+
+
+def _recipe(
+    name: str, sources: Mapping[str, str], flags: Sequence[str], defines: Mapping[str, str | int] | None
+) -> "_Recipe":
+    _check_names(name, sources)
+    compiler = find_compiler()
+    if compiler is None:
+        raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
+    macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
+    return _Recipe(name, dict(sources), compiler, (*_FLAGS, *macros, *flags))
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,9 @@ SHORT_LEG = 2
 POLE = 3
 SINGULAR = 4
 BAD_ARGUMENT = 5
-NOT_CONVERGED = 6
-OUT_OF_LIMITS = 7
+INDEFINITE = 6
+NOT_CONVERGED = 7
+OUT_OF_LIMITS = 8
 
 STATUS_TEXT = {
     OK: "ok",
@@ -24,6 +25,7 @@ STATUS_TEXT = {
     POLE: "a leg lies along the fixed axis of its universal joint",
     SINGULAR: "H is singular: no leg forces can hold the platform",
     BAD_ARGUMENT: "a required argument is missing",
+    INDEFINITE: "the inertia matrix M is not positive definite: no body has such inertias",
     NOT_CONVERGED: "no pose with these leg lengths was found",
     OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
 }

@@ -4,11 +4,14 @@ import dataclasses
 import io
 import itertools
 import json
+import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import matplotlib.image
@@ -18,11 +21,12 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
+from stewart_sym import forces
 from stewart_sym.cli import main
-from stewart_sym.kernel import module
+from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
-from stewart_sym.studies import bench
-from stewart_sym.studies.bench_plot import picture
+from stewart_sym.studies import bench, bench_compile, bench_passes
+from stewart_sym.studies.bench_plot import picture, report
 from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
 from stewart_sym.studies.peers_pinocchio import PinocchioMachine
 
@@ -32,8 +36,41 @@ CONTESTANTS = (*bench.OURS, *bench.CALLS, *PEERS)
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
+@dataclasses.dataclass(frozen=True)
+class Pass:
+    """As ``stewart_sym.derive.passes`` hands them out."""
+
+    name: str
+    meaning: str
+    operations: tuple[int, int]
+    sources: dict[str, str]
+    model_numbers: int
+
+
+def padded(numbers: int) -> dict[str, str]:
+    """The forces' C with so many numbers more in front of the prepared model."""
+    sources = c_sources("exact_forces")
+    header, start = "stewart_exact_forces.h", "typedef struct {\n"
+    assert start in sources[header]
+    sources[header] = sources[header].replace(start, f"{start}    stewart_real padding[{numbers}];\n")
+    return sources
+
+
+def some_passes() -> tuple[Pass, ...]:
+    """Two passes whose models differ; deriving the real ones takes too long here."""
+    numbers = module("exact").MODEL_NUMBERS
+    return (
+        Pass("as derived", "steps as stated", (30, 40), padded(1_000), numbers + 1_000),
+        Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), numbers),
+    )
+
+
 def shorten(patch: pytest.MonkeyPatch) -> None:
     """Samples so short that the figures mean nothing."""
+    derived = ModuleType("stewart_sym.derive.passes")
+    derived.passes = some_passes  # type: ignore[attr-defined]
+    patch.setitem(sys.modules, derived.__name__, derived)
+    patch.setattr(bench, "QUICK_COMPILATIONS", 1)
     patch.setattr(bench, "SHORTEST", 1e-5)
     patch.setattr(bench, "time_source", lambda: {})
     patch.setattr(bench, "QUICK_ROUNDS", 3)
@@ -139,6 +176,37 @@ def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() ->
     np.testing.assert_array_equal(more.rows, poses.rows[np.arange(25) % 10])
 
 
+@pytest.mark.usefixtures("small")
+def test_every_pass_computes_the_forces_of_any_machine_from_its_own_model(stranger: Poses) -> None:
+    stages_compute_the_forces_of(stranger)
+
+
+@pytest.mark.slow
+def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) -> None:
+    pytest.importorskip("stewart_sym.derive.passes")
+    stages_compute_the_forces_of(stranger)
+
+
+def stages_compute_the_forces_of(stranger: Poses) -> None:
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    for stage in bench_passes.stages():
+        for contestant in stage.contestants:
+            runner = contestant.make(stranger)
+            runner.run(1)
+            assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("kind", ["one_pose", "batch"])
+def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, *others = bench_passes.stages()
+    bad = dataclasses.replace(first, **{kind: off(getattr(first, kind), 1e-9)})
+    monkeypatch.setattr(bench_passes, "stages", lambda _: (bad, *others))
+    monkeypatch.setattr(bench, "measured", None)
+    with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):
+        bench.bench(quick=True)
+
+
 # what is said
 
 
@@ -169,6 +237,99 @@ def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> N
         assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
     (call, *_), one_pose = figures["calls"], figures["ours"][0]
     assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
+
+
+def test_cores_are_compared_on_the_same_batch_round_by_round(figures: dict[str, Any], written: Path) -> None:
+    one, shared = (next(e for e in figures["ours"] if e["name"] == n) for n in (bench.BATCH, bench.ALL_CORES))
+    cores = figures["cores"]
+    assert one["poses"] == shared["poses"] == cores["poses"] >= 2 * forces.LEAST_SHARE
+    assert cores["raw"] == pytest.approx(np.array(one["raw"]) / np.array(shared["raw"]))
+    assert cores["median"] == pytest.approx(np.median(cores["raw"]))
+    assert cores["quartiles"] == pytest.approx(np.percentile(cores["raw"], (25, 75)))
+    line = f"{cores['cores']} cores over one core: {cores['median']:.2f} times, quartiles"
+    assert line in (written / "bench.txt").read_text()
+
+
+def test_passes_have_their_operations_and_both_times(figures: dict[str, Any], written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    for entry, expected in zip(figures["passes"], some_passes(), strict=True):
+        assert (entry["name"], entry["meaning"]) == (expected.name, expected.meaning)
+        assert tuple(entry["operations"].values()) == expected.operations
+        for time in (entry["one_pose"], entry["batch"]):
+            assert len(time["raw"]) == figures["rounds"]
+            assert time["median"] > 0
+        assert re.search(
+            rf"^{expected.name} +{expected.operations[0]} +{expected.operations[1]} ", text, re.M
+        )
+
+
+def test_json_says_how_long_the_kernels_compile(figures: dict[str, Any]) -> None:
+    assert [entry["source"] for entry in figures["compiling"]] == [
+        "stewart_exact.c",
+        "stewart_exact_forces.c",
+    ]
+    assert all(len(entry["raw"]) == 1 and entry["median"] > 0 for entry in figures["compiling"])
+
+
+def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: Path) -> None:
+    functions = figures["text"]["functions"]
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= functions.keys()
+    assert not {"main", "_start", "stewart_exact_forces_batch"} & functions.keys()
+    assert figures["text"]["total"] == sum(functions.values())
+    assert 2_000 < figures["text"]["total"] < 50_000
+    assert f"{figures['text']['total']} bytes" in (written / "bench.txt").read_text()
+
+
+@pytest.mark.parametrize("command", ["gcc", "clang"])
+def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if shutil.which(command) is None:
+        pytest.skip(f"needs {command}")
+    monkeypatch.setenv("CC", command)
+    size = bench_compile.text_size()
+    assert size is not None
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size.functions.keys()
+
+
+def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench_compile, "_LINK_FLAGS", ("-Wl,--no-such-option",))
+    assert bench_compile.text_size() is None
+    monkeypatch.undo()
+    monkeypatch.setattr(shutil, "which", lambda name: None if "nm" in name else f"/usr/bin/{name}")
+    assert bench_compile.text_size() is None
+
+
+@pytest.mark.usefixtures("small")
+def test_tables_without_passes_and_text_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench_passes, "stages", lambda _: ())
+    monkeypatch.setattr(bench_compile, "text_size", lambda: None)
+    found = bench.bench(quick=True)
+    assert found.as_json()["text"] is None
+    assert "after the pass" not in report(found)
+    assert "bytes" not in report(found)
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize(
+    ("work", "said"), [(0.0, "took 0 % of the cores' time\n"), (1e6, "100 % of the cores' time: the figures")]
+)
+def test_a_run_that_others_disturbed_says_so(work: float, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    at = itertools.count(0.0, work)
+    monkeypatch.setattr(bench, "_work_of_others", lambda: next(at))
+    monkeypatch.setattr(bench_passes, "stages", lambda _: ())
+    assert said in report(bench.bench(quick=True))
+
+
+def test_own_work_is_not_that_of_others() -> None:
+    if bench._work_of_others() is None:
+        pytest.skip("the system doesn't tell")
+    work, times = bench._work_of_others(), os.times()
+    while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
+        pass
+    again = bench._work_of_others()
+    assert again is not None
+    assert work is not None
+    seconds = os.times().elapsed - times.elapsed
+    assert -0.05 < again - work < (os.cpu_count() or 1) * seconds - 0.25
 
 
 def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
@@ -208,6 +369,7 @@ def test_labels_in_the_picture_do_not_overlap() -> None:
     boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
     boxes.append(legend.get_window_extent())
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+    assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
 
 
 @pytest.mark.usefixtures("small")
@@ -275,6 +437,20 @@ def test_contestants_take_turns_and_every_sample_is_long_enough(monkeypatch: pyt
     rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
     assert [sorted(turn) for turn in rounds] == 4 * [[*names]]
     assert len(set(rounds)) == 3
+
+
+def test_every_sample_but_an_enormous_one_comes_after_a_run_that_is_not_timed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {
+        "large": clock.task("large", bench.ENORMOUS - 1, 100),
+        "enormous": clock.task("enormous", bench.ENORMOUS, 100),
+    }
+    bench.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
+    turns = [name for name, _ in clock.calls[-3 * 3 :]]
+    one, other = ["large", "large"], ["enormous"]
+    assert turns == [*one, *other, *other, *one, *one, *other]
 
 
 def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:

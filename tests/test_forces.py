@@ -15,6 +15,7 @@ from machines import dasgupta, random_motion, random_robot
 from test_bad_poses import CASES, at_rest
 
 import stewart_sym as ss
+from stewart_sym import forces
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.motion import Motion
 
@@ -64,7 +65,10 @@ def test_float_forces_agree_to_float_rounding(formulation) -> None:
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
-def test_results_are_bit_identical_whatever_batch_position_and_threads(precision, base_joint: str) -> None:
+def test_results_are_bit_identical_whatever_batch_position_and_threads(
+    precision, base_joint: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(forces, "LEAST_SHARE", 1)
     rng = np.random.default_rng(22)
     robot = random_robot(rng, base_joint)
     kernel = ss.prepare(robot, precision=precision)
@@ -75,6 +79,35 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(precision
         assert (kernel.forces(motion[start:stop]) == whole[start:stop]).all()
     for threads in (2, 3, 5, 64):
         assert (kernel.forces(motion, threads=threads) == whole).all()
+
+
+@pytest.mark.parametrize(
+    ("count", "threads", "expected"),
+    [(0, 2, 1), (1, 2, 1), (7_999, 2, 1), (8_000, 2, 2), (8_001, 2, 2), (8_000, 64, 2), (50_001, 3, 3)],
+)
+def test_a_batch_is_shared_only_when_every_thread_gets_thousands(
+    count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(30)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    some = random_motion(rng, robot, (50,))
+    arrays = [np.resize(getattr(some, name), (count, *getattr(some, name).shape[1:])) for name in FIELDS]
+    run = forces.ForceKernel._run
+    parts: list[tuple[int, int]] = []
+
+    def noted(self, arrays, F, status, start: int, count: int) -> None:
+        parts.append((start, count))
+        run(self, arrays, F, status, start, count)
+
+    monkeypatch.setattr(forces.ForceKernel, "_run", noted)
+    alone, shared = np.zeros((2, count, 6))
+    kernel.forces_into(arrays, alone, np.zeros(count, dtype=np.int32))
+    parts.clear()
+    kernel.forces_into(arrays, shared, np.zeros(count, dtype=np.int32), threads)
+    assert len(parts) == expected
+    assert sum(size for _, size in parts) == count
+    assert (shared == alone).all()
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])

@@ -21,7 +21,7 @@ FLOORS = (
     {"studies", "kit"},
     {"cli"},
 )
-GENERATE_ON_COMMAND = {f"{PACKAGE}.cli", f"{PACKAGE}.kit"}
+GENERATE_ON_COMMAND = {f"{PACKAGE}.cli", f"{PACKAGE}.kit", f"{PACKAGE}.studies.bench_passes"}
 
 
 def sources() -> dict[str, Path]:

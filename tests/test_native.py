@@ -136,6 +136,27 @@ def test_threads_share_one_compilation(cache: Path, compiler: LoggedCompiler) ->
     assert len(compiler.calls) == 1
 
 
+def test_compiling_anew_passes_by_the_cache(cache: Path, compiler: LoggedCompiler, tmp_path: Path) -> None:
+    load_adder()
+    folder = tmp_path / "anew"
+    folder.mkdir()
+    for calls in (2, 3):
+        library = native.compiled(folder, "adder", ADD)
+        assert library.parent == folder
+        assert ctypes.CDLL(str(library)).add(2, 3) == 5
+        assert len(compiler.calls) == calls
+    assert len(set(compiler.calls)) == 1
+
+
+def test_a_tool_tells_what_it_printed_or_why_it_did_not(tmp_path: Path) -> None:
+    assert native.ran(("sh", "-c", "pwd"), tmp_path).strip() == str(tmp_path)
+    with pytest.raises(native.CompilerError, match=r"^sh fails: error: no$") as failed:
+        native.ran(("sh", "-c", "echo error: no; exit 3"), tmp_path)
+    assert failed.value.log == "error: no\n"
+    with pytest.raises(native.CompilerError, match=r"^nosuchtool does not run: "):
+        native.ran(("nosuchtool",), tmp_path)
+
+
 def test_change_of_source_header_flag_or_macro_compiles_again(cache: Path, compiler: LoggedCompiler) -> None:
     libraries = [
         load_adder(),

@@ -1,12 +1,21 @@
-"""The figures in the README are those that the code computes."""
+"""The figures in the README are those that the code computes.
 
+``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR`` wrote for the README's figures: it
+copies bench.json and bench.png into ``.docs`` and writes the README's tables anew; without DIR it only writes
+the tables.
+"""
+
+import copy
 import json
 import re
+import shutil
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import readme_bench
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
@@ -14,10 +23,12 @@ from pinocchio_model import pinocchio_inverse_dynamics
 import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.kernel import module
+from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
+REWRITE = "run `python tests/test_readme.py` and look at the README"
 
 
 def row(label: str) -> list[str]:
@@ -86,10 +97,53 @@ def test_operations_in_the_readme_are_those_of_the_kernels(formulation: str) -> 
         assert row(f"`{formulation}`{label}") == totals
 
 
+def figures() -> dict[str, Any]:
+    """What the committed run of the benchmark wrote."""
+    found: dict[str, Any] = json.loads((README_FOLDER / ".docs" / "bench.json").read_text(encoding="utf-8"))
+    return found
+
+
 def test_times_in_the_readme_are_those_of_the_benchmark() -> None:
-    found = json.loads((README_FOLDER / ".docs" / "bench.json").read_text(encoding="utf-8"))
+    found = figures()
     for figure in (*found["ours"], *found["peers"]):
         assert row(figure["name"]) == [f"{figure['median']:.0f}", f"{figure['ratio_to_casadi']:.2f}"]
+    prose = " ".join(README.split())
+    for source in found["compiling"]:
+        assert f"`{source['source']}` in {np.median(source['raw']):.2f} s" in prose
+    assert f"{sum(found['text']['functions'].values()):,} bytes" in prose
+    assert f"{found['cores']['cores']} cores over one core: {np.median(found['cores']['raw']):.2f} " in prose
+    assert f" with {found['machine']['vectors']}, " in prose
+    assert readme_bench.replaced(README, found) == README, REWRITE
+
+
+def test_the_committed_run_was_not_disturbed_by_others() -> None:
+    assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
+
+
+def test_every_figure_that_changes_changes_the_readme() -> None:
+    found = figures()
+    each = {"name": "pass", "operations": {"without_friction": 1, "with_friction": 2}}
+    times = {"one_pose": {"median": 3.0}, "batch": {"median": 4.0, "poses": 10_000}}
+    found["passes"] = [{**each, **times}]
+    texts = {readme_bench.text(found)}
+    places: list[tuple[Any, ...]] = [
+        ("machine", "vectors"),
+        ("cores", "median"),
+        ("flatness", next(iter(found["flatness"]))),
+        ("text", "total"),
+        ("passes", 0, "operations", "with_friction"),
+        *((group, -1, "median") for group in ("ours", "peers", "sweep", "calls", "compiling")),
+        *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
+    ]
+    for place in places:
+        changed = copy.deepcopy(found)
+        *way, last = place
+        inner: Any = changed
+        for step in way:
+            inner = inner[step]
+        inner[last] = "avx9" if isinstance(inner[last], str) else 7 * inner[last]
+        texts.add(readme_bench.text(changed))
+    assert len(texts) == 1 + len(places)
 
 
 def test_python_example_runs_as_printed() -> None:
@@ -111,3 +165,16 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(head + "\n".join(legs))
     assert ss.Robot.from_toml(path).name == "hexapod"
+
+
+def _rewrite(run: Path | None) -> None:
+    if run is not None:
+        for name in ("bench.json", "bench.png"):
+            shutil.copyfile(run / name, README_FOLDER / ".docs" / name)
+    (README_FOLDER / "README.md").write_text(
+        readme_bench.replaced(README, figures()), encoding="utf-8", newline="\n"
+    )
+
+
+if __name__ == "__main__":
+    _rewrite(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

@@ -18,6 +18,7 @@ STATUS = (
     ("POLE", 3, "a leg lies along the fixed axis of its universal joint"),
     ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
     ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
+    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
 )
 FORCES = (
     (Quantity("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"), "[6]"),

@@ -5,20 +5,31 @@ body of a loop over lanes, which compilers turn into vector instructions by them
 portable C where they don't. Knows layout and solving, no dynamics.
 """
 
-from collections.abc import Iterable
-
 import sympy as sp
 
 from .. import notation as n
-from ..block import Block, Output, Quantity
+from ..block import Block, Quantity
 from ..operations import force_operations
 from ..prepared import ADDED, r, t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
-from .infix import infix, wrap
+from .infix import infix
+from .lane_text import (
+    JUDGED,
+    LANES,
+    MACROS,
+    assigned,
+    dims,
+    entries,
+    fault_lines,
+    filled,
+    judged,
+    loads,
+    names_used,
+    reach_lines,
+    stores,
+)
 
-LANES = 8
-_JUDGED = (n.q, n.S_1, n.L, n.k3)
 _RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
@@ -40,7 +51,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
     name = kernel.formulation.kernel_name
     parts = [
-        _TOP.format(name=name, version=version) + ARITHMETIC + _MACROS,
+        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS,
         _structs(kernel),
         _prepare_function(kernel.prepare_leg, "prepared_leg"),
         _prepare_function(kernel.prepare_platform, "prepared_platform"),
@@ -63,13 +74,9 @@ def model_numbers(kernel: ForceKernel) -> int:
     return LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
 
 
-def _dims(quantity: Quantity) -> str:
-    return f"[{size(quantity)}]" if quantity.shape else ""
-
-
 def _member(quantity: Quantity, lanes: str) -> str:
     return (
-        f"    stewart_real {quantity.name}{_dims(quantity)}{lanes}; /* {quantity.unit}: {quantity.meaning} */"
+        f"    stewart_real {quantity.name}{dims(quantity)}{lanes}; /* {quantity.unit}: {quantity.meaning} */"
     )
 
 
@@ -82,9 +89,9 @@ def _structs(kernel: ForceKernel) -> str:
             for q in _from_pose(kernel)
             if q not in _RIGHT_SIDE
         ],
-        "@TERMS@": [f"    stewart_real {q.name}{_dims(q)}[{LANES}];" for q in _terms(kernel.leg)],
+        "@TERMS@": [f"    stewart_real {q.name}{dims(q)}[{LANES}];" for q in _terms(kernel.leg)],
     }
-    return _filled(_STRUCTS, parts)
+    return filled(_STRUCTS, parts)
 
 
 def _from_pose(kernel: ForceKernel) -> list[Quantity]:
@@ -92,32 +99,26 @@ def _from_pose(kernel: ForceKernel) -> list[Quantity]:
 
 
 def _terms(leg: Block) -> list[Quantity]:
-    return [out.quantity for out in leg.outputs if out.quantity not in _JUDGED]
-
-
-def _filled(text: str, parts: dict[str, list[str]]) -> str:
-    for mark, lines in parts.items():
-        text = text.replace(mark, "\n".join(lines))
-    return text
+    return [out.quantity for out in leg.outputs if out.quantity not in JUDGED]
 
 
 # ---------------------------------------------------------------- preparation
 
 
 def _prepare_function(block: Block, struct: str) -> str:
-    members = "\n".join(f"    stewart_real {o.quantity.name}{_dims(o.quantity)};" for o in block.outputs)
-    used = _used(block)
-    loads = [line for q in block.inputs for line in _loads(q, _owner_of_raw(q), "", used, "    ")]
+    members = "\n".join(f"    stewart_real {o.quantity.name}{dims(o.quantity)};" for o in block.outputs)
+    used = names_used(block)
+    lines = [line for q in block.inputs for line in loads(q, _owner_of_raw(q), "", used, "    ")]
     arguments = [
         ("robot", "const stewart_robot *robot"),
         ("leg", "const stewart_leg *leg") if struct == "prepared_leg" else ("sum", "const prepared_leg *sum"),
     ]
-    unused = [f"    (void){name};" for name, _ in arguments if not any(f"= {name}->" in t for t in loads)]
+    unused = [f"    (void){name};" for name, _ in arguments if not any(f"= {name}->" in t for t in lines)]
     body = [
         *unused,
-        *loads,
+        *lines,
         *step_lines(block.steps, "    "),
-        *_stores(block.outputs, "", "    "),
+        *stores(block.outputs, "", "    "),
     ]
     return "\n".join(
         [
@@ -140,124 +141,88 @@ def _owner_of_raw(quantity: Quantity) -> str:
 
 def _prepare(kernel: ForceKernel) -> str:
     parts = {
-        "@COPIES@": [
-            f"        model->{name}[i] = found.{name};" for name in _entries(kernel.leg_constants())
-        ],
-        "@ZERO@": [f"    sum.{name} = 0;" for name in _entries(ADDED)],
-        "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in _entries(ADDED)],
+        "@COPIES@": [f"        model->{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
+        "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
+        "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [
-            f"    model->{name} = platform.{name};" for name in _entries(kernel.platform_constants())
+            f"    model->{name} = platform.{name};" for name in entries(kernel.platform_constants())
         ],
     }
-    return _filled(_PREPARE, parts)
+    return filled(_PREPARE, parts)
 
 
-def _entries(quantities: Iterable[Quantity]) -> list[str]:
-    """``h[0]``, ``h[1]``, ``h[2]``, ``g_k``: the stored numbers of the quantities, in order."""
-    return [q.name + (f"[{i}]" if q.shape else "") for q in quantities for i in range(size(q))]
-
-
-# ---------------------------------------------------------------- loads and stores
-
-
-def _loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
-    """``const stewart_real p_x = leg->p[0]<lane>, ...;`` for the components that are used."""
-    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
-    if not quantity.shape:
-        return [f"{indent}const stewart_real {quantity.name} = {owner}->{member}{lane};"]
-    parts = [
-        f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
-    ]
-    return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
-
-
-def _stores(outputs: tuple[Output, ...], lane: str, indent: str) -> list[str]:
-    lines = []
-    for out in outputs:
-        for i, expr in enumerate(out.exprs):
-            index = f"[{i}]" if out.quantity.shape else ""
-            text = f"{indent}out->{out.quantity.name}{index}{lane} = {infix(expr, 'STEWART_SQRT')};"
-            lines.append(wrap(text, indent + " " * 4))
-    return lines
-
-
-def _used(block: Block) -> set[str]:
-    return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+# ---------------------------------------------------------------- blocks
 
 
 def _scalar_shared(block: Block) -> str:
-    used = _used(block)
-    loads = [
-        line for q in block.inputs for line in _loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
+    used = names_used(block)
+    found = [
+        line for q in block.inputs for line in loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
     ]
-    lines = [*loads, *step_lines(block.steps, "    "), *_stores(block.outputs, "", "    ")]
+    lines = [*found, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")]
     return _SHARED_POSE.replace("@BODY@", "\n".join(lines)).replace("@COUNT@", str(block.operations()))
 
 
 def _block_shared(block: Block) -> str:
-    used = _used(block)
+    used = names_used(block)
     outside = [
-        line for q in block.inputs if q not in n.MOTION for line in _loads(q, "model", "", used, "    ")
+        line for q in block.inputs if q not in n.MOTION for line in loads(q, "model", "", used, "    ")
     ]
-    inside = [line for q in block.inputs if q in n.MOTION for line in _loads(q, "in", "[l]", used, " " * 8)]
+    inside = [line for q in block.inputs if q in n.MOTION for line in loads(q, "in", "[l]", used, " " * 8)]
     kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
     right = [e for out in block.outputs if out.quantity in _RIGHT_SIDE for e in out.exprs]
     body = [
         *inside,
         *step_lines(block.steps, " " * 8),
-        *_stores(kept, "[l]", " " * 8),
-        *(_assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
+        *stores(kept, "[l]", " " * 8),
+        *(assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
     ]
-    return _filled(_SHARED_BLOCK, {"@OUTSIDE@": outside, "@BODY@": body})
-
-
-def _assigned(target: str, text: str) -> str:
-    return wrap(f"{' ' * 8}{target} = {text};", " " * 12)
+    return filled(_SHARED_BLOCK, {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _legs_of_pose(kernel: ForceKernel) -> str:
     """The leg's block as the body of a loop over the legs of a pose."""
-    kept = tuple(out for out in kernel.leg.outputs if out.quantity not in _JUDGED)
+    kept = tuple(out for out in kernel.leg.outputs if out.quantity not in JUDGED)
     terms, more = _reach_terms(kernel)
-    length, sine = _judged(kernel.leg)
+    length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, more, over_legs=True)
     body = [
         *inside,
         *step_lines(kernel.leg.steps, " " * 8),
-        *_stores(kept, "[l]", " " * 8),
-        *_reach_lines(terms),
+        *stores(kept, "[l]", " " * 8),
+        *reach_lines(terms),
         "        out->reach[l] = reach;",
         f"        out->L[l] = {length};",
         f"        out->k3[l] = {sine};",
-        *_fault_lines(length, sine, "0", "out->bad[l]"),
+        *fault_lines(length, sine, "0", "out->bad[l]"),
     ]
     text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
-    return _filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _leg_of_block(kernel: ForceKernel) -> str:
     """The leg's block as the body of a loop over the poses of a block."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     terms, more = _reach_terms(kernel)
-    length, sine = _judged(kernel.leg)
+    length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, more, over_legs=False)
     column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
     right = [*exprs[n.c_force], *exprs[n.c_moment]]
     body = [
         *inside,
         *step_lines(kernel.leg.steps, " " * 8),
-        *(_assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
-        *(_assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
-        _assigned("known[l]", infix(exprs[n.D][0], "STEWART_SQRT")),
+        *(assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
+        *(assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
+        assigned("known[l]", infix(exprs[n.D][0], "STEWART_SQRT")),
         *(
             f"        moment[l] = STEWART_LARGER(STEWART_FABS(column[{i}][l]), moment[l]);"
             for i in range(3, 6)
         ),
-        *_reach_lines(terms),
-        *_fault_lines(length, sine, "bad[l]", "bad[l]"),
+        *reach_lines(terms),
+        *fault_lines(length, sine, "bad[l]", "bad[l]"),
     ]
     text = _LEG_OF_BLOCK.replace("@COUNT@", str(kernel.leg.operations()))
-    return _filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _added(expr: sp.Expr) -> str:
@@ -267,17 +232,11 @@ def _added(expr: sp.Expr) -> str:
     return f" + ({infix(expr, 'STEWART_SQRT')})"
 
 
-def _judged(leg: Block) -> tuple[str, str]:
-    """Length and sine of the angle at the universal joint, as text; 1 where there is no such joint."""
-    by_name = {out.quantity: infix(out.exprs[0], "STEWART_SQRT") for out in leg.outputs}
-    return by_name[n.L], by_name.get(n.k3, "1")
-
-
 def _lane_loads(
     kernel: ForceKernel, more: tuple[Quantity, ...], over_legs: bool
 ) -> tuple[list[str], list[str]]:
     """Loads of what all lanes share, and of what differs from lane to lane."""
-    used = _used(kernel.leg) | {name for q in more for name in q.names}
+    used = names_used(kernel.leg) | {name for q in more for name in q.names}
     outside, inside = [], []
     for q in dict.fromkeys((*kernel.leg.inputs, *more)):
         if q in n.MOTION or q in _from_pose(kernel):
@@ -286,10 +245,10 @@ def _lane_loads(
         else:
             owner, varies = "model", over_legs and q not in kernel.platform_constants()
         if varies:
-            inside += _loads(q, owner, "[l]", used, " " * 8)
+            inside += loads(q, owner, "[l]", used, " " * 8)
         else:
             lane = "[leg]" if owner == "model" and q not in kernel.platform_constants() else ""
-            outside += _loads(q, owner, lane, used, "    ")
+            outside += loads(q, owner, lane, used, "    ")
     return outside, inside
 
 
@@ -304,20 +263,6 @@ def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
         for vector in (q, *(quantity.symbols for quantity in inputs))
         for expr in vector
     ], inputs
-
-
-def _reach_lines(terms: list[str]) -> list[str]:
-    lines = ["        stewart_real fault;", f"        stewart_real reach = {terms[0]};"]
-    return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
-
-
-def _fault_lines(length: str, sine: str, before: str, after: str) -> list[str]:
-    before = f"(stewart_real){before}" if before == "0" else before
-    return [
-        f"        fault = {length} <= STEWART_MAX ? {before} : (stewart_real)1;",
-        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : (stewart_real)1;",
-        f"        {after} = {sine} > STEWART_ROUNDING ? fault : (stewart_real)1;",
-    ]
 
 
 def _solve_pose(about_base_point: bool) -> str:
@@ -456,26 +401,6 @@ _TOP = """\
  */
 #include "stewart_{name}_forces.h"
 
-"""
-
-_MACROS = """
-#if defined(__cplusplus)
-#define STEWART_RESTRICT __restrict
-#else
-#define STEWART_RESTRICT restrict
-#endif
-
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
-
-/* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
-#if defined(__GNUC__)
-#define STEWART_APART __attribute__((noinline))
-#else
-#define STEWART_APART
-#endif
-
-#define LANES 8
 """
 
 _STRUCTS = """\

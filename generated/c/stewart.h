@@ -28,6 +28,7 @@ typedef double stewart_real;
 #define STEWART_POLE 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
 #define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
+#define STEWART_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
 
 /* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
  * leg and y along the rotating axis of the universal joint. */

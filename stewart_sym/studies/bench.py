@@ -7,7 +7,7 @@ prints and writes nothing. Needs CasADi and Pinocchio, the extra ``bench``.
 """
 
 import contextlib
-import dataclasses
+import functools
 import gc
 import os
 import platform
@@ -23,21 +23,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import forces, kernel, native, reference
-from ..dynamics import Formulation, inverse_dynamics
+from ..dynamics import inverse_dynamics
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
+from . import bench_compile, bench_passes
+from .bench_figures import Benchmark, Figure, PassFigures, Speedup
 from .peers import (
     AGREEMENT,
-    CASADI,
     FEW,
+    LARGE,
     MANY,
+    NAME,
     PEERS,
     SLOW,
     Contestant,
     Poses,
     Runner,
     c_loop,
+    forces_loop,
+    loop_source,
     multiply_add,
     repeated,
     succeed,
@@ -49,12 +54,14 @@ Array = NDArray[np.float64]
 Progress = Callable[[str], None]
 Key = TypeVar("Key")
 
-NAME: Formulation = "exact"
-"""The kernel that is measured."""
-
 ROUNDS, QUICK_ROUNDS = 41, 9
 SHORTEST = 2e-3
 """Seconds that one sample lasts at least."""
+
+ENORMOUS = 10**6
+"""Units of work from which on a run is its own warming up."""
+
+COMPILATIONS, QUICK_COMPILATIONS = 7, 3
 
 SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
 _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
@@ -70,16 +77,15 @@ stewart_forces out;
     const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out);
     memcpy(F, out.F, sizeof out.F);
     return status;"""
-    loop = _LOOP.format(header=f"stewart_{NAME}.h", body=body)
+    loop = loop_source(f"stewart_{NAME}.h", body)
     library = native.load("bench_one_pose", {**kernel.c_sources(NAME), "drive.c": loop})
     return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
 
 def _fast_pose(poses: Poses) -> Runner:
     """``stewart_exact_forces`` with prepared constants, called from a C loop."""
-    body = f"return stewart_{NAME}_forces(machine, motion, F);"
-    loop = _LOOP.format(header=f"stewart_{NAME}_forces.h", body=body)
-    library = native.load("bench_fast_pose", {**kernel.c_sources(f"{NAME}_forces"), "drive.c": loop})
+    sources = {**kernel.c_sources(f"{NAME}_forces"), "drive.c": forces_loop()}
+    library = native.load("bench_fast_pose", sources)
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 
 
@@ -152,16 +158,16 @@ BATCH, ALL_CORES = "batch, one core", f"batch, {CORES} cores"
 OURS = (
     Contestant("one pose", "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations),
     Contestant(
-        BATCH, "C, F alone", "batch", MANY, _batch("double", 1), sweep=True, operations=_force_operations
+        BATCH, "C, F alone", "batch", LARGE, _batch("double", 1), sweep=True, operations=_force_operations
     ),
     Contestant(
-        ALL_CORES, "C, F alone", "batch", 20 * MANY, _batch("double", CORES), operations=_force_operations
+        ALL_CORES, "C, F alone", "batch", LARGE, _batch("double", CORES), operations=_force_operations
     ),
     Contestant(
         "batch, float",
         "C, F alone",
         "batch",
-        MANY,
+        LARGE,
         _batch("float", 1),
         operations=_force_operations,
         tolerance=FLOAT_AGREEMENT,
@@ -176,121 +182,6 @@ CALLS = (
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
 PINOCCHIO = "Pinocchio"
-
-
-# --- results ----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Figure:
-    """Nanoseconds a pose, one sample of each round in ``raw``; ``operations`` of a pose where counted."""
-
-    name: str
-    what: str
-    kind: str
-    poses: int
-    raw: tuple[float, ...]
-    operations: int | None = None
-
-    @property
-    def median(self) -> float:
-        """Median over the rounds."""
-        return float(np.median(self.raw))
-
-    @property
-    def quartiles(self) -> tuple[float, float]:
-        """First and third quartile over the rounds."""
-        low, high = np.percentile(self.raw, (25, 75))
-        return float(low), float(high)
-
-
-@dataclass(frozen=True)
-class Benchmark:
-    """Everything that ``bench`` measured.
-
-    ours, peers: time a pose. calls: time of a Python call for one pose. parts: what Pinocchio's figure is
-    made of. sweep: batches of all sizes. multiply_add: ns for one fused multiply-add of one number, on one
-    core; lanes: numbers in one instruction. differences: by contestant, from the reference's forces, share of
-    a pose's largest. machine, software, clock: as JSON takes them.
-    """
-
-    robot: str
-    rounds: int
-    ours: tuple[Figure, ...]
-    peers: tuple[Figure, ...]
-    calls: tuple[Figure, ...]
-    parts: tuple[Figure, ...]
-    sweep: tuple[Figure, ...]
-    multiply_add: Figure
-    lanes: int
-    differences: Mapping[str, float]
-    machine: Mapping[str, Any]
-    software: Mapping[str, Any]
-    clock: Mapping[str, Any]
-
-    @property
-    def casadi(self) -> Figure:
-        """What ratios refer to."""
-        return next(figure for figure in self.peers if figure.name == CASADI.name)
-
-    @property
-    def limits(self) -> Mapping[str, float]:
-        """Least ns a pose for the operations of the first of ``OURS`` on one core, by what fills a lane."""
-        operations = self.ours[0].operations or 0
-        each = operations * self.multiply_add.median
-        return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
-
-    def ratio(self, figure: Figure) -> float:
-        """Median over CasADi's."""
-        return figure.median / self.casadi.median
-
-    def overhead(self, call: Figure) -> float:
-        """Ns that a Python call takes over the same pose in C."""
-        return call.median - self.ours[0].median
-
-    def flatness(self, name: str) -> float:
-        """Longest time a pose over all batch sizes, divided by the shortest."""
-        medians = [figure.median for figure in self.sweep if figure.name == name]
-        return max(medians) / min(medians)
-
-    def as_json(self) -> dict[str, Any]:
-        """Return every figure with its unit, raw and condensed, ready for ``json``."""
-        return {
-            "schema": 1,
-            "unit": "ns/pose",
-            "robot": self.robot,
-            "formulation": NAME,
-            "rounds": self.rounds,
-            "shortest_sample_s": SHORTEST,
-            "machine": dict(self.machine),
-            "software": dict(self.software),
-            "clock": dict(self.clock),
-            "ratio_to": CASADI.name,
-            "ours": [self._entry(figure) for figure in self.ours],
-            "peers": [self._entry(figure) for figure in self.peers],
-            "pinocchio_parts": [_numbers(figure) for figure in self.parts],
-            "calls": [
-                {**_numbers(figure), "overhead_over_c_ns": self.overhead(figure)} for figure in self.calls
-            ],
-            "sweep": [_numbers(figure) for figure in self.sweep],
-            "flatness": {name: self.flatness(name) for name in dict.fromkeys(f.name for f in self.sweep)},
-            "multiply_add": {
-                **_numbers(self.multiply_add),
-                "unit": "ns per fused multiply-add of one number, one core",
-                "rate_per_s": 1e9 / self.multiply_add.median,
-                "numbers_in_a_vector": self.lanes,
-            },
-            "limits": dict(self.limits),
-            "largest_difference": dict(self.differences),
-        }
-
-    def _entry(self, figure: Figure) -> dict[str, Any]:
-        return {**_numbers(figure), "ratio_to_casadi": self.ratio(figure)}
-
-
-def _numbers(figure: Figure) -> dict[str, Any]:
-    """A figure as JSON takes it."""
-    return {**dataclasses.asdict(figure), "median": figure.median, "quartiles": figure.quartiles}
 
 
 # --- the run ----------------------------------------------------------------------------------
@@ -311,8 +202,10 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     few = poses.resized(FEW)
     progress("compiling the contestants")
     pinocchio = PinocchioMachine(few.robot, few.motion)
-    contestants = (*OURS, *CALLS, *PEERS)
-    runners = {each.name: each.make(poses.resized(each.poses)) for each in contestants}
+    stages = bench_passes.stages(progress)
+    contestants = (*OURS, *CALLS, *PEERS, *(each for stage in stages for each in stage.contestants))
+    sized = functools.cache(poses.resized)
+    runners = {each.name: each.make(sized(each.poses)) for each in contestants}
     progress("comparing their forces")
     differences = _differences(poses, contestants, runners, pinocchio)
 
@@ -325,13 +218,20 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "multiply-add": Task(processor.run, processor.count),
     }
     rounds = QUICK_ROUNDS if quick else ROUNDS
+    others = _Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
+    machine["taken_by_others"] = others.share()
+    compiling = bench_compile.compile_times(QUICK_COMPILATIONS if quick else COMPILATIONS, progress)
     return Benchmark(
         robot=poses.robot.name,
         rounds=rounds,
+        shortest_sample=SHORTEST,
         ours=tuple(_figure(each, raw) for each in OURS),
         peers=(*(_figure(each, raw) for each in PEERS), _pinocchio_figure(raw)),
+        cores=Speedup(
+            CORES, LARGE, tuple(one / all_ for one, all_ in zip(raw[BATCH], raw[ALL_CORES], strict=True))
+        ),
         calls=tuple(_figure(each, raw) for each in CALLS),
         parts=(
             Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
@@ -339,6 +239,9 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
             Figure("solve", "numpy.linalg.solve, 6x6", "batch", pinocchio.solves, raw["solve"]),
         ),
         sweep=sweep,
+        passes=tuple(_pass_figures(stage, raw) for stage in stages),
+        compiling=compiling,
+        text=bench_compile.text_size(),
         multiply_add=Figure("multiply-add", "fused", "loop", 1, raw["multiply-add"]),
         lanes=processor.lanes,
         differences=differences,
@@ -351,6 +254,11 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
 def _figure(each: Contestant, raw: Mapping[str, tuple[float, ...]]) -> Figure:
     count = None if each.operations is None else each.operations()
     return Figure(each.name, each.what, each.kind, each.poses, raw[each.name], count)
+
+
+def _pass_figures(stage: bench_passes.Stage, raw: Mapping[str, tuple[float, ...]]) -> PassFigures:
+    one_pose, batch = (_figure(each, raw) for each in stage.contestants)
+    return PassFigures(stage.name, stage.meaning, stage.operations, one_pose, batch)
 
 
 def _pinocchio_figure(raw: Mapping[str, tuple[float, ...]]) -> Figure:
@@ -458,33 +366,6 @@ def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tupl
     return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
-# --- C loops ----------------------------------------------------------------------------------
-
-_LOOP = """\
-#include <string.h>
-#include "{header}"
-
-static int call(const void *machine, const stewart_motion *motion, stewart_real F[6])
-{{
-    {body}
-}}
-
-int drive(
-    const void *machine, size_t count, size_t repeats, const stewart_motion *motions, stewart_real *F)
-{{
-    size_t n, i;
-    int status = 0;
-    for (n = 0; n < repeats; ++n) {{
-        for (i = 0; i < count; ++i) {{
-            status |= call(machine, &motions[i], F + 6 * i);
-        }}
-    }}
-    return status;
-}}
-"""
-"""What ``c_loop`` drives; the body of ``call`` puts one pose's forces into F and returns a status."""
-
-
 # --- timing -----------------------------------------------------------------------------------
 
 
@@ -515,8 +396,11 @@ def measured(
 
 
 def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
-    """Ns a unit, from a sample that lasted long enough; the first run, with cold caches, is not timed."""
-    if repeats[key] > 1:
+    """Ns a unit, from a sample that lasted long enough.
+
+    A run that is not timed comes first: it fetches the data that others drove out and wakes the threads.
+    """
+    if task.units < ENORMOUS:
         task.run(1)
     while True:
         seconds = _seconds(task, repeats[key])
@@ -576,14 +460,46 @@ def _step() -> float:
 # --- where it ran -----------------------------------------------------------------------------
 
 
+_VECTORS = ("avx512f", "avx2", "asimd")
+"""Instruction sets that name the widest vectors, widest first."""
+
+
 def _machine() -> dict[str, Any]:
+    sets = set(_cpuinfo("flags").split())
     return {
         "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
-        "instruction_sets": sorted({"avx2", "avx512f", "fma", "asimd"} & set(_cpuinfo("flags").split())),
+        "instruction_sets": sorted({*_VECTORS, "fma"} & sets),
+        "architecture": platform.machine(),
+        "vectors": next((name for name in _VECTORS if name in sets), ""),
         "cores": os.cpu_count(),
         "system": platform.platform(),
         "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
     }
+
+
+class _Others:
+    """What other processes, and a hypervisor, take of all cores from now on."""
+
+    def __init__(self) -> None:
+        self._start, self._work = time.perf_counter(), _work_of_others()
+
+    def share(self) -> float | None:
+        """Share of the cores' time so far, 0 to 1; None where the system doesn't tell."""
+        seconds, work = time.perf_counter() - self._start, _work_of_others()
+        if self._work is None or work is None or seconds <= 0:
+            return None
+        return min(1.0, max(0.0, (work - self._work) / (CORES * seconds)))
+
+
+def _work_of_others() -> float | None:
+    """Core seconds since the machine started, but for this process's own and its children's."""
+    with contextlib.suppress(OSError, ValueError):
+        first, *_ = Path("/proc/stat").read_text(encoding="utf-8").splitlines()
+        # user, nice, system, idle, waiting for a disk, two kinds of interrupts, stolen by the hypervisor
+        user, nice, system, _, _, hard, soft, stolen = map(int, first.split()[1:9])
+        ticks = user + nice + system + hard + soft + stolen
+        return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
+    return None
 
 
 def _software() -> dict[str, Any]:

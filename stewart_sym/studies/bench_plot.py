@@ -11,10 +11,13 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
-from .bench import SHORTEST, Benchmark, Figure
+from .bench_figures import Benchmark, Figure, Samples
 from .table import aligned
 
 WIDTH = 110
+
+DISTURBED = 0.03
+"""Share of the cores' time in others' hands from which on the figures are called disturbed."""
 
 _STYLE: Any = {
     "svg.hashsalt": "stewart-sym",
@@ -29,7 +32,7 @@ _STYLE: Any = {
     "legend.frameon": False,
 }
 _OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
-_MARKERS = "osD^vP"
+_MARKERS, _COLORS = "osD", (_OURS, "#7a9cc6", "#2e7d32")
 
 
 # --- tables -----------------------------------------------------------------------------------
@@ -43,14 +46,25 @@ def report(found: Benchmark) -> str:
         f"Inverse dynamics of {found.robot}, `exact`, one pose: F with friction, load and solve",
         "",
         f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
+        *_others(machine["taken_by_others"]),
         " ".join(software["flags"]),
         f"CasADi {software['casadi']}, Pinocchio {software['pin']}, NumPy {software['numpy']}, "
         f"Python {software['python']}",
     ]
-    parts = ["\n".join(head), _contestants(found), _notes(found), _calls(found)]
-    if found.sweep:
-        parts.append(_sizes(found))
+    parts = ["\n".join(head), _contestants(found), _cores(found), _notes(found), _calls(found)]
+    parts.append(_sizes(found))
+    if found.passes:
+        parts.append(_passes(found))
+    parts.append(_compiling(found))
     return "\n\n".join(parts) + "\n"
+
+
+def _others(share: float | None) -> list[str]:
+    """How far other processes disturbed the run; nothing where the system doesn't tell."""
+    if share is None:
+        return []
+    verdict = ": the figures are disturbed, above all those of several cores" if share > DISTURBED else ""
+    return [f"other processes took {100 * share:.0f} % of the cores' time{verdict}"]
 
 
 def _contestants(found: Benchmark) -> str:
@@ -78,15 +92,25 @@ def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
     return name, figure.what, loop, _count(figure), _number(figure.median), _spread(figure), ratio
 
 
+def _cores(found: Benchmark) -> str:
+    cores = found.cores
+    low, high = cores.quartiles
+    return (
+        f"{cores.cores} cores over one core: {cores.median:.2f} times, quartiles {low:.2f} - {high:.2f}; "
+        f"{cores.poses} poses, round by round"
+    )
+
+
 def _notes(found: Benchmark) -> str:
     rnea, empty, solve = (figure.median for figure in found.parts)
     rate = 1 / found.multiply_add.median
     worst = max(found.differences.values())
     return textwrap.fill(
         f"Medians and quartiles of {found.rounds} rounds; in each round every contestant takes its turn, for "
-        f"{1e3 * SHORTEST:g} ms or more. Ratios are of medians. All found the same forces first, to "
-        f"{worst:.0e} of a pose's largest. CasADi: the same equations written plainly, in vectors, or as the "
-        "closed form in the leg frame, its cse() and its solve(), same compiler and flags, called from the "
+        f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
+        f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. CasADi: the same "
+        "equations written plainly, in vectors, or as the closed form in the leg frame, its cse() and its "
+        "solve(), same compiler and flags, called from the "
         "same kind of C loop; it gives F alone and checks nothing. "
         f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({_number(rnea)} ns), less a "
         f"call for a model without joints ({_number(empty)} ns), and LAPACK's solve ({_number(solve)} ns); "
@@ -129,11 +153,59 @@ def _sizes(found: Benchmark) -> str:
     return aligned(header, rows)
 
 
+def _passes(found: Benchmark) -> str:
+    header = (
+        "after the pass",
+        "operations",
+        "with friction",
+        "one pose, ns",
+        "quartiles",
+        f"batch of {found.passes[0].batch.poses}",
+        "quartiles",
+    )
+    rows = [
+        (
+            each.name,
+            *map(str, each.operations),
+            _number(each.one_pose.median),
+            _spread(each.one_pose),
+            _number(each.batch.median),
+            _spread(each.batch),
+        )
+        for each in found.passes
+    ]
+    meanings = "\n".join(f"{each.name}: {each.meaning}" for each in found.passes)
+    return f"{aligned(header, rows)}\n\n{meanings}"
+
+
+def _compiling(found: Benchmark) -> str:
+    header = ("compiling and size", "", "quartiles", "")
+    flags = " ".join(found.software["flags"])
+    rows = [
+        (
+            each.source,
+            f"{each.median:.2f} s",
+            " - ".join(f"{value:.2f}" for value in each.quartiles),
+            f"median of {len(each.raw)}",
+        )
+        for each in found.compiling
+    ]
+    notes = f"Compiled past the cache with {flags}."
+    if found.text is not None:
+        parts = ", ".join(f"{name} {size}" for name, size in found.text.functions.items())
+        rows.append(("text for one pose", f"{found.text.total} bytes", "", ""))
+        notes += (
+            f" Text: functions of {found.text.source} that a program which prepares a robot and computes one "
+            f"pose is left with ({parts}), {' '.join(found.text.flags)}, linked with --gc-sections."
+        )
+    return f"{aligned(header, rows)}\n\n{textwrap.fill(notes, WIDTH, break_on_hyphens=False)}"
+
+
 def _count(figure: Figure) -> str:
     return "" if figure.operations is None else str(figure.operations)
 
 
-def _spread(figure: Figure) -> str:
+def _spread(figure: Samples) -> str:
     return " - ".join(map(_number, figure.quartiles))
 
 
@@ -158,7 +230,8 @@ def picture(found: Benchmark) -> Canvas:
     """Every contestant's time on a log axis, with the ratio to CasADi; below, time over batch size."""
     rows = len(found.ours) + len(found.peers)
     heights = [0.36 * rows + 1.0, 2.3]
-    canvas = Canvas(figsize=(8.6, sum(heights) + 0.6), layout="constrained")
+    canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     above, below = canvas.subplots(2, 1, height_ratios=heights)
     canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns a pose: {found.machine['processor']}", x=0.5)
     _draw_contestants(above, found)
@@ -179,12 +252,21 @@ def _draw_contestants(axes: Axes, found: Benchmark) -> None:
         axes.plot(figure.median, place, "o", color=color, markersize=7)
         text = f"{_number(figure.median)} ns   {_times(found.ratio(figure))}"
         right = max(figure.median, third)
-        axes.annotate(text, (right, place), (9, 0), textcoords="offset points", va="center", color=color)
+        axes.annotate(
+            text,
+            (right, place),
+            (9, 0),
+            textcoords="offset points",
+            va="center",
+            color=color,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+        )
     for (name, value), dash in zip(limits.items(), ("--", ":"), strict=True):
-        axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=f"{name}: {_number(value)} ns")
+        label = f"{name}: {_number(value)} ns"
+        axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=label, zorder=1.5)
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
     axes.set_xscale("log")
-    axes.set_xlim(low, 8 * max(figure.median for figure, _, _ in rows))
+    axes.set_xlim(low, 10 * max(figure.median for figure, _, _ in rows))
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
     axes.set_xlabel(r"ns a pose, median (thick: quartiles); $\times$: share of CasADi's time")
@@ -198,7 +280,7 @@ def _times(ratio: float) -> str:
 
 def _draw_sizes(axes: Axes, found: Benchmark) -> None:
     names = dict.fromkeys(figure.name for figure in found.sweep)
-    for name, marker in zip(names, _MARKERS, strict=False):
+    for name, marker, color in zip(names, _MARKERS, _COLORS, strict=False):
         figures = [figure for figure in found.sweep if figure.name == name]
         sizes, medians = [figure.poses for figure in figures], [figure.median for figure in figures]
         ends = zip(medians, (figure.quartiles for figure in figures), strict=True)
@@ -208,6 +290,7 @@ def _draw_sizes(axes: Axes, found: Benchmark) -> None:
             sizes,
             medians,
             list(zip(*spread, strict=True)),
+            color=color,
             marker=marker,
             markersize=5,
             label=label,

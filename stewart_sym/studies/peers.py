@@ -14,14 +14,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import kernel, native, reference
+from ..dynamics import Formulation
 from ..motion import Motion
 from ..robot import Robot
 from . import peers_casadi
 
 Array = NDArray[np.float64]
 
+NAME: Formulation = "exact"
+"""The kernel that is measured."""
+
 FEW, SLOW, MANY = 64, 1_000, 10_000
 """Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""
+
+LARGE = 200_000
+"""Poses of the batches that cores are compared on: enough that waking the threads doesn't count."""
 
 AGREEMENT = 1e-10
 """Largest difference of forces between contestants in double precision, share of a pose's largest."""
@@ -109,6 +116,40 @@ def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
         succeed(library.drive(numbers, count, ctypes.c_size_t(repeats), motions, out))
 
     return Runner(run, lambda: F, (machine, rows))
+
+
+_LOOP = """\
+#include <string.h>
+#include "{header}"
+
+static int call(const void *machine, const stewart_motion *motion, stewart_real F[6])
+{{
+    {body}
+}}
+
+int drive(
+    const void *machine, size_t count, size_t repeats, const stewart_motion *motions, stewart_real *F)
+{{
+    size_t n, i;
+    int status = 0;
+    for (n = 0; n < repeats; ++n) {{
+        for (i = 0; i < count; ++i) {{
+            status |= call(machine, &motions[i], F + 6 * i);
+        }}
+    }}
+    return status;
+}}
+"""
+
+
+def loop_source(header: str, body: str) -> str:
+    """C of the ``drive`` that ``c_loop`` calls; ``body`` puts one pose's forces into F, returns a status."""
+    return _LOOP.format(header=header, body=body)
+
+
+def forces_loop() -> str:
+    """The same for the kernel of the forces alone; ``machine`` is its prepared model."""
+    return loop_source(f"stewart_{NAME}_forces.h", f"return stewart_{NAME}_forces(machine, motion, F);")
 
 
 def address(array: NDArray[Any]) -> ctypes.c_void_p:

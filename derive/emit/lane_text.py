@@ -1,0 +1,108 @@
+"""Text that every source with lanes is made of: loads, stores, the judgement of a leg, macros.
+
+Stands below ``lanes`` and ``motion``. A lane is a leg of a pose or a pose of a block; either way a block is
+the body of a loop over eight of them. Knows no dynamics and no whole function.
+"""
+
+from collections.abc import Iterable
+
+from .. import notation as n
+from ..block import Block, Output, Quantity
+from .c import size, wrap_list
+from .infix import infix, wrap
+
+LANES = 8
+JUDGED = (n.q, n.S_1, n.L, n.k3)
+"""Outputs of a leg by which it is judged; they are not stored as they are."""
+
+
+def dims(quantity: Quantity) -> str:
+    """``[9]`` for a matrix, nothing for a scalar."""
+    return f"[{size(quantity)}]" if quantity.shape else ""
+
+
+def filled(text: str, parts: dict[str, list[str]]) -> str:
+    """The text with each mark replaced by its lines."""
+    for mark, lines in parts.items():
+        text = text.replace(mark, "\n".join(lines))
+    return text
+
+
+def entries(quantities: Iterable[Quantity]) -> list[str]:
+    """``h[0]``, ``h[1]``, ``h[2]``, ``g_k``: the stored numbers of the quantities, in order."""
+    return [q.name + (f"[{i}]" if q.shape else "") for q in quantities for i in range(size(q))]
+
+
+def loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
+    """``const stewart_real p_x = leg->p[0]<lane>, ...;`` for the components that are used."""
+    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
+    if not quantity.shape:
+        return [f"{indent}const stewart_real {quantity.name} = {owner}->{member}{lane};"]
+    parts = [
+        f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
+    ]
+    return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
+
+
+def stores(outputs: tuple[Output, ...], lane: str, indent: str) -> list[str]:
+    """``out->K[0]<lane> = ...;`` for every component."""
+    lines = []
+    for out in outputs:
+        for i, expr in enumerate(out.exprs):
+            index = f"[{i}]" if out.quantity.shape else ""
+            text = f"{indent}out->{out.quantity.name}{index}{lane} = {infix(expr, 'STEWART_SQRT')};"
+            lines.append(wrap(text, indent + " " * 4))
+    return lines
+
+
+def names_used(block: Block) -> set[str]:
+    """Names that occur on some right side."""
+    return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+
+
+def assigned(target: str, text: str) -> str:
+    """An assignment in the body of a loop."""
+    return wrap(f"{' ' * 8}{target} = {text};", " " * 12)
+
+
+def judged(leg: Block) -> tuple[str, str]:
+    """Length and sine of the angle at the universal joint, as text; 1 where there is no such joint."""
+    by_name = {out.quantity: infix(out.exprs[0], "STEWART_SQRT") for out in leg.outputs}
+    return by_name[n.L], by_name.get(n.k3, "1")
+
+
+def reach_lines(terms: list[str]) -> list[str]:
+    """Declares `fault`, and `reach` as the largest of the terms."""
+    lines = ["        stewart_real fault;", f"        stewart_real reach = {terms[0]};"]
+    return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
+
+
+def fault_lines(length: str, sine: str, before: str, after: str) -> list[str]:
+    """Puts 1 into `after` where a leg is not finite, too short or at its pole, else what was `before`."""
+    before = f"(stewart_real){before}" if before == "0" else before
+    return [
+        f"        fault = {length} <= STEWART_MAX ? {before} : (stewart_real)1;",
+        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : (stewart_real)1;",
+        f"        {after} = {sine} > STEWART_ROUNDING ? fault : (stewart_real)1;",
+    ]
+
+
+MACROS = """
+#if defined(__cplusplus)
+#define STEWART_RESTRICT __restrict
+#else
+#define STEWART_RESTRICT restrict
+#endif
+
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
+#define LANES 8
+"""

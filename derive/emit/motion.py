@@ -1,0 +1,871 @@
+"""C99 of the closed form: equations of motion, bias, forward dynamics, derivatives, linearisation.
+
+Uses the prepared model of the force kernel (``lanes``). The six legs stand in lanes of eight; each block's
+part of the sums is one array, added up leg by leg. Knows layout and solving, no dynamics.
+"""
+
+from .. import notation as n
+from ..block import Block, Operations
+from ..motion import F_LEG, SumKernel
+from ..prepared import t_1
+from ..regroup import ForceKernel
+from .c import ARITHMETIC, size, step_lines
+from .infix import infix
+from .lane_text import (
+    JUDGED,
+    LANES,
+    MACROS,
+    assigned,
+    fault_lines,
+    filled,
+    judged,
+    loads,
+    names_used,
+    reach_lines,
+    stores,
+)
+
+LEGS = 6
+
+
+def header(
+    kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...], name: str, version: str
+) -> str:
+    """``stewart_<kernel>_motion.h``: what is computed, its cost, its functions."""
+    rows = [
+        f" * {kernel.name:17s} {sum_operations(kernel)!s:44s} {sum_operations(plain).total}"
+        for kernel, plain in zip(kernels, frictionless, strict=True)
+    ]
+    return (
+        _HEADER.replace("@OPERATIONS@", "\n".join(rows))
+        .replace("@GUARD@", f"STEWART_{name.upper()}_MOTION_H")
+        .replace("@VERSION@", version)
+        .replace("@NAME@", name)
+    )
+
+
+def source(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> str:
+    """``stewart_<kernel>_motion.c``."""
+    name = model.formulation.kernel_name
+    parts = [
+        _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS,
+        _COMMON,
+        *(_kernel(kernel, model) for kernel in kernels),
+        *(_solve(_DEFINITE, width) for width in (8, 24)),
+        *(_solve(_PIVOTED, width) for width in (12, 24)),
+        _PUBLIC,
+        _batches(),
+    ]
+    return "\n".join(parts).replace("@NAME@", name)
+
+
+def sum_operations(kernel: SumKernel) -> Operations:
+    """Operations of a pose before any solve: six legs, the platform, the sums."""
+    sums = LEGS * sum(size(q) for q in kernel.summed)
+    return LEGS * kernel.leg.operations() + kernel.pose.operations() + Operations(add=sums)
+
+
+# ---------------------------------------------------------------- one kernel
+
+
+def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
+    """Structs and functions of one kernel: the pose's part, the legs' parts, both added up."""
+    given = [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
+    stored = [out.quantity for out in kernel.leg.outputs if out.quantity not in (*kernel.summed, *JUDGED)]
+    forced = F_LEG in kernel.leg.inputs
+    text = _SUM_KERNEL.replace("@FORCE@", ", const stewart_real F[6]" if forced else "")
+    text = text.replace("@FORCE_ARGUMENT@", ", force" if forced else "")
+    text = text.replace("@FORCE_LANES@", ", const stewart_real *STEWART_RESTRICT force" if forced else "")
+    parts = {
+        "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
+        "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
+        "@POSE_BODY@": _pose_body(kernel),
+        "@OUTSIDE@": _leg_loads(kernel.leg, model)[0],
+        "@LEG_BODY@": _leg_body(kernel, model),
+        "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
+        "@SPREAD@": _SPREAD_FORCE if forced else [],
+    }
+    marks = {"@WHAT@": kernel.name, "@COUNT@": str(sum(size(q) for q in kernel.summed))}
+    marks["@POSE_COUNT@"], marks["@LEG_COUNT@"] = str(kernel.pose.operations()), str(kernel.leg.operations())
+    for mark, value in marks.items():
+        text = text.replace(mark, value)
+    return filled(_without_empty(text, parts), parts)
+
+
+def _without_empty(text: str, parts: dict[str, list[str]]) -> str:
+    """The text without the lines of marks that stand for nothing."""
+    for mark, lines in parts.items():
+        if not lines:
+            text = text.replace(f"{mark}\n", "")
+    return text
+
+
+_SPREAD_FORCE = [
+    "    for (i = 0; i < LANES; ++i) {",
+    "        force[i] = F[i < 6 ? i : 5];",
+    "    }",
+]
+
+
+def _sums(kernel: SumKernel, block: Block) -> list[str]:
+    """Text of each number that the block adds, in the order of the sums."""
+    exprs = {out.quantity: out.exprs for out in block.outputs}
+    return [infix(expr, "STEWART_SQRT") for q in kernel.summed for expr in exprs[q]]
+
+
+def _pose_body(kernel: SumKernel) -> list[str]:
+    block, used = kernel.pose, names_used(kernel.pose)
+    given = tuple(out for out in block.outputs if out.quantity not in kernel.summed)
+    found = [
+        line for q in block.inputs for line in loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
+    ]
+    return [
+        *found,
+        *step_lines(block.steps, "    "),
+        *stores(given, "", "    "),
+        *(f"    sum[{i}] = {text};" for i, text in enumerate(_sums(kernel, block))),
+    ]
+
+
+def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
+    """Loads of what all legs share, and of what differs from leg to leg."""
+    used = names_used(block) | set(t_1.names) | {f"r_{axis}" for axis in "xyz"}
+    outside: list[str] = []
+    inside: list[str] = []
+    for q in block.inputs:
+        if q == F_LEG:
+            inside.append("        const stewart_real F = force[l];")
+        elif q in model.leg_constants():
+            inside += loads(q, "model", "[l]", used, " " * 8)
+        else:
+            owner = "at" if q in n.MOTION else "model" if q in model.platform_constants() else "pose"
+            outside += loads(q, owner, "", used, "    ")
+    return outside, inside
+
+
+def _leg_body(kernel: SumKernel, model: ForceKernel) -> list[str]:
+    block = kernel.leg
+    kept = tuple(o for o in block.outputs if o.quantity not in (*kernel.summed, *JUDGED))
+    length, sine = judged(block)
+    terms = [f"STEWART_FABS({name})" for q in (n.S_1, t_1) for name in q.names]
+    terms += [f"STEWART_FABS(r_{axis})" for axis in "xyz"]
+    return [
+        *_leg_loads(block, model)[1],
+        *step_lines(block.steps, " " * 8),
+        *(assigned(f"out->sum[{i}][l]", text) for i, text in enumerate(_sums(kernel, block))),
+        *stores(kept, "[l]", " " * 8),
+        *reach_lines(terms),
+        "        out->judged.reach[l] = reach;",
+        f"        out->judged.L[l] = {length};",
+        f"        out->judged.k3[l] = {sine};",
+        *fault_lines(length, sine, "0", "out->judged.bad[l]"),
+    ]
+
+
+def _solve(marks: dict[str, str], width: int) -> str:
+    text = _SOLVE
+    for mark, value in marks.items():
+        text = text.replace(mark, value)
+    return text.replace("@WIDTH@", str(width))
+
+
+# ---------------------------------------------------------------- batches
+
+_ARRAYS: dict[str, tuple[tuple[str, int], ...]] = {
+    "equations": (
+        ("M", 36),
+        ("C", 36),
+        ("g", 6),
+        ("friction", 6),
+        ("bias", 6),
+        ("H", 36),
+        ("H_dot", 36),
+    ),
+    "derivatives": (("F", 6), ("by_pose", 36), ("by_twist", 36), ("by_acceleration", 36)),
+    "linearisation": (("acceleration", 6), ("A", 144), ("B", 72)),
+}
+"""Members of the structs that functions fill, and how many numbers each has."""
+
+_PLAIN: dict[str, tuple[str, int]] = {
+    "bias": ("bias", 6),
+    "forward_dynamics": ("acceleration", 6),
+    "joint_inertia": ("inertia", 36),
+}
+"""Functions that fill one array."""
+
+_FORCED = ("forward_dynamics", "linearisation")
+"""Functions that take actuator forces."""
+
+MEMBERS: dict[str, tuple[tuple[str, int], ...]] = _ARRAYS | {name: (one,) for name, one in _PLAIN.items()}
+"""What each function hands out, with the count of its numbers."""
+
+
+def _batches() -> str:
+    parts = [_LOAD_POSE]
+    for what, members in MEMBERS.items():
+        forced = what in _FORCED
+        marks = {
+            "@WHAT@": what,
+            "@ARGUMENT@": "const stewart_real *F, " if forced else "",
+            "@NEED@": " || !F" if forced else "",
+            "@FORCE@": "F + pose * 6, " if forced else "",
+            "@OUT@": _out(what),
+        }
+        if what in _ARRAYS:
+            marks |= {"@DECLARE@": f"stewart_{what} found;", "@TARGET@": "&found"}
+            copies = [f"copy_to(found.{name}, {count}, pose, out->{name});" for name, count in members]
+        else:
+            count = members[0][1]
+            marks |= {"@DECLARE@": f"stewart_real found[{count}];", "@TARGET@": "found"}
+            copies = [f"copy_to(found, {count}, pose, out);"]
+        text = _BATCH
+        for mark, value in marks.items():
+            text = text.replace(mark, value)
+        parts.append(filled(text, {"@COPIES@": [f"            {line}" for line in copies]}))
+    return "\n".join(parts)
+
+
+def _out(what: str) -> str:
+    return f"const stewart_{what}_arrays *out" if what in _ARRAYS else "stewart_real *out"
+
+
+def _members(quantities: tuple[tuple[str, int], ...], pointer: bool) -> str:
+    rows = (("*{}; /* [count][{}] */" if pointer else "{}[{}];").format(*pair) for pair in quantities)
+    return "\n".join(f"    stewart_real {row}" for row in rows)
+
+
+_HEADER_TEXT = """\
+/* stewart_@NAME@_motion.h: the closed form of the equations of motion and what follows from it.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ *
+ *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
+ *
+ * Wrenches [force; moment] and twists [v; omega] in base axes about the platform's reference point. M is
+ * symmetric and, with physical inertias, positive definite; its rate less 2 C is skew. bias is
+ * C [v; omega] + g + friction. Matrices are row-major. Poses move by [dt; dphi], R becoming exp([dphi]x) R.
+ * Link with stewart_@NAME@_forces.c, whose prepared model is used; accelerations in the motion are read by
+ * `derivatives` alone.
+ *
+ * Operations of a pose before any solve      with friction                                without
+@OPERATIONS@
+ */
+#ifndef @GUARD@
+#define @GUARD@
+
+#include "stewart_@NAME@_forces.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* H_dot: rate of H; the others as above. */
+typedef struct {
+@EQUATIONS@
+} stewart_equations;
+
+/* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
+typedef struct {
+@DERIVATIVES@
+} stewart_derivatives;
+
+/* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about the motion. */
+typedef struct {
+@LINEARISATION@
+} stewart_linearisation;
+
+/* The same of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {
+@EQUATIONS_ARRAYS@
+} stewart_equations_arrays;
+
+typedef struct {
+@DERIVATIVES_ARRAYS@
+} stewart_derivatives_arrays;
+
+typedef struct {
+@LINEARISATION_ARRAYS@
+} stewart_linearisation_arrays;
+
+/* One pose. All return a status; outputs are written only if it is STEWART_OK. */
+int stewart_@NAME@_equations(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out);
+int stewart_@NAME@_bias(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6]);
+int stewart_@NAME@_forward_dynamics(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_real acceleration[6]);
+
+/* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
+int stewart_@NAME@_joint_inertia(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36]);
+int stewart_@NAME@_derivatives(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out);
+int stewart_@NAME@_linearisation(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_linearisation *out);
+
+/* `count` poses; F is [count][6]. `status` takes one code for each pose; null: not wanted. Return the first
+ * code other than STEWART_OK, or STEWART_OK. */
+@BATCHES@
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+
+
+def _batch_declarations() -> str:
+    lines = []
+    for what in MEMBERS:
+        argument = "const stewart_real *F, " if what in _FORCED else ""
+        lines.append(
+            f"int stewart_@NAME@_{what}_batch(\n"
+            "    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions,\n"
+            f"    {argument}{_out(what)}, int *status);"
+        )
+    return "\n".join(lines)
+
+
+_HEADER = (
+    _HEADER_TEXT.replace("@EQUATIONS@", _members(_ARRAYS["equations"], False))
+    .replace("@DERIVATIVES@", _members(_ARRAYS["derivatives"], False))
+    .replace("@LINEARISATION@", _members(_ARRAYS["linearisation"], False))
+    .replace("@EQUATIONS_ARRAYS@", _members(_ARRAYS["equations"], True))
+    .replace("@DERIVATIVES_ARRAYS@", _members(_ARRAYS["derivatives"], True))
+    .replace("@LINEARISATION_ARRAYS@", _members(_ARRAYS["linearisation"], True))
+    .replace("@BATCHES@", _batch_declarations())
+)
+
+_TOP = """\
+/* stewart_@NAME@_motion.c: see stewart_@NAME@_motion.h.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ */
+#include "stewart_@NAME@_motion.h"
+
+"""
+
+_COMMON = """\
+/* What tells whether a leg is fit to be computed. */
+typedef struct {
+    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real bad[LANES]; /* 1 where the leg is not fit, else 0 */
+} leg_judgement;
+
+static int legs_status(const leg_judgement *judged)
+{
+    int i;
+    for (i = 0; i < 6; ++i) {
+        if (judged->bad[i] > 0) {
+            if (!(judged->L[i] <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            return judged->L[i] > STEWART_ROUNDING * judged->reach[i] ? STEWART_POLE : STEWART_SHORT_LEG;
+        }
+    }
+    return STEWART_OK;
+}
+
+/* Adds the six legs to the platform's part. Apart: GCC 12 makes wrong vectors of the sums where it can see the
+ * solve as well. */
+STEWART_APART static void add_legs(
+    stewart_real (*STEWART_RESTRICT lanes)[LANES], int count, stewart_real *STEWART_RESTRICT sum)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        sum[i] = sum[i] + (lanes[i][0] + lanes[i][1] + lanes[i][2] + lanes[i][3] + lanes[i][4] + lanes[i][5]);
+    }
+}
+
+static int is_finite(const stewart_real *values, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void copy(const stewart_real *from, int count, stewart_real *to)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        to[i] = from[i];
+    }
+}
+
+/* M from the first 21 sums, as rows of `width` numbers. */
+static void inertia_rows(const stewart_real *sum, int width, stewart_real *rows)
+{
+    static const int place[36] = {0, 1, 2, 6, 7, 8, 1, 3, 4, 9, 10, 11, 2, 4, 5, 12, 13, 14,
+                                  6, 9, 12, 15, 16, 17, 7, 10, 13, 16, 18, 19, 8, 11, 14, 17, 19, 20};
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            rows[i * width + j] = sum[place[6 * i + j]];
+        }
+    }
+}
+
+/* Four 3x3 blocks as a 6x6 matrix in rows of `width` numbers. */
+static void block_rows(const stewart_real *blocks, int width, stewart_real *rows)
+{
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            rows[i * width + j] = blocks[(i / 3 * 2 + j / 3) * 9 + i % 3 * 3 + j % 3];
+        }
+    }
+}
+
+/* H from the legs' columns, in rows of `width` numbers. */
+static void column_rows(
+    stewart_real (*force)[LANES], stewart_real (*moment)[LANES], int width, stewart_real *rows)
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            rows[i * width + j] = force[i][j];
+            rows[(i + 3) * width + j] = moment[i][j];
+        }
+    }
+}
+"""
+
+_SUM_KERNEL = """\
+/* ---- @WHAT@ ---- */
+
+typedef struct {
+@GIVEN@
+} @WHAT@_pose;
+
+typedef struct {
+    stewart_real sum[@COUNT@][LANES];
+@STORED@
+    leg_judgement judged;
+} @WHAT@_legs;
+
+/* The platform's part: @POSE_COUNT@ operations. */
+static void @WHAT@_of_pose(
+    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    @WHAT@_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+{
+@POSE_BODY@
+}
+
+/* The legs side by side: @LEG_COUNT@ operations each. */
+STEWART_APART static void @WHAT@_of_legs(
+    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const @WHAT@_pose *STEWART_RESTRICT pose@FORCE_LANES@, @WHAT@_legs *STEWART_RESTRICT out)
+{
+    int l;
+@OUTSIDE@
+    for (l = 0; l < LANES; ++l) {
+@LEG_BODY@
+    }
+}
+
+/* Platform and legs together; returns a status. */
+static int @WHAT@_sums(
+    const stewart_@NAME@_model *model, const stewart_motion *motion@FORCE@, @WHAT@_legs *legs,
+    stewart_real *sum)
+{
+    @WHAT@_pose pose;
+    int status;
+@DECLARED@
+    @WHAT@_of_pose(model, motion, &pose, sum);
+@SPREAD@
+    @WHAT@_of_legs(model, motion, &pose@FORCE_ARGUMENT@, legs);
+    status = legs_status(&legs->judged);
+    if (status == STEWART_OK) {
+        add_legs(legs->sum, @COUNT@, sum);
+    }
+    return status;
+}
+"""
+
+_SOLVE = """\
+/* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.
+ * Returns a status. */
+static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
+{
+    stewart_real scale[6], inverse[6];
+    int i, j, k;
+@SCALES@
+    for (k = 0; k < 6; ++k) {
+@PIVOT@
+        inverse[k] = 1 / A[k * @WIDTH@ + k];
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real factor = A[i * @WIDTH@ + k] * inverse[k];
+            for (j = 0; j < @WIDTH@; ++j) {
+                A[i * @WIDTH@ + j] = A[i * @WIDTH@ + j] - factor * A[k * @WIDTH@ + j];
+            }
+        }
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = 6; j < @WIDTH@; ++j) {
+            A[k * @WIDTH@ + j] = A[k * @WIDTH@ + j] * inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[i * @WIDTH@ + k];
+            for (j = 6; j < @WIDTH@; ++j) {
+                A[i * @WIDTH@ + j] = A[i * @WIDTH@ + j] - factor * A[k * @WIDTH@ + j];
+            }
+        }
+    }
+    return STEWART_OK;
+}
+"""
+
+_DEFINITE = {
+    "@KIND@": "definite",
+    "@MATRIX@": "M",
+    "@METHOD@": "by L D L^T, M positive definite",
+    "@SCALES@": """\
+    for (k = 0; k < 6; ++k) {
+        scale[k] = A[k * @WIDTH@ + k];
+    }""",
+    "@PIVOT@": """\
+        if (!(A[k * @WIDTH@ + k] > STEWART_ROUNDING * scale[k])) {
+            return STEWART_FABS(A[k * @WIDTH@ + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        }""",
+}
+
+_PIVOTED = {
+    "@KIND@": "pivoted",
+    "@MATRIX@": "H",
+    "@METHOD@": "by elimination with partial pivoting",
+    "@SCALES@": """\
+    stewart_real moment = 0;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            moment = STEWART_LARGER(STEWART_FABS(A[i * @WIDTH@ + j]), moment);
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        scale[i] = i < 3 ? (stewart_real)1 : moment;
+    }""",
+    "@PIVOT@": """\
+        int pivot = k;
+        stewart_real row_scale;
+        for (i = k + 1; i < 6; ++i) {
+            if (STEWART_FABS(A[i * @WIDTH@ + k]) > STEWART_FABS(A[pivot * @WIDTH@ + k])) {
+                pivot = i;
+            }
+        }
+        row_scale = scale[pivot];
+        scale[pivot] = scale[k];
+        if (!(STEWART_FABS(A[pivot * @WIDTH@ + k]) > STEWART_ROUNDING * row_scale)) {
+            return A[pivot * @WIDTH@ + k] == A[pivot * @WIDTH@ + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+        for (j = 0; pivot != k && j < @WIDTH@; ++j) {
+            const stewart_real moved = A[k * @WIDTH@ + j];
+            A[k * @WIDTH@ + j] = A[pivot * @WIDTH@ + j];
+            A[pivot * @WIDTH@ + j] = moved;
+        }""",
+}
+
+_PUBLIC = """\
+int stewart_@NAME@_equations(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out)
+{
+    equations_legs legs;
+    stewart_equations found;
+    stewart_real sum[69];
+    int i, j, status;
+    if (!model || !motion || !out) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = equations_sums(model, motion, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    inertia_rows(sum, 6, found.M);
+    block_rows(sum + 21, 6, found.C);
+    copy(sum + 57, 6, found.g);
+    copy(sum + 63, 6, found.friction);
+    column_rows(legs.H_force, legs.H_moment, 6, found.H);
+    column_rows(legs.H_dot_force, legs.H_dot_moment, 6, found.H_dot);
+    for (i = 0; i < 6; ++i) {
+        stewart_real bias = found.g[i] + found.friction[i];
+        for (j = 0; j < 3; ++j) {
+            bias = bias + found.C[6 * i + j] * motion->v[j] + found.C[6 * i + j + 3] * motion->omega[j];
+        }
+        found.bias[i] = bias;
+    }
+    if (!is_finite(sum, 69) || !is_finite(found.bias, 6) || !is_finite(found.H_dot, 36)) {
+        return STEWART_NOT_FINITE;
+    }
+    *out = found;
+    return STEWART_OK;
+}
+
+int stewart_@NAME@_bias(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6])
+{
+    bias_legs legs;
+    stewart_real sum[6];
+    int status;
+    if (!model || !motion || !bias) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = bias_sums(model, motion, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    if (!is_finite(sum, 6)) {
+        return STEWART_NOT_FINITE;
+    }
+    copy(sum, 6, bias);
+    return STEWART_OK;
+}
+
+int stewart_@NAME@_forward_dynamics(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_real acceleration[6])
+{
+    forward_dynamics_legs legs;
+    stewart_real A[48], sum[27];
+    int i, status;
+    if (!model || !motion || !F || !acceleration) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = forward_dynamics_sums(model, motion, F, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    inertia_rows(sum, 8, A);
+    for (i = 0; i < 6; ++i) {
+        A[8 * i + 6] = sum[21 + i];
+        A[8 * i + 7] = 0;
+    }
+    status = solve_definite_8(A);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        if (!is_finite(&A[8 * i + 6], 1)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        acceleration[i] = A[8 * i + 6];
+    }
+    return STEWART_OK;
+}
+
+int stewart_@NAME@_joint_inertia(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36])
+{
+    equations_legs legs;
+    stewart_real A[72], X[36], sum[69];
+    int i, j, status;
+    if (!model || !motion || !inertia) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = equations_sums(model, motion, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    column_rows(legs.H_force, legs.H_moment, 12, A);
+    inertia_rows(sum, 12, A + 6);
+    status = solve_pivoted_12(A);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            X[6 * j + i] = A[12 * i + 6 + j];
+        }
+    }
+    column_rows(legs.H_force, legs.H_moment, 12, A);
+    for (i = 0; i < 6; ++i) {
+        copy(X + 6 * i, 6, A + 12 * i + 6);
+    }
+    status = solve_pivoted_12(A);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
+        }
+    }
+    if (!is_finite(X, 36)) {
+        return STEWART_NOT_FINITE;
+    }
+    copy(X, 36, inertia);
+    return STEWART_OK;
+}
+
+int stewart_@NAME@_derivatives(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out)
+{
+    derivatives_legs legs;
+    stewart_derivatives found;
+    stewart_real A[144], sum[93];
+    int i, j, status;
+    if (!model || !motion || !out) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = stewart_@NAME@_forces(model, motion, found.F);
+    if (status == STEWART_OK) {
+        status = derivatives_sums(model, motion, found.F, &legs, sum);
+    }
+    if (status != STEWART_OK) {
+        return status;
+    }
+    column_rows(legs.H_force, legs.H_moment, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    inertia_rows(sum, 24, A + 18);
+    status = solve_pivoted_24(A);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        if (!is_finite(A + 24 * i + 6, 18)) {
+            return STEWART_NOT_FINITE;
+        }
+        for (j = 0; j < 6; ++j) {
+            found.by_pose[6 * i + j] = A[24 * i + 6 + j];
+            found.by_twist[6 * i + j] = A[24 * i + 12 + j];
+            found.by_acceleration[6 * i + j] = A[24 * i + 18 + j];
+        }
+    }
+    *out = found;
+    return STEWART_OK;
+}
+
+/* A of the linearisation from M^-1 times the derivatives of the wrench, columns 6 to 17 of the rows. */
+static void system_matrix(const stewart_real *omega, stewart_real A[144], stewart_real *system)
+{
+    int i, j;
+    for (i = 0; i < 144; ++i) {
+        system[i] = 0;
+    }
+    for (i = 0; i < 6; ++i) {
+        system[12 * i + 6 + i] = 1;
+        for (j = 0; j < 12; ++j) {
+            system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
+        }
+    }
+    system[12 * 3 + 4] = -omega[2];
+    system[12 * 3 + 5] = omega[1];
+    system[12 * 4 + 3] = omega[2];
+    system[12 * 4 + 5] = -omega[0];
+    system[12 * 5 + 3] = -omega[1];
+    system[12 * 5 + 4] = omega[0];
+}
+
+int stewart_@NAME@_linearisation(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_linearisation *out)
+{
+    derivatives_legs legs;
+    stewart_linearisation found;
+    stewart_motion moving;
+    stewart_real A[144], sum[93];
+    int i, j, status;
+    if (!model || !motion || !F || !out) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    status = stewart_@NAME@_forward_dynamics(model, motion, F, found.acceleration);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    moving = *motion;
+    copy(found.acceleration, 3, moving.a);
+    copy(found.acceleration + 3, 3, moving.alpha);
+    status = derivatives_sums(model, &moving, F, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    inertia_rows(sum, 24, A);
+    block_rows(sum + 21, 24, A + 6);
+    block_rows(sum + 57, 24, A + 12);
+    column_rows(legs.H_force, legs.H_moment, 24, A + 18);
+    status = solve_definite_24(A);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    system_matrix(motion->omega, A, found.A);
+    for (i = 0; i < 36; ++i) {
+        found.B[i] = 0;
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
+        }
+    }
+    if (!is_finite(found.A, 144) || !is_finite(found.B, 72)) {
+        return STEWART_NOT_FINITE;
+    }
+    *out = found;
+    return STEWART_OK;
+}
+"""
+
+_LOAD_POSE = """\
+/* Numbers of one pose to their place in an array of all poses, if there is one. */
+static void copy_to(const stewart_real *from, int count, size_t pose, stewart_real *to)
+{
+    if (to) {
+        copy(from, count, to + pose * (size_t)count);
+    }
+}
+
+static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
+{
+    int i;
+    for (i = 0; i < 3; ++i) {
+        to[i] = from ? from[pose * 3 + (size_t)i] : 0;
+    }
+}
+
+/* One pose of a batch; what is not given is zero. */
+static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
+{
+    copy(motions->R + pose * 9, 9, one->R);
+    load_three(motions->t, pose, one->t);
+    load_three(motions->omega, pose, one->omega);
+    load_three(motions->v, pose, one->v);
+    load_three(motions->alpha, pose, one->alpha);
+    load_three(motions->a, pose, one->a);
+    load_three(motions->F_ext, pose, one->F_ext);
+    load_three(motions->M_ext, pose, one->M_ext);
+}
+"""
+
+_BATCH = """\
+int stewart_@NAME@_@WHAT@_batch(
+    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions,
+    @ARGUMENT@@OUT@, int *status)
+{
+    stewart_motion one;
+    @DECLARE@
+    size_t pose;
+    int result = STEWART_OK;
+    if (!model || !motions || !out || !motions->R || !motions->t@NEED@) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        int code;
+        load_pose(motions, pose, &one);
+        code = stewart_@NAME@_@WHAT@(model, &one, @FORCE@@TARGET@);
+        if (code == STEWART_OK) {
+@COPIES@
+        }
+        if (status) {
+            status[pose] = code;
+        }
+        result = result == STEWART_OK ? code : result;
+    }
+    return result;
+}
+"""

@@ -1,0 +1,109 @@
+"""The README's part about time, as Markdown made of what ``stewart-sym bench`` wrote.
+
+``test_readme`` compares it with the README and, run as a program, writes it there.
+"""
+
+import textwrap
+from collections.abc import Sequence
+from typing import Any
+
+BEGIN = "<!-- from .docs/bench.json by `python tests/test_readme.py` -->\n"
+END = "<!-- end -->\n"
+
+
+def replaced(readme: str, found: dict[str, Any]) -> str:
+    """The README with the part between the marks made anew from the figures."""
+    before, _, rest = readme.partition(BEGIN)
+    _, _, after = rest.partition(END)
+    assert after, "the README's marks are gone"
+    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
+
+
+def text(found: dict[str, Any]) -> str:
+    """Everything between the marks."""
+    parts = [times(found), cores(found), sizes(found), calls(found)]
+    if found["passes"]:
+        parts.append(passes(found))
+    return "".join([*parts, compiling(found)])
+
+
+def times(found: dict[str, Any]) -> str:
+    machine, compiler = found["machine"], found["software"]["compiler"]
+    vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
+    rows = [
+        (each["name"], f"{each['median']:.0f}", f"{each['ratio_to_casadi']:.2f}")
+        for each in (*found["ours"], *found["peers"])
+    ]
+    return paragraph(
+        f"Nanoseconds a pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
+        f"bench` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
+        f"{found['rounds']} rounds; ratio to CasADi's C of the same equations, built with the same flags:"
+    ) + table(("", "ns a pose", "ratio"), rows)
+
+
+def cores(found: dict[str, Any]) -> str:
+    speedup = found["cores"]
+    low, high = speedup["quartiles"]
+    return paragraph(
+        f"{speedup['cores']} cores over one core: {speedup['median']:.2f} times (quartiles {low:.2f} to "
+        f"{high:.2f}, round by round), a batch of {speedup['poses']:,} poses."
+    )
+
+
+def sizes(found: dict[str, Any]) -> str:
+    (name, flatness), *_ = found["flatness"].items()
+    swept = [each for each in found["sweep"] if each["name"] == name]
+    counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
+    return paragraph(
+        f"From {counts[0]} to {counts[-1]} poses ({name}, one call from Python each) the longest time a "
+        f"pose is {flatness:.2f} times the shortest."
+    ) + table(("poses", *counts), [("ns a pose", *(f"{each['median']:.0f}" for each in swept))])
+
+
+def calls(found: dict[str, Any]) -> str:
+    rows = [
+        (f"`{call}`", f"{each['median'] / 1e3:.2f}", f"{each['overhead_over_c_ns'] / 1e3:.2f}")
+        for call, each in zip(("slot.solve()", "inverse_dynamics()"), found["calls"], strict=True)
+    ]
+    lead = paragraph("One pose from Python, and what the call adds to the C:")
+    return lead + table(("", "us a call", "us over C"), rows)
+
+
+def passes(found: dict[str, Any]) -> str:
+    batch = found["passes"][0]["batch"]["poses"]
+    rows = [
+        (
+            each["name"],
+            *(str(count) for count in each["operations"].values()),
+            f"{each['one_pose']['median']:.0f}",
+            f"{each['batch']['median']:.0f}",
+        )
+        for each in found["passes"]
+    ]
+    header = ("after the pass", "without friction", "with friction", "one pose, ns", "batch, ns")
+    return paragraph(
+        "What each reduction of the derivation brings, forces alone: operations, and time a pose, alone and "
+        f"in batches of {batch:,} on one core:"
+    ) + table(header, rows)
+
+
+def compiling(found: dict[str, Any]) -> str:
+    seconds = " and ".join(f"`{each['source']}` in {each['median']:.2f} s" for each in found["compiling"])
+    line = f"At the benchmark's flags the compiler builds {seconds}."
+    size = found["text"]
+    if size is not None:
+        line += (
+            " A program that prepares a robot and computes one pose at a time is left with "
+            f"{size['total']:,} bytes of machine code ({found['machine']['architecture']}, "
+            f"`{' '.join(size['flags'])}`, linked with `--gc-sections`)."
+        )
+    return paragraph(line)
+
+
+def paragraph(line: str) -> str:
+    return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"
+
+
+def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    lines = [header, ["---"] * len(header), *rows]
+    return "".join(f"| {' | '.join(cells)} |\n".replace("|  |", "| |") for cells in lines) + "\n"
