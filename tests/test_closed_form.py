@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+from collections.abc import Sequence
 
 import pytest
 import sympy as sp
@@ -9,7 +10,7 @@ import sympy as sp
 from stewart_sym.derive import lagrange, leg, motion, tip, tip_force
 from stewart_sym.derive import notation as n
 from stewart_sym.derive import prepared as p
-from stewart_sym.derive.block import Block, Builder, substitution
+from stewart_sym.derive.block import Block, Builder, Quantity, substitution
 from stewart_sym.derive.formulation import EXACT, PAPER, Formulation
 from stewart_sym.derive.normal_form import cos_phi, inv_k3, normal_form, sin_phi, vanishes
 from stewart_sym.derive.tip_force import antisymmetric, e, gamma, u
@@ -97,36 +98,21 @@ def test_inertia_at_the_tip_is_symmetric_and_its_rate_less_twice_C_skew() -> Non
 
 
 def kept(block: Block, *names: str) -> dict[str, sp.Matrix]:
-    """Outputs of a block by name, with the steps of ``names`` left as they are."""
-    others = [step for step in block.steps if step.name.rpartition("_")[0] not in names]
-    back = substitution(others)
+    """What a block hands out, in terms of the steps of the quantities in ``names``."""
+    back = substitution(step for step in block.steps if step.name.rpartition("_")[0] not in names)
     return {
-        out.quantity.name: sp.Matrix(
-            3, len(out.exprs) // 3, [sp.sympify(x).xreplace(back) for x in out.exprs]
-        )
+        out.quantity.name: filled(out.quantity, [sp.sympify(entry).xreplace(back) for entry in out.exprs])
         for out in block.outputs
-        if len(out.exprs) in (3, 9)
-    } | {
-        out.quantity.name: symmetric([sp.sympify(x).xreplace(back) for x in out.exprs])
-        for out in block.outputs
-        if len(out.exprs) == 6
     }
 
 
-def symmetric(six: list[sp.Expr]) -> sp.Matrix:
-    xx, xy, xz, yy, yz, zz = six
-    return sp.Matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+def filled(quantity: Quantity, entries: Sequence[sp.Expr]) -> sp.Matrix:
+    """The quantity with these entries in place of its symbols."""
+    return quantity.value.xreplace(dict(zip(quantity.symbols, entries, strict=True)))
 
 
-def tensor(name: str, is_symmetric: bool = False) -> sp.Matrix:
-    return sp.Matrix(
-        3,
-        3,
-        lambda i, j: sp.Symbol(
-            f"{name}_{''.join(sorted('xyz'[i] + 'xyz'[j]) if is_symmetric else 'xyz'[i] + 'xyz'[j])}",
-            real=True,
-        ),
-    )
+def tensor(name: str, symmetric: bool = False) -> sp.Matrix:
+    return Quantity(name, (3, 3), "", "", symmetric).value
 
 
 def whole(found: dict[str, sp.Matrix], name: str) -> sp.Matrix:
@@ -171,8 +157,7 @@ def test_platform_itself_follows_from_newton_and_euler_and_its_rest_is_skew() ->
 def test_mass_at_the_platform_point_is_the_mass_that_rides() -> None:
     block = p.prepare_leg((), riding=True, friction=False)
     J = sp.Matrix.hstack(sp.eye(3), -tip.skew(n.p.value))
-    M_add, J_add = block.formula("M_add")[0], symmetric(list(block.formula("J_add")))
-    h_add = sp.Matrix(block.formula("h_add"))
+    M_add, h_add, J_add = (filled(q, block.formula(q.name)) for q in (p.M_add, p.h_add, p.J_add))
     riding = sp.BlockMatrix([[M_add * sp.eye(3), -tip.skew(h_add)], [tip.skew(h_add), J_add]])
     assert vanishes(J.T * m_u * J - sp.Matrix(riding))
 
