@@ -141,11 +141,11 @@ def _owner_of_raw(quantity: Quantity) -> str:
 
 def _prepare(kernel: ForceKernel) -> str:
     parts = {
-        "@COPIES@": [f"        model->{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
+        "@COPIES@": [f"        made.{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
         "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [
-            f"    model->{name} = platform.{name};" for name in entries(kernel.platform_constants())
+            f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
         ],
     }
     return filled(_PREPARE, parts)
@@ -425,7 +425,8 @@ typedef struct {{
 {platform}
 }} stewart_{name}_model;
 
-/* Prepares the constants. Returns a status. */
+/* Prepares the constants. Returns a status: STEWART_NOT_FINITE if a number of the robot is not finite or too
+ * large; the model is written only if it is STEWART_OK. */
 int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
@@ -491,8 +492,11 @@ static int leg_status(const leg_lanes *leg, int l)
 _PREPARE = """\
 int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
 {
+    stewart_@NAME@_model made;
     prepared_leg found, sum;
     prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
     int i;
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
@@ -509,6 +513,12 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     }
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
     return STEWART_OK;
 }
 """

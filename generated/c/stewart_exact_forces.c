@@ -265,8 +265,11 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
 
 int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model)
 {
+    stewart_exact_model made;
     prepared_leg found, sum;
     prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
     int i;
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
@@ -285,39 +288,39 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
     sum.C_add = 0;
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        model->p[0][i] = found.p[0];
-        model->p[1][i] = found.p[1];
-        model->p[2][i] = found.p[2];
-        model->k[0][i] = found.k[0];
-        model->k[1][i] = found.k[1];
-        model->k[2][i] = found.k[2];
-        model->C_p[i] = found.C_p;
-        model->C_s[i] = found.C_s;
-        model->h[0][i] = found.h[0];
-        model->h[1][i] = found.h[1];
-        model->h[2][i] = found.h[2];
-        model->h2_x[i] = found.h2_x;
-        model->h2_y[i] = found.h2_y;
-        model->h2_z[i] = found.h2_z;
-        model->w[0][i] = found.w[0];
-        model->w[1][i] = found.w[1];
-        model->w[2][i] = found.w[2];
-        model->J[0][i] = found.J[0];
-        model->J[1][i] = found.J[1];
-        model->J[2][i] = found.J[2];
-        model->J[3][i] = found.J[3];
-        model->J[4][i] = found.J[4];
-        model->J[5][i] = found.J[5];
-        model->J2_xz[i] = found.J2_xz;
-        model->dJ_zx[i] = found.dJ_zx;
-        model->g_k[i] = found.g_k;
-        model->g_x_k[0][i] = found.g_x_k[0];
-        model->g_x_k[1][i] = found.g_x_k[1];
-        model->g_x_k[2][i] = found.g_x_k[2];
-        model->C_us[i] = found.C_us;
-        model->r[0][i] = found.r[0];
-        model->r[1][i] = found.r[1];
-        model->r[2][i] = found.r[2];
+        made.p[0][i] = found.p[0];
+        made.p[1][i] = found.p[1];
+        made.p[2][i] = found.p[2];
+        made.k[0][i] = found.k[0];
+        made.k[1][i] = found.k[1];
+        made.k[2][i] = found.k[2];
+        made.C_p[i] = found.C_p;
+        made.C_s[i] = found.C_s;
+        made.h[0][i] = found.h[0];
+        made.h[1][i] = found.h[1];
+        made.h[2][i] = found.h[2];
+        made.h2_x[i] = found.h2_x;
+        made.h2_y[i] = found.h2_y;
+        made.h2_z[i] = found.h2_z;
+        made.w[0][i] = found.w[0];
+        made.w[1][i] = found.w[1];
+        made.w[2][i] = found.w[2];
+        made.J[0][i] = found.J[0];
+        made.J[1][i] = found.J[1];
+        made.J[2][i] = found.J[2];
+        made.J[3][i] = found.J[3];
+        made.J[4][i] = found.J[4];
+        made.J[5][i] = found.J[5];
+        made.J2_xz[i] = found.J2_xz;
+        made.dJ_zx[i] = found.dJ_zx;
+        made.g_k[i] = found.g_k;
+        made.g_x_k[0][i] = found.g_x_k[0];
+        made.g_x_k[1][i] = found.g_x_k[1];
+        made.g_x_k[2][i] = found.g_x_k[2];
+        made.C_us[i] = found.C_us;
+        made.r[0][i] = found.r[0];
+        made.r[1][i] = found.r[1];
+        made.r[2][i] = found.r[2];
         if (i >= 6) {
             continue;
         }
@@ -334,26 +337,32 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
         sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
-    model->M_P = platform.M_P;
-    model->h_P[0] = platform.h_P[0];
-    model->h_P[1] = platform.h_P[1];
-    model->h_P[2] = platform.h_P[2];
-    model->J_P[0] = platform.J_P[0];
-    model->J_P[1] = platform.J_P[1];
-    model->J_P[2] = platform.J_P[2];
-    model->J_P[3] = platform.J_P[3];
-    model->J_P[4] = platform.J_P[4];
-    model->J_P[5] = platform.J_P[5];
-    model->dJ_P[0] = platform.dJ_P[0];
-    model->dJ_P[1] = platform.dJ_P[1];
-    model->dJ_P[2] = platform.dJ_P[2];
-    model->C_P = platform.C_P;
-    model->g[0] = platform.g[0];
-    model->g[1] = platform.g[1];
-    model->g[2] = platform.g[2];
-    model->b_1[0] = platform.b_1[0];
-    model->b_1[1] = platform.b_1[1];
-    model->b_1[2] = platform.b_1[2];
+    made.M_P = platform.M_P;
+    made.h_P[0] = platform.h_P[0];
+    made.h_P[1] = platform.h_P[1];
+    made.h_P[2] = platform.h_P[2];
+    made.J_P[0] = platform.J_P[0];
+    made.J_P[1] = platform.J_P[1];
+    made.J_P[2] = platform.J_P[2];
+    made.J_P[3] = platform.J_P[3];
+    made.J_P[4] = platform.J_P[4];
+    made.J_P[5] = platform.J_P[5];
+    made.dJ_P[0] = platform.dJ_P[0];
+    made.dJ_P[1] = platform.dJ_P[1];
+    made.dJ_P[2] = platform.dJ_P[2];
+    made.C_P = platform.C_P;
+    made.g[0] = platform.g[0];
+    made.g[1] = platform.g[1];
+    made.g[2] = platform.g[2];
+    made.b_1[0] = platform.b_1[0];
+    made.b_1[1] = platform.b_1[1];
+    made.b_1[2] = platform.b_1[2];
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
     return STEWART_OK;
 }
 

@@ -224,8 +224,11 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
 
 int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_spherical_model *model)
 {
+    stewart_paper_spherical_model made;
     prepared_leg found, sum;
     prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
     int i;
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
@@ -244,35 +247,35 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     sum.C_add = 0;
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        model->p[0][i] = found.p[0];
-        model->p[1][i] = found.p[1];
-        model->p[2][i] = found.p[2];
-        model->m_d[i] = found.m_d;
-        model->r_d0[0][i] = found.r_d0[0];
-        model->r_d0[1][i] = found.r_d0[1];
-        model->r_d0[2][i] = found.r_d0[2];
-        model->I_d0[0][i] = found.I_d0[0];
-        model->I_d0[1][i] = found.I_d0[1];
-        model->I_d0[2][i] = found.I_d0[2];
-        model->I_d0[3][i] = found.I_d0[3];
-        model->I_d0[4][i] = found.I_d0[4];
-        model->I_d0[5][i] = found.I_d0[5];
-        model->m_u[i] = found.m_u;
-        model->r_u0[0][i] = found.r_u0[0];
-        model->r_u0[1][i] = found.r_u0[1];
-        model->r_u0[2][i] = found.r_u0[2];
-        model->I_u0[0][i] = found.I_u0[0];
-        model->I_u0[1][i] = found.I_u0[1];
-        model->I_u0[2][i] = found.I_u0[2];
-        model->I_u0[3][i] = found.I_u0[3];
-        model->I_u0[4][i] = found.I_u0[4];
-        model->I_u0[5][i] = found.I_u0[5];
-        model->C_u[i] = found.C_u;
-        model->C_p[i] = found.C_p;
-        model->C_s[i] = found.C_s;
-        model->r[0][i] = found.r[0];
-        model->r[1][i] = found.r[1];
-        model->r[2][i] = found.r[2];
+        made.p[0][i] = found.p[0];
+        made.p[1][i] = found.p[1];
+        made.p[2][i] = found.p[2];
+        made.m_d[i] = found.m_d;
+        made.r_d0[0][i] = found.r_d0[0];
+        made.r_d0[1][i] = found.r_d0[1];
+        made.r_d0[2][i] = found.r_d0[2];
+        made.I_d0[0][i] = found.I_d0[0];
+        made.I_d0[1][i] = found.I_d0[1];
+        made.I_d0[2][i] = found.I_d0[2];
+        made.I_d0[3][i] = found.I_d0[3];
+        made.I_d0[4][i] = found.I_d0[4];
+        made.I_d0[5][i] = found.I_d0[5];
+        made.m_u[i] = found.m_u;
+        made.r_u0[0][i] = found.r_u0[0];
+        made.r_u0[1][i] = found.r_u0[1];
+        made.r_u0[2][i] = found.r_u0[2];
+        made.I_u0[0][i] = found.I_u0[0];
+        made.I_u0[1][i] = found.I_u0[1];
+        made.I_u0[2][i] = found.I_u0[2];
+        made.I_u0[3][i] = found.I_u0[3];
+        made.I_u0[4][i] = found.I_u0[4];
+        made.I_u0[5][i] = found.I_u0[5];
+        made.C_u[i] = found.C_u;
+        made.C_p[i] = found.C_p;
+        made.C_s[i] = found.C_s;
+        made.r[0][i] = found.r[0];
+        made.r[1][i] = found.r[1];
+        made.r[2][i] = found.r[2];
         if (i >= 6) {
             continue;
         }
@@ -289,25 +292,31 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
         sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
-    model->M_P = platform.M_P;
-    model->h_P[0] = platform.h_P[0];
-    model->h_P[1] = platform.h_P[1];
-    model->h_P[2] = platform.h_P[2];
-    model->J_P[0] = platform.J_P[0];
-    model->J_P[1] = platform.J_P[1];
-    model->J_P[2] = platform.J_P[2];
-    model->J_P[3] = platform.J_P[3];
-    model->J_P[4] = platform.J_P[4];
-    model->J_P[5] = platform.J_P[5];
-    model->dJ_P[0] = platform.dJ_P[0];
-    model->dJ_P[1] = platform.dJ_P[1];
-    model->dJ_P[2] = platform.dJ_P[2];
-    model->g[0] = platform.g[0];
-    model->g[1] = platform.g[1];
-    model->g[2] = platform.g[2];
-    model->b_1[0] = platform.b_1[0];
-    model->b_1[1] = platform.b_1[1];
-    model->b_1[2] = platform.b_1[2];
+    made.M_P = platform.M_P;
+    made.h_P[0] = platform.h_P[0];
+    made.h_P[1] = platform.h_P[1];
+    made.h_P[2] = platform.h_P[2];
+    made.J_P[0] = platform.J_P[0];
+    made.J_P[1] = platform.J_P[1];
+    made.J_P[2] = platform.J_P[2];
+    made.J_P[3] = platform.J_P[3];
+    made.J_P[4] = platform.J_P[4];
+    made.J_P[5] = platform.J_P[5];
+    made.dJ_P[0] = platform.dJ_P[0];
+    made.dJ_P[1] = platform.dJ_P[1];
+    made.dJ_P[2] = platform.dJ_P[2];
+    made.g[0] = platform.g[0];
+    made.g[1] = platform.g[1];
+    made.g[2] = platform.g[2];
+    made.b_1[0] = platform.b_1[0];
+    made.b_1[1] = platform.b_1[1];
+    made.b_1[2] = platform.b_1[2];
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
     return STEWART_OK;
 }
 
