@@ -28,6 +28,7 @@ from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
+from .parameters import Parameters, inertial_parameters, regressor
 from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
@@ -43,6 +44,7 @@ __all__ = [
     "LegSprings",
     "Linearisation",
     "Motion",
+    "Parameters",
     "PhysicalityWarning",
     "PlatformPose",
     "Reactions",
@@ -62,6 +64,7 @@ __all__ = [
     "forward_dynamics",
     "forward_kinematics",
     "forward_velocity",
+    "inertial_parameters",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
@@ -70,6 +73,7 @@ __all__ = [
     "massless_forces",
     "motion_from_lengths",
     "prepare",
+    "regressor",
     "results",
     "robots",
     "scaled_condition_number",

@@ -23,6 +23,7 @@ FLOORS = (
     {"equations", "laws"},
     {"simulation"},
     {"scene"},
+    {"parameters"},
     {"studies", "kit"},
     {"cli"},
 )
