@@ -24,6 +24,7 @@ from .equations import (
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
+from .identifiable import BaseParameters, base_parameters
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
@@ -36,6 +37,7 @@ from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "BaseParameters",
     "ComputedTorque",
     "EquationsOfMotion",
     "ForceDerivatives",
@@ -55,6 +57,7 @@ __all__ = [
     "StraightLinePath",
     "Thresholds",
     "Trace",
+    "base_parameters",
     "characteristic_length",
     "condition_number",
     "dynamic_fraction",

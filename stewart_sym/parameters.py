@@ -78,7 +78,7 @@ def inertial_parameters(robot: Robot) -> Parameters:
 def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Names and units of the columns of Y."""
     rows = [
-        (_of_leg(name, leg), unit)
+        (leg_name(name, leg), unit)
         for leg in range(1, LEGS + 1)
         for name, unit in exact_regressor.LEG_PARAMETERS
     ]
@@ -93,7 +93,7 @@ def need_universal(robot: Robot) -> None:
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
 
 
-def _of_leg(name: str, leg: int) -> str:
+def leg_name(name: str, leg: int) -> str:
     """``h_d_x`` of leg 1 is ``h_d1_x``."""
     head, under, axes = name.rpartition("_")
     return f"{head}{leg}_{axes}" if under and set(axes) <= set("xyz") else f"{name}{leg}"

@@ -23,7 +23,8 @@ FLOORS = (
     {"equations", "laws"},
     {"simulation"},
     {"scene"},
-    {"parameters"},
+    {"parameters", "home"},
+    {"identifiable"},
     {"studies", "kit"},
     {"cli"},
 )
