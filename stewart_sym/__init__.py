@@ -21,10 +21,12 @@ from .equations import (
     joint_space_inertia,
     linearise,
 )
+from .excitation import Excitation, FourierPath, choose_excitation
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
 from .identifiable import BaseParameters, base_parameters
+from .identification import Estimate, Experiment, identify, simulated_experiment
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
@@ -40,9 +42,13 @@ __all__ = [
     "BaseParameters",
     "ComputedTorque",
     "EquationsOfMotion",
+    "Estimate",
+    "Excitation",
+    "Experiment",
     "ForceDerivatives",
     "ForceKernel",
     "Forces",
+    "FourierPath",
     "LegSprings",
     "Linearisation",
     "Motion",
@@ -59,6 +65,7 @@ __all__ = [
     "Trace",
     "base_parameters",
     "characteristic_length",
+    "choose_excitation",
     "condition_number",
     "dynamic_fraction",
     "equations_of_motion",
@@ -67,6 +74,7 @@ __all__ = [
     "forward_dynamics",
     "forward_kinematics",
     "forward_velocity",
+    "identify",
     "inertial_parameters",
     "inverse_dynamics",
     "inverse_kinematics",
@@ -81,6 +89,7 @@ __all__ = [
     "robots",
     "scaled_condition_number",
     "simulate",
+    "simulated_experiment",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

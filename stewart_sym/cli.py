@@ -150,6 +150,39 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _identify(arguments: argparse.Namespace) -> int:
+    from .publish import replaced_file, staged_folder
+    from .robot import Robot
+    from .studies.identify import force_columns, identification, parameter_lines, report, trajectory_columns
+    from .studies.output import csv_lines
+
+    robot = Robot.from_toml(arguments.robot)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        found = identification(
+            robot,
+            sigma=arguments.sigma,
+            seed=arguments.seed,
+            period=arguments.period,
+            harmonics=arguments.harmonics,
+            samples=arguments.samples,
+            candidates=arguments.candidates,
+            progress=progress,
+        )
+        progress("writing")
+        for name, lines in (
+            ("parameters.csv", parameter_lines(found)),
+            ("trajectory.csv", csv_lines(trajectory_columns(found))),
+            ("forces.csv", csv_lines(force_columns(found))),
+            ("report.txt", [report(robot, found) + "\n"]),
+        ):
+            with replaced_file(folder / name) as stream:
+                stream.writelines(lines)
+        names = sorted(path.name for path in folder.iterdir())
+    print(report(robot, found))
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
 def _bench(arguments: argparse.Namespace) -> int:
     import json
 
@@ -467,6 +500,29 @@ def _parser() -> argparse.ArgumentParser:
 
     verb = _verb(
         verbs,
+        "identify",
+        _identify,
+        "find a motion that tells the inertial parameters, measure forces by simulation, and identify them",
+        "stewart-sym identify hexapod.toml --sigma 0.5 -o identified",
+        "The motion is the best of random Fourier series about the home pose, within the limits of length, "
+        "speed and force in the robot file. The table gives for each base parameter its true value, the "
+        "estimate, its standard deviation and the error in standard deviations. SI units.",
+    )
+    _robot(verb)
+    _output(verb, "DIR", "folder to write to", None)
+    verb.add_argument(
+        "--sigma", type=_finite, default=1.0, help="standard deviation of measured forces, N; default: 1"
+    )
+    verb.add_argument("--seed", type=_whole, default=0, help="of the candidates and of the noise; default: 0")
+    verb.add_argument(
+        "--period", type=_finite, help="of the motion, s; default: accelerations of the order of gravity"
+    )
+    verb.add_argument("--harmonics", type=_whole, default=5, help="of the Fourier series; default: 5")
+    verb.add_argument("--samples", type=_whole, default=200, help="instants of one period; default: 200")
+    verb.add_argument("--candidates", type=_whole, default=50, help="random series to try; default: 50")
+
+    verb = _verb(
+        verbs,
         "bench",
         _bench,
         "time the kernels beside CasADi, Pinocchio and the processor's limit: tables, JSON and a picture",
@@ -510,6 +566,13 @@ def _finite(text: str) -> float:
     number = float(text)
     if not math.isfinite(number):
         raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+    return number
+
+
+def _whole(text: str) -> int:
+    number = int(text)
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
     return number
 
 

@@ -106,7 +106,7 @@ def _stacked(robot: Robot, motion: Motion) -> Array:
     length = characteristic_length(robot) or 1.0
     scale = np.array([1.0, 1.0, 1.0, length, length, length])
     Y = regressor(robot, motion) / scale[:, None]
-    return Y.reshape(-1, Y.shape[-1])
+    return np.asarray(Y.reshape(-1, Y.shape[-1]))
 
 
 def _lengths(stack: Array, units: Sequence[str]) -> Array:
@@ -157,7 +157,7 @@ def _gap(values: Array, rank: int) -> float:
 
 def _formula(own: int, row: Array, names: Sequence[str]) -> str:
     text = names[own]
-    for i in np.flatnonzero(row):
+    for i in np.flatnonzero(row).tolist():
         if i != own:
             size = f"{abs(row[i]):.6g}"
             factor = "" if size == "1" else f"{size}*"

@@ -25,6 +25,8 @@ FLOORS = (
     {"scene"},
     {"parameters", "home"},
     {"identifiable"},
+    {"excitation"},
+    {"identification"},
     {"studies", "kit"},
     {"cli"},
 )
