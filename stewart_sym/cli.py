@@ -151,35 +151,15 @@ def _generate(arguments: argparse.Namespace) -> int:
 
 
 def _identify(arguments: argparse.Namespace) -> int:
-    from .publish import replaced_file, staged_folder
-    from .robot import Robot
-    from .studies.identify import force_columns, identification, parameter_lines, report, trajectory_columns
-    from .studies.output import csv_lines
+    from .publish import staged_folder
 
-    robot = Robot.from_toml(arguments.robot)
     with staged_folder(arguments.output) as folder, _progress() as progress:
-        found = identification(
-            robot,
-            sigma=arguments.sigma,
-            seed=arguments.seed,
-            period=arguments.period,
-            harmonics=arguments.harmonics,
-            samples=arguments.samples,
-            candidates=arguments.candidates,
-            progress=progress,
-        )
-        progress("writing")
-        for name, lines in (
-            ("parameters.csv", parameter_lines(found)),
-            ("trajectory.csv", csv_lines(trajectory_columns(found))),
-            ("forces.csv", csv_lines(force_columns(found))),
-            ("report.txt", [report(robot, found) + "\n"]),
-        ):
-            with replaced_file(folder / name) as stream:
-                stream.writelines(lines)
-        names = sorted(path.name for path in folder.iterdir())
-    print(report(robot, found))
-    print(f"Written to {arguments.output}: {', '.join(names)}")
+        progress("identifying")
+        texts = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    print(texts["report.txt"])
+    print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
     return 0
 
 
@@ -245,6 +225,34 @@ def _simulate(arguments: argparse.Namespace) -> int:
 
 
 # Their parts
+
+
+def _measured(arguments: argparse.Namespace) -> dict[str, str]:
+    """Texts of the files about measured forces, by name."""
+    from .joint_space import on_platform
+    from .robot import Robot
+    from .studies.identify import from_measurement, measured_texts
+    from .trajectory import JointTrajectory, read_any_csv, read_forces_csv
+
+    robot = Robot.from_toml(arguments.robot)
+    poses, forces = arguments.measured
+    trajectory = read_any_csv(poses)
+    if isinstance(trajectory, JointTrajectory):
+        trajectory = on_platform(robot, trajectory, None)
+    time, F = read_forces_csv(forces)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces))
+    return measured_texts(robot, found, arguments.sigma)
+
+
+def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -> dict[str, str]:
+    """Texts of the files about a simulated measurement, by name."""
+    from .robot import Robot
+    from .studies.identify import identification, simulated_texts
+
+    robot = Robot.from_toml(arguments.robot)
+    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
+    options = {name: getattr(arguments, name) for name in names}
+    return simulated_texts(robot, identification(robot, **options, progress=progress))
 
 
 def _benchmark() -> tuple[ModuleType, ModuleType]:
@@ -502,14 +510,22 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "identify",
         _identify,
-        "find a motion that tells the inertial parameters, measure forces by simulation, and identify them",
+        "identify inertial parameters from measured forces, or show it on a simulated measurement",
         "stewart-sym identify hexapod.toml --sigma 0.5 -o identified",
-        "The motion is the best of random Fourier series about the home pose, within the limits of length, "
-        "speed and force in the robot file. The table gives for each base parameter its true value, the "
-        "estimate, its standard deviation and the error in standard deviations. SI units.",
+        "Without --measured the motion is the best of random Fourier series about the home pose, within the "
+        "limits of length, speed and force in the robot file, and the table gives the true values as well. "
+        "SI units.",
     )
     _robot(verb)
     _output(verb, "DIR", "folder to write to", None)
+    verb.add_argument(
+        "--measured",
+        nargs=2,
+        type=Path,
+        metavar=("TRAJECTORY.csv", "FORCES.csv"),
+        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
+        "only geometry and gravity are used; the options below --sigma have no part in it",
+    )
     verb.add_argument(
         "--sigma", type=_finite, default=1.0, help="standard deviation of measured forces, N; default: 1"
     )

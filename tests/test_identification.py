@@ -238,6 +238,55 @@ def test_written_trajectory_and_forces_give_the_written_estimates(robot_file: Pa
     assert np.max(np.abs(found.values - written) / found.sigma) < 1e-6
 
 
+def test_measured_forces_are_identified_with_a_wrong_robot_file(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    simulated, measured = tmp_path / "simulated", tmp_path / "measured"
+    assert main(["identify", str(robot_file), *FEW, "-o", str(simulated)]) == 0
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(robot_file.read_text().replace("mass = 40.0", "mass = 4.0"))
+    inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
+    assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
+    assert (measured / "report.txt").read_text() in capsys.readouterr().out
+    assert sorted(p.name for p in measured.iterdir()) == ["parameters.csv", "report.txt"]
+    tables = []
+    for folder in (simulated, measured):
+        with open(folder / "parameters.csv", newline="") as stream:
+            tables.append(list(csv.DictReader(stream)))
+    for before, after in zip(*tables, strict=True):
+        assert after["formula"] == before["formula"]
+        difference = float(after["estimated"]) - float(before["estimated"])
+        assert abs(difference) < 1e-6 * float(before["sigma"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("time,F1", "time,G1", "missing column F1"),
+        ("time,F1,F2", "time,F1,F1", "column F1 is given twice"),
+        ("\n0.0,", "\n0.001,", "instant 1: expected the time 0"),
+        ("\n0.0,", "\nzero,", "row 2: time: expected a finite number"),
+        ("time,F1,F2,F3,F4,F5,F6", "time;F1;F2;F3;F4;F5;F6", "got semicolons"),
+        ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
+    ],
+)
+def test_bad_forces_are_refused_in_one_line(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    capsys.readouterr()
+    forces = tmp_path / "forces.csv"
+    forces.write_text(forces.read_text().replace(old, new, 1))
+    inputs = [str(tmp_path / name) for name in ("trajectory.csv", "forces.csv")]
+    assert main(["identify", str(robot_file), "--measured", *inputs, "-o", str(tmp_path / "out")]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert len(captured.err.splitlines()) == 1
+    assert f"{forces}: " in captured.err
+    assert words in captured.err
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize(
     ("options", "words"),
     [
