@@ -62,7 +62,8 @@ def dependencies() -> dict[str, dict[str, sp.Expr]]:
     """Columns of a leg that are sums of others on every machine: parameter -> {parameter: coefficient}.
 
     The lower part turns about a fixed point, so its mass is never felt; both parts turn alike, so their
-    inertias act as one; the upper part's mass acts at its platform point p as if fixed to the platform.
+    inertias act as one; the upper part's mass acts at its platform point p as if fixed to the platform. There
+    are no others: on random machines the columns left are independent.
     """
     at_tip = p.point_inertia(sp.S.One, n.p.value)
     riding = {n.M.name: sp.S.One}

@@ -2,9 +2,10 @@
 
 On every machine the mass of a lower part is never felt, the two inertias of a leg act as their sum, and the
 mass of an upper part acts as a point fixed to the platform at p: 100 of the 148 columns of Y are independent
-(``MERGED`` holds the formulas). A machine may tell less, such as no h_d_y where the axes point along gravity,
-and a given motion less still; the rank of Y over a stack of poses decides. Stands above ``parameters``; knows
-nothing of measured forces.
+(``MERGED`` holds the formulas). All six components of a leg's inertia are felt, since the universal joint
+spins the leg. A machine may tell less, such as no h_d_y where the axes point along gravity, and a given
+motion less still; the rank of Y over a stack of poses decides. Stands above ``parameters``; knows nothing of
+measured forces.
 """
 
 import math
@@ -30,8 +31,9 @@ Array = NDArray[np.float64]
 MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
 """Base parameters of every machine that take up others, with formulas; sum runs over the legs."""
 
-# Below this share of the largest, a singular value or a column is rounding error.
-_ROUNDING = math.sqrt(np.finfo(np.float64).eps)
+# Below this share of the largest, a singular value or a column is rounding error: far above what rounding
+# leaves (1e-15), far below what the slowest of the paper's paths excites (1e-7).
+_ROUNDING = 1e-11
 # A coefficient below this share of its terms is rounding error.
 _NOTHING = 1e-9
 # A parameter can be given up if this share of some direction that is not felt lies along it.
