@@ -23,6 +23,10 @@ FLOORS = (
     {"equations", "laws"},
     {"simulation"},
     {"scene"},
+    {"parameters", "home"},
+    {"identifiable"},
+    {"excitation"},
+    {"identification"},
     {"studies", "kit"},
     {"cli"},
 )
