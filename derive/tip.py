@@ -133,7 +133,10 @@ def _rate(expr: sp.Matrix) -> sp.Matrix:
 
 
 def hessian(tau: sp.Matrix) -> sp.Matrix:
-    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot."""
+    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot.
+
+    tau: 3x1, free of rates, such as names.
+    """
     u = sp.Matrix(sp.symbols("u_x u_y u_z", real=True))
     by_tip = dict(zip(rates, gradients().value * u, strict=True))
     push = (gradients().rate.T * tau).xreplace(by_tip)

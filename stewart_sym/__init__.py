@@ -21,13 +21,17 @@ from .equations import (
     joint_space_inertia,
     linearise,
 )
+from .excitation import Excitation, FourierPath, choose_excitation
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
+from .identifiable import BaseParameters, base_parameters
+from .identification import Estimate, Experiment, identify, simulated_experiment
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
+from .parameters import Parameters, inertial_parameters, regressor
 from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
@@ -35,14 +39,20 @@ from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "BaseParameters",
     "ComputedTorque",
     "EquationsOfMotion",
+    "Estimate",
+    "Excitation",
+    "Experiment",
     "ForceDerivatives",
     "ForceKernel",
     "Forces",
+    "FourierPath",
     "LegSprings",
     "Linearisation",
     "Motion",
+    "Parameters",
     "PhysicalityWarning",
     "PlatformPose",
     "Reactions",
@@ -53,7 +63,9 @@ __all__ = [
     "StraightLinePath",
     "Thresholds",
     "Trace",
+    "base_parameters",
     "characteristic_length",
+    "choose_excitation",
     "condition_number",
     "dynamic_fraction",
     "equations_of_motion",
@@ -62,6 +74,8 @@ __all__ = [
     "forward_dynamics",
     "forward_kinematics",
     "forward_velocity",
+    "identify",
+    "inertial_parameters",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
@@ -70,10 +84,12 @@ __all__ = [
     "massless_forces",
     "motion_from_lengths",
     "prepare",
+    "regressor",
     "results",
     "robots",
     "scaled_condition_number",
     "simulate",
+    "simulated_experiment",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

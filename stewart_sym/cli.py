@@ -150,6 +150,19 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _identify(arguments: argparse.Namespace) -> int:
+    from .publish import staged_folder
+
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        progress("identifying")
+        texts = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    print(texts["report.txt"])
+    print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
+    return 0
+
+
 def _bench(arguments: argparse.Namespace) -> int:
     import json
 
@@ -253,6 +266,34 @@ def _control(arguments: argparse.Namespace) -> int:
 
 
 # Their parts
+
+
+def _measured(arguments: argparse.Namespace) -> dict[str, str]:
+    """Texts of the files about measured forces, by name."""
+    from .joint_space import on_platform
+    from .robot import Robot
+    from .studies.identify import from_measurement, measured_texts
+    from .trajectory import JointTrajectory, read_any_csv, read_forces_csv
+
+    robot = Robot.from_toml(arguments.robot)
+    poses, forces = arguments.measured
+    trajectory = read_any_csv(poses)
+    if isinstance(trajectory, JointTrajectory):
+        trajectory = on_platform(robot, trajectory, None)
+    time, F = read_forces_csv(forces)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces))
+    return measured_texts(robot, found, arguments.sigma)
+
+
+def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -> dict[str, str]:
+    """Texts of the files about a simulated measurement, by name."""
+    from .robot import Robot
+    from .studies.identify import identification, simulated_texts
+
+    robot = Robot.from_toml(arguments.robot)
+    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
+    options = {name: getattr(arguments, name) for name in names}
+    return simulated_texts(robot, identification(robot, **options, progress=progress))
 
 
 def _benchmark() -> tuple[ModuleType, ModuleType]:
@@ -531,6 +572,37 @@ def _parser() -> argparse.ArgumentParser:
 
     verb = _verb(
         verbs,
+        "identify",
+        _identify,
+        "identify inertial parameters from measured forces, or show it on a simulated measurement",
+        "stewart-sym identify hexapod.toml --sigma 0.5 -o identified",
+        "Without --measured the motion is the best of random Fourier series about the home pose, within the "
+        "limits of length, speed and force in the robot file, and the table gives the true values as well. "
+        "SI units.",
+    )
+    _robot(verb)
+    _output(verb, "DIR", "folder to write to", None)
+    verb.add_argument(
+        "--measured",
+        nargs=2,
+        type=Path,
+        metavar=("TRAJECTORY.csv", "FORCES.csv"),
+        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
+        "only geometry and gravity are used; the options below --sigma have no part in it",
+    )
+    verb.add_argument(
+        "--sigma", type=_finite, default=1.0, help="standard deviation of measured forces, N; default: 1"
+    )
+    verb.add_argument("--seed", type=_whole, default=0, help="of the candidates and of the noise; default: 0")
+    verb.add_argument(
+        "--period", type=_finite, help="of the motion, s; default: accelerations of the order of gravity"
+    )
+    verb.add_argument("--harmonics", type=_whole, default=5, help="of the Fourier series; default: 5")
+    verb.add_argument("--samples", type=_whole, default=200, help="instants of one period; default: 200")
+    verb.add_argument("--candidates", type=_whole, default=50, help="random series to try; default: 50")
+
+    verb = _verb(
+        verbs,
         "bench",
         _bench,
         "time the kernels beside CasADi, Pinocchio and the processor's limit: tables, JSON and a picture",
@@ -581,6 +653,13 @@ def _positive(text: str) -> float:
     number = _finite(text)
     if number <= 0.0:
         raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
+    return number
+
+
+def _whole(text: str) -> int:
+    number = int(text)
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
     return number
 
 

@@ -10,7 +10,6 @@ import functools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib.resources import files
-from types import SimpleNamespace
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -18,7 +17,7 @@ from numpy.typing import NDArray
 
 from . import native
 from .forces import ForceKernel, prepare
-from .kernel import NumpyKernel, module
+from .kernel import NumpyKernel, loaded, module
 from .motion import Motion
 from .robot import Robot
 
@@ -137,7 +136,7 @@ class NumpyClosedForm:
     def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
         generated = module(f"{NAME}_motion")
-        given = _loaded(motion)
+        given = loaded(motion)
         if what == "derivatives":
             forces = NumpyKernel.prepare(self.robot, NAME).forces(motion)
             found = generated.derivatives(self.robot, given, forces.F)
@@ -148,13 +147,6 @@ class NumpyClosedForm:
             return {"acceleration": acceleration, **generated.linearisation(self.robot, given, F)}
         arguments = () if F is None else (F,)
         return dict(getattr(generated, what)(self.robot, given, *arguments))
-
-
-def _loaded(motion: Motion) -> SimpleNamespace:
-    """The motion with zeros for what is not given."""
-    given = {name: getattr(motion, name) for name in _MOTION}
-    zero = np.zeros((*motion.shape, 3))
-    return SimpleNamespace(**{name: zero if value is None else value for name, value in given.items()})
 
 
 def _contiguous(array: Array | None) -> Array | None:

@@ -21,6 +21,7 @@ from .dynamics import Formulation, need_motion, report_faults
 from .faults import ON_FAULT, OnFault
 from .kernel import FORMULATIONS, kernel_name, library, module, robot_numbers
 from .motion import Motion
+from .results import OK
 from .robot import Robot
 
 Array = NDArray[Any]
@@ -55,7 +56,8 @@ class ForceKernel:
         numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
         model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
-        self._function("prepare")(_offset(numbers, 0), _offset(model, 0))
+        if self._function("prepare")(_offset(numbers, 0), _offset(model, 0)) != OK:
+            raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
         object.__setattr__(self, "model", model)
 

@@ -23,6 +23,10 @@ FLOORS = (
     {"equations", "laws"},
     {"simulation", "fixed_step"},
     {"scene"},
+    {"parameters", "home"},
+    {"identifiable"},
+    {"excitation"},
+    {"identification"},
     {"studies", "kit"},
     {"cli"},
 )
