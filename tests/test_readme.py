@@ -179,7 +179,8 @@ def recomputed(paths: tuple[str, ...]) -> None:
         rows = readme_control.by_name(committed["machines"][label]["rows"])
         assert machine["friction"] == committed["machines"][label]["friction"]
         for key, row in readme_control.by_name(machine["rows"]).items():
-            assert row == pytest.approx(rows[key], rel=1e-4), key
+            numbers = {name: value for name, value in row.items() if isinstance(value, float)}
+            assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
 
 
 def test_the_committed_run_of_control_is_what_the_code_computes_on_path_ii() -> None:
