@@ -53,7 +53,8 @@ class ForceKernel:
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        numbers = robot_numbers(self.robot).astype(self.dtype)
+        with np.errstate(over="ignore"):
+            numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
         model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
         if self._function("prepare")(_offset(numbers, 0), _offset(model, 0)) != OK:

@@ -272,7 +272,7 @@ def _solve_pose(about_base_point: bool) -> str:
     body += [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_base_point]
     for k in rows:
         below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_base_point]
-        body += [f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
+        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
         for i in below:
             body += [f"if (STEWART_FABS(a{i}) > size) {{", f"    size = STEWART_FABS(a{i});"]
             body += [f"    pivot = {i};", "}"]
@@ -284,7 +284,7 @@ def _solve_pose(about_base_point: bool) -> str:
     for i in reversed(rows[:-1]):
         known = "".join(f" - A[{i}][{j}] * x[{j}]" for j in rows[i + 1 :])
         body.append(f"x[{i}] = (A[{i}][6]{known}) * inverse{i};")
-    why = " The first column has no moment rows." if about_base_point else ""
+    why = "\n * The first column has no moment rows." if about_base_point else ""
     return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
 
 

@@ -586,7 +586,8 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows. The first column has no moment rows. */
+ * updated, so that a row is one vector. `moment` is the size of the moment rows.
+ * The first column has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
 {
     stewart_real scale[6];
@@ -602,6 +603,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
+    /* Column 1. */
     size = STEWART_FABS(a0);
     pivot = 0;
     if (STEWART_FABS(a1) > size) {
@@ -633,6 +635,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     a5 = A[5][1];
     subtract_row(A[1], factor1, A[0]);
     subtract_row(A[2], factor2, A[0]);
+    /* Column 2. */
     size = STEWART_FABS(a1);
     pivot = 1;
     if (STEWART_FABS(a2) > size) {
@@ -677,6 +680,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     subtract_row(A[3], factor3, A[1]);
     subtract_row(A[4], factor4, A[1]);
     subtract_row(A[5], factor5, A[1]);
+    /* Column 3. */
     size = STEWART_FABS(a2);
     pivot = 2;
     if (STEWART_FABS(a3) > size) {
@@ -713,6 +717,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     subtract_row(A[3], factor3, A[2]);
     subtract_row(A[4], factor4, A[2]);
     subtract_row(A[5], factor5, A[2]);
+    /* Column 4. */
     size = STEWART_FABS(a3);
     pivot = 3;
     if (STEWART_FABS(a4) > size) {
@@ -741,6 +746,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     a5 = A[5][4] - factor5 * A[3][4];
     subtract_row(A[4], factor4, A[3]);
     subtract_row(A[5], factor5, A[3]);
+    /* Column 5. */
     size = STEWART_FABS(a4);
     pivot = 4;
     if (STEWART_FABS(a5) > size) {
@@ -761,6 +767,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
+    /* Column 6. */
     size = STEWART_FABS(a5);
     pivot = 5;
     if (!(size > STEWART_ROUNDING * scale[pivot])) {
