@@ -10,9 +10,17 @@ In the order of the flow, each knowing only what stands before it:
     platform        the platform's equations, H and c read off
     kernels         leg and platform put together, closed into blocks
     reduce          blocks made cheaper
+    prepared        constants that enter together, prepared once per robot
+    joint_leg       the `exact` leg in the coordinates of its joints
+    printed_leg     the `paper` leg with prepared constants
+    regroup         the actuator forces alone, from fewer operations
+    tip             one leg at its tip: inertia, Coriolis matrix, derivatives
+    motion          the closed form: M, C, g, forward dynamics, derivatives
     operations      what a whole kernel costs
     emit            blocks as C, as NumPy, as a kit for one robot
     generate        all of it, written to files
+    passes          what each reduction is worth
 
-``derivation.ipynb`` reads this beside the paper.
+Proofs stand beside them: ``lagrange`` (the leg from its energies), ``tip_force`` (one force from three
+roads), ``normal_form`` (how equality is decided). ``derivation.ipynb`` reads this beside the paper.
 """

@@ -11,12 +11,14 @@ from importlib.metadata import version as installed_version
 import sympy as sp
 
 from . import motion
-from .emit import c, lanes, numpy
+from .emit import c, lanes, numpy, numpy_motion
 from .emit import motion as motion_text
+from .emit import regressor as regressor_text
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .operations import force_operations, kernel_operations
 from .reduce import share
+from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel
 
 
@@ -47,6 +49,12 @@ def shared_blocks(raw: ForceKernel) -> ForceKernel:
     )
 
 
+def reduced_regressor() -> Regressor:
+    """The regressor as it is emitted: derived, then shared."""
+    raw = regressor()
+    return Regressor(leg=share(raw.leg), platform=share(raw.platform))
+
+
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
@@ -69,6 +77,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{form.kernel_name}.py"] = numpy.module(
             built, counts, force_counts, lanes.model_numbers(forces), version
         )
+    progress("deriving exact_regressor")
+    files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
     return files | _closed_form(version)
 
@@ -82,10 +92,11 @@ def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
 
 def _closed_form(version: str) -> dict[str, str]:
     built, plain = reduced_motion(), reduced_motion(friction=False)
-    name = EXACT.kernel_name
+    name, model = EXACT.kernel_name, reduced_forces(EXACT)
     return {
+        f"{name}_motion.py": numpy_motion.module(built, model, version),
         f"c/stewart_{name}_motion.h": motion_text.header(built, plain, name, version),
-        f"c/stewart_{name}_motion.c": motion_text.source(built, reduced_forces(EXACT), version),
+        f"c/stewart_{name}_motion.c": motion_text.source(built, model, version),
     }
 
 

@@ -23,7 +23,7 @@ L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", rea
 rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
 accelerations = sp.symbols("L_ddot theta_ddot phi_ddot", real=True)
 
-_SLOPES = (
+_SLOPES: tuple[dict[sp.Symbol, sp.Expr], ...] = (
     {L: 1, inv_L: -(inv_L**2), inv_rho: -inv_L * inv_rho},
     {k1: -k3, k3: k1, inv_rho: -kappa * inv_rho, kappa: -1 - kappa**2},
     {},
@@ -133,7 +133,10 @@ def _rate(expr: sp.Matrix) -> sp.Matrix:
 
 
 def hessian(tau: sp.Matrix) -> sp.Matrix:
-    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot."""
+    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot.
+
+    tau: 3x1, free of rates, such as names.
+    """
     u = sp.Matrix(sp.symbols("u_x u_y u_z", real=True))
     by_tip = dict(zip(rates, gradients().value * u, strict=True))
     push = (gradients().rate.T * tau).xreplace(by_tip)

@@ -69,6 +69,12 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
     return x, status
 
 
+def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
+    """X (..., 6, n) of H X = right, column by column, and the status (...)."""
+    solved = [eliminate(H, right[..., j]) for j in range(right.shape[-1])]
+    return np.stack([x for x, _ in solved], axis=-1), solved[0][1]
+
+
 def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:
     """The first leg's fault of each pose: not finite, too short, along its universal axis.
 

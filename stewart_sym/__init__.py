@@ -14,27 +14,45 @@ from .dynamics import (
     joint_reactions,
     massless_forces,
 )
-from .equations import equations_of_motion, forward_dynamics, joint_space_inertia
+from .equations import (
+    equations_of_motion,
+    force_derivatives,
+    forward_dynamics,
+    joint_space_inertia,
+    linearise,
+)
+from .excitation import Excitation, FourierPath, choose_excitation
 from .faults import SingularPoseWarning
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
+from .identifiable import BaseParameters, base_parameters
+from .identification import Estimate, Experiment, identify, simulated_experiment
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
-from .results import EquationsOfMotion, Forces, Reactions
+from .parameters import Parameters, inertial_parameters, regressor
+from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
 
 __all__ = [
     "PATHS",
+    "BaseParameters",
     "ComputedTorque",
     "EquationsOfMotion",
+    "Estimate",
+    "Excitation",
+    "Experiment",
+    "ForceDerivatives",
     "ForceKernel",
     "Forces",
+    "FourierPath",
     "LegSprings",
+    "Linearisation",
     "Motion",
+    "Parameters",
     "PhysicalityWarning",
     "PlatformPose",
     "Reactions",
@@ -45,25 +63,33 @@ __all__ = [
     "StraightLinePath",
     "Thresholds",
     "Trace",
+    "base_parameters",
     "characteristic_length",
+    "choose_excitation",
     "condition_number",
     "dynamic_fraction",
     "equations_of_motion",
+    "force_derivatives",
     "forward_acceleration",
     "forward_dynamics",
     "forward_kinematics",
     "forward_velocity",
+    "identify",
+    "inertial_parameters",
     "inverse_dynamics",
     "inverse_kinematics",
     "joint_reactions",
     "joint_space_inertia",
+    "linearise",
     "massless_forces",
     "motion_from_lengths",
     "prepare",
+    "regressor",
     "results",
     "robots",
     "scaled_condition_number",
     "simulate",
+    "simulated_experiment",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

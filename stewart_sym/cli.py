@@ -150,6 +150,19 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _identify(arguments: argparse.Namespace) -> int:
+    from .publish import staged_folder
+
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        progress("identifying")
+        texts = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    print(texts["report.txt"])
+    print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
+    return 0
+
+
 def _bench(arguments: argparse.Namespace) -> int:
     import json
 
@@ -211,7 +224,76 @@ def _simulate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _control(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .publish import replaced_file, staged_folder
+    from .robot import Robot
+    from .studies import control, control_report, run
+    from .studies.output import csv_lines
+
+    if arguments.pictures:
+        _plots()
+    machines = control.papers_machines()
+    if arguments.robot is not None:
+        machines = {"robot": Robot.from_toml(arguments.robot)}
+    paths = control.TRACKED if arguments.path is None else (arguments.path,)
+    settings = control.Settings(rate=arguments.rate)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        studies = {
+            label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
+        }
+        text = control_report.report(studies)
+        figures = json.dumps(control_report.as_json(studies), indent=1) + "\n"
+        texts = {"txt": text + "\n", "csv": control_report.csv_rows(studies), "json": figures}
+        for kind, content in texts.items():
+            (folder / f"control.{kind}").write_text(content, encoding="utf-8", newline="\n")
+        for number, (label, study) in enumerate(studies.items()):
+            suffix = f"_{label}" if number else ""
+            for path, runs in study.runs.items():
+                with replaced_file(folder / f"path_{path}{suffix}.csv") as stream:
+                    stream.writelines(csv_lines(control_report.run_columns(runs)))
+            if arguments.pictures:
+                progress("drawing")
+                run.save(control_report.figure(study), folder / f"control{suffix}.png")
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    for study in studies.values():
+        for line in study.exceeded:
+            warnings.warn(line, stacklevel=2)
+    return 0
+
+
 # Their parts
+
+
+def _measured(arguments: argparse.Namespace) -> dict[str, str]:
+    """Texts of the files about measured forces, by name."""
+    from .joint_space import on_platform
+    from .robot import Robot
+    from .studies.identify import from_measurement, measured_texts
+    from .trajectory import JointTrajectory, read_any_csv, read_forces_csv
+
+    robot = Robot.from_toml(arguments.robot)
+    poses, forces = arguments.measured
+    trajectory = read_any_csv(poses)
+    if isinstance(trajectory, JointTrajectory):
+        trajectory = on_platform(robot, trajectory, None)
+    time, F = read_forces_csv(forces)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces))
+    return measured_texts(robot, found, arguments.sigma)
+
+
+def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -> dict[str, str]:
+    """Texts of the files about a simulated measurement, by name."""
+    from .robot import Robot
+    from .studies.identify import identification, simulated_texts
+
+    robot = Robot.from_toml(arguments.robot)
+    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
+    options = {name: getattr(arguments, name) for name in names}
+    return simulated_texts(robot, identification(robot, **options, progress=progress))
 
 
 def _benchmark() -> tuple[ModuleType, ModuleType]:
@@ -444,6 +526,29 @@ def _parser() -> argparse.ArgumentParser:
     )
 
     verb = _verb(
+        verbs,
+        "control",
+        _control,
+        "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures",
+        "stewart-sym control -o control --path II",
+        "The plant is `exact`; forces are held between samples. Computed torque by `exact`, by `paper` and "
+        "by the platform alone (massless legs), and PD with gravity compensation: the same gains, the same "
+        "start a little off the path. Without --robot: the paper's machine, as printed and with friction "
+        "that counts. Takes about half a minute.",
+    )
+    _output(verb, "DIR", "folder to write to", Path("control"))
+    verb.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
+    verb.add_argument(
+        "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
+    )
+    verb.add_argument(
+        "--rate", metavar="HZ", type=_positive, default=1000.0, help="of the controllers, Hz; default: 1000"
+    )
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+    )
+
+    verb = _verb(
         verbs, "derive", _derive, "derive the kernels again and write them", "stewart-sym derive --check"
     )
     verb.add_argument(
@@ -464,6 +569,37 @@ def _parser() -> argparse.ArgumentParser:
     _output(verb, "DIR", "folder to write to", None)
     _formulation(verb)
     verb.add_argument("--force", action="store_true", help="replace files that are there already")
+
+    verb = _verb(
+        verbs,
+        "identify",
+        _identify,
+        "identify inertial parameters from measured forces, or show it on a simulated measurement",
+        "stewart-sym identify hexapod.toml --sigma 0.5 -o identified",
+        "Without --measured the motion is the best of random Fourier series about the home pose, within the "
+        "limits of length, speed and force in the robot file, and the table gives the true values as well. "
+        "SI units.",
+    )
+    _robot(verb)
+    _output(verb, "DIR", "folder to write to", None)
+    verb.add_argument(
+        "--measured",
+        nargs=2,
+        type=Path,
+        metavar=("TRAJECTORY.csv", "FORCES.csv"),
+        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
+        "only geometry and gravity are used; the options below --sigma have no part in it",
+    )
+    verb.add_argument(
+        "--sigma", type=_finite, default=1.0, help="standard deviation of measured forces, N; default: 1"
+    )
+    verb.add_argument("--seed", type=_whole, default=0, help="of the candidates and of the noise; default: 0")
+    verb.add_argument(
+        "--period", type=_finite, help="of the motion, s; default: accelerations of the order of gravity"
+    )
+    verb.add_argument("--harmonics", type=_whole, default=5, help="of the Fourier series; default: 5")
+    verb.add_argument("--samples", type=_whole, default=200, help="instants of one period; default: 200")
+    verb.add_argument("--candidates", type=_whole, default=50, help="random series to try; default: 50")
 
     verb = _verb(
         verbs,
@@ -510,6 +646,20 @@ def _finite(text: str) -> float:
     number = float(text)
     if not math.isfinite(number):
         raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+    return number
+
+
+def _positive(text: str) -> float:
+    number = _finite(text)
+    if number <= 0.0:
+        raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
+    return number
+
+
+def _whole(text: str) -> int:
+    number = int(text)
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
     return number
 
 

@@ -7,7 +7,7 @@ equation.
 import functools
 import warnings
 from collections.abc import Callable
-from typing import Literal, Protocol, TypeVar
+from typing import Any, Literal, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -138,16 +138,24 @@ def need_motion(robot: Robot, motion: Motion) -> None:
 
 def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
     kernel_name(formulation, robot.base_joint)
+    found: DynamicsKernel = with_compiler(
+        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
+    )
+    return found
+
+
+def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
+    """``compiled()``, or ``other()`` and one warning where there is no working compiler."""
     try:
-        return CKernel.prepare(robot, formulation)
+        return compiled()
     except CompilerError as error:
         _say_once(f"the NumPy kernels serve instead of C: {error}")
-        return NumpyKernel.prepare(robot, formulation)
+        return other()
 
 
 @functools.cache
 def _say_once(text: str) -> None:
-    warnings.warn(text, RuntimeWarning, stacklevel=5)
+    warnings.warn(text, RuntimeWarning, stacklevel=6)
 
 
 def _bearing(bearing: ArrayLike | None) -> Array:

@@ -1,22 +1,42 @@
-"""Equations of motion as users call them: M, C, g, friction, and forward dynamics, in either formulation.
+"""Equations of motion as users call them: M, C, g, friction, forward dynamics and derivatives.
 
-Stands above ``dynamics``, whose backends it evaluates, and below the simulation. Solves for accelerations and
-turns a status into an error, a warning or NaN. Knows no equation of a leg.
+Stands above the closed form's kernels, which serve `exact` machines with universal base joints, and above
+``dynamics``, from whose backends it draws the terms of all others by linearity; below the simulation. Turns a
+status into an error, a warning or NaN. Knows no equation of a leg.
 """
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import reference
 from .checks import instance, option, real_array
-from .dynamics import Backend, DynamicsKernel, Formulation, prepared_kernel, report_faults
+from .closed_form import CClosedForm, ClosedForm, NumpyClosedForm
+from .dynamics import (
+    Backend,
+    DynamicsKernel,
+    Formulation,
+    need_motion,
+    prepared_kernel,
+    report_faults,
+    with_compiler,
+)
 from .faults import ON_FAULT, OnFault
+from .kernel import FORMULATIONS
 from .kinematics import wrench_matrix
 from .motion import Motion
 from .reference_equations import ActuatorWrench, by_linearity, inertia_and_bias
-from .results import INDEFINITE, NOT_FINITE, OK, SINGULAR, EquationsOfMotion
+from .results import (
+    INDEFINITE,
+    NOT_FINITE,
+    OK,
+    SINGULAR,
+    EquationsOfMotion,
+    ForceDerivatives,
+    Linearisation,
+)
 from .robot import Robot
 from .rotation import cross
 
@@ -34,15 +54,63 @@ def equations_of_motion(
     """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
 
     motion: poses and rates; accelerations and load don't count. formulation, backend, on_singular: as for
-    ``inverse_dynamics``. Backends "c" and "numpy" have no answer where H is singular, "reference" has.
+    ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of machines with
+    spherical base joints they draw the terms from inverse dynamics, which has no answer where H is singular.
 
     Returns EquationsOfMotion; shapes and units there. Raises ValueError for unknown options and for poses
     without an answer.
     """
     _need(robot, motion, on_singular)
-    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+    closed = _closed_form(robot, formulation, backend)
+    if closed is None:
+        found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+    else:
+        terms = closed.run("equations", motion)
+        found = EquationsOfMotion(**{name: terms[name] for name in _TERMS}, status=terms["status"])
     report_faults(found.status, robot, motion, on_singular, stacklevel=3)
     return found
+
+
+_TERMS = ("M", "C", "g", "friction", "bias")
+
+
+def force_derivatives(
+    robot: Robot, motion: Motion, backend: Literal["c", "numpy"] = "c", on_singular: OnFault = "raise"
+) -> ForceDerivatives:
+    """Derivatives of the `exact` actuator forces by pose, twist and acceleration.
+
+    motion: with accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R
+    becoming exp([dphi]x) R; the load moves with the platform.
+
+    Returns ForceDerivatives; shapes and units there. Raises ValueError for unknown options, for spherical
+    base joints, for a motion without accelerations, and for poses without an answer.
+    """
+    need_motion(robot, motion)
+    found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
+    report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
+    return ForceDerivatives(**found)
+
+
+def linearise(
+    robot: Robot,
+    motion: Motion,
+    F: ArrayLike,
+    backend: Literal["c", "numpy"] = "c",
+    on_singular: OnFault = "raise",
+) -> Linearisation:
+    """Linear state equations of the `exact` machine about a motion under actuator forces F, N, (..., 6).
+
+    motion: poses, rates and load; accelerations don't count. Other arguments and errors: as for
+    ``forward_dynamics``; spherical base joints are refused.
+
+    Returns Linearisation; shapes and units there.
+    """
+    _need(robot, motion, on_singular)
+    closed = _with_closed_form(robot, backend, on_singular)
+    motion, forces = _together(motion, F)
+    found = closed.run("linearisation", motion, forces)
+    report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
+    return Linearisation(**found)
 
 
 def forward_dynamics(
@@ -63,18 +131,7 @@ def forward_dynamics(
     answer.
     """
     _need(robot, motion, on_singular)
-    forces = real_array(F, "F", "forces of shape (..., 6)")
-    if forces.shape[-1:] != (6,):
-        raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
-    if not np.isfinite(forces).all():
-        raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
-    try:
-        shape = np.broadcast_shapes(motion.shape, forces.shape[:-1])
-    except ValueError:
-        raise ValueError(
-            f"F: expected a leading shape that broadcasts with {motion.shape}, got {forces.shape[:-1]}"
-        ) from None
-    motion, forces = _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
+    motion, forces = _together(motion, F)
     a, alpha, status = ForwardDynamics(robot, formulation, backend).solve(motion, forces)
     report_faults(status, robot, motion, on_singular, stacklevel=3)
     return a, alpha
@@ -91,7 +148,13 @@ def joint_space_inertia(
 
     Arguments and errors as for ``equations_of_motion``; a pose where H is singular has no answer.
     """
-    found = equations_of_motion(robot, motion, formulation, backend, on_singular)
+    _need(robot, motion, on_singular)
+    closed = _closed_form(robot, formulation, backend)
+    if closed is not None:
+        direct = closed.run("joint_inertia", motion)
+        report_faults(direct["status"], robot, motion, on_singular, stacklevel=3)
+        return np.asarray(direct["inertia"])
+    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
     regular = np.linalg.slogdet(H)[0] != 0
@@ -111,6 +174,7 @@ class ForwardDynamics:
     robot: Robot
     formulation: Formulation = "exact"
     backend: Backend = "c"
+    closed: ClosedForm | None = field(init=False, repr=False)
     _wrench: ActuatorWrench = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -118,12 +182,17 @@ class ForwardDynamics:
         instance(self.robot, Robot, "robot")
         wrench = _actuator_wrench(self.robot, self.formulation, self.backend)
         object.__setattr__(self, "_wrench", wrench)
+        object.__setattr__(self, "closed", _closed_form(self.robot, self.formulation, self.backend))
 
     def solve(self, motion: Motion, F: Array) -> tuple[Array, Array, Codes]:
         """a, alpha (..., 3) and status (...) of poses under F (..., 6), of the motion's shape.
 
         NaN where the status is not 0; raises nothing.
         """
+        if self.closed is not None:
+            found = self.closed.run("forward_dynamics", motion, F)
+            x = found["acceleration"]
+            return x[..., :3], x[..., 3:], found["status"]
         with np.errstate(all="ignore"):
             M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
             rest = _wrench_of(self.robot, motion, F) - bias
@@ -186,6 +255,44 @@ def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWr
         return np.einsum("...ij,...j->...i", found.H, found.D) - found.c, found.status
 
     return wrench
+
+
+def _closed_form(robot: Robot, formulation: str, backend: str) -> ClosedForm | None:
+    """The closed form's kernels where they serve; ValueError for unknown options."""
+    option(formulation, FORMULATIONS, "formulation")
+    option(backend, ("c", "numpy", "reference"), "backend")
+    if formulation != "exact" or robot.base_joint != "universal" or backend == "reference":
+        return None
+    if backend == "numpy":
+        return NumpyClosedForm(robot)
+    found: ClosedForm = with_compiler(lambda: CClosedForm(robot), lambda: NumpyClosedForm(robot))
+    return found
+
+
+def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedForm:
+    """The same where there must be one."""
+    option(backend, ("c", "numpy"), "backend")
+    option(on_singular, ON_FAULT, "on_singular")
+    closed = _closed_form(robot, "exact", backend)
+    if closed is None:
+        raise ValueError(f"robot: expected universal base joints, got {robot.base_joint} ones")
+    return closed
+
+
+def _together(motion: Motion, F: ArrayLike) -> tuple[Motion, Array]:
+    """Motion and forces of one leading shape."""
+    forces = real_array(F, "F", "forces of shape (..., 6)")
+    if forces.shape[-1:] != (6,):
+        raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
+    if not np.isfinite(forces).all():
+        raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
+    try:
+        shape = np.broadcast_shapes(motion.shape, forces.shape[:-1])
+    except ValueError:
+        raise ValueError(
+            f"F: expected a leading shape that broadcasts with {motion.shape}, got {forces.shape[:-1]}"
+        ) from None
+    return _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
 
 
 def _need(robot: Robot, motion: Motion, on_singular: str) -> None:

@@ -21,6 +21,7 @@ from .dynamics import Formulation, need_motion, report_faults
 from .faults import ON_FAULT, OnFault
 from .kernel import FORMULATIONS, kernel_name, library, module, robot_numbers
 from .motion import Motion
+from .results import OK
 from .robot import Robot
 
 Array = NDArray[Any]
@@ -52,10 +53,12 @@ class ForceKernel:
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        numbers = robot_numbers(self.robot).astype(self.dtype)
+        with np.errstate(over="ignore"):
+            numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
         model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
-        self._function("prepare")(_offset(numbers, 0), _offset(model, 0))
+        if self._function("prepare")(_offset(numbers, 0), _offset(model, 0)) != OK:
+            raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
         object.__setattr__(self, "model", model)
 

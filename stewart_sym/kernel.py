@@ -152,12 +152,12 @@ class NumpyKernel:
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
-        return Forces(**module(self.name).inverse_dynamics(self.robot, _loaded(motion)))
+        return Forces(**module(self.name).inverse_dynamics(self.robot, loaded(motion)))
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
         forces = self.forces(motion)
-        found = module(self.name).joint_reactions(self.robot, _loaded(motion), forces.x, bearing)
+        found = module(self.name).joint_reactions(self.robot, loaded(motion), forces.x, bearing)
         bad = forces.status != 0
         blank = {
             name: np.where(bad[(..., *(None,) * (value.ndim - bad.ndim))], np.nan, value)
@@ -166,7 +166,7 @@ class NumpyKernel:
         return Reactions(**blank, status=forces.status)
 
 
-def _loaded(motion: Motion) -> SimpleNamespace:
+def loaded(motion: Motion) -> SimpleNamespace:
     """The motion with zeros for a load that is not given."""
     given = {name: getattr(motion, name) for name in _MOTION}
     return SimpleNamespace(

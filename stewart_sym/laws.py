@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import instance, real_array
-from .dynamics import Backend, DynamicsKernel, Formulation, inverse_dynamics, prepared_kernel
+from .dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from .kinematics import inverse_kinematics
 from .motion import Motion
 from .robot import Robot
@@ -21,6 +21,10 @@ from .trajectory import StraightLinePath
 Array = NDArray[np.float64]
 ForceLaw = Callable[[float, Motion], ArrayLike]
 """(time, s, state) -> actuator forces, N, (6,)."""
+Wanted = Callable[[float], Motion]
+"""time, s -> the motion wanted then, of shape ()."""
+Model = Callable[[Motion], Array]
+"""Motion of shape () -> actuator forces that a model gives it, N, (6,)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +79,8 @@ class LegSprings:
 
 
 @dataclass(frozen=True, eq=False)
-class ComputedTorque:
-    """Follow a wanted motion by inverse dynamics of the state, with errors fed back into the accelerations.
+class ModelTorque:
+    """Follow a wanted motion by any model of the machine, with errors fed back into the accelerations.
 
         a     = a_w     + k_d (v_w - v)         + k_p (t_w - t)
         alpha = alpha_w + k_d (omega_w - omega) + k_p e
@@ -84,41 +88,104 @@ class ComputedTorque:
     with e the rotation vector, base axes, of R_w R^T. On a machine that is as the model says, each error
     decays as x'' + k_d x' + k_p x = 0.
 
-    robot: the model. wanted: time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
-    formulation, backend: of the model. Poses where the model has no answer get NaN forces.
+    model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations.
+    k_p, 1/s^2, and k_d, 1/s: gains.
+
+    Raises ValueError naming the gain that is not finite or negative.
     """
 
-    robot: Robot
-    wanted: Callable[[float], Motion]
+    model: Model
+    wanted: Wanted
     k_p: float
     k_d: float
-    formulation: Formulation = "exact"
-    backend: Backend = "c"
-    _kernel: DynamicsKernel = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        """Check the gains and prepare the model."""
-        instance(self.robot, Robot, "robot")
-        for name in ("k_p", "k_d"):
-            gain = real_array(getattr(self, name), name, "a finite gain >= 0")
-            if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
-                raise ValueError(f"{name}: expected a finite gain >= 0, got {getattr(self, name)!r}")
-        kernel = prepared_kernel(self.robot, self.formulation, self.backend)
-        object.__setattr__(self, "_kernel", kernel)
+        """Check the gains."""
+        _gains(self.k_p, self.k_d)
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""
         wanted = self.wanted(time)
         if wanted.a is None or wanted.alpha is None:
             raise ValueError("wanted: expected a motion with accelerations, got none")
-        turn = vector_from_rotation(wanted.R @ state.R.T)
-        a = wanted.a + self.k_d * (wanted.v - state.v) + self.k_p * (wanted.t - state.t)
-        alpha = wanted.alpha + self.k_d * (wanted.omega - state.omega) + self.k_p * turn
-        motion = Motion.unchecked(state.R, state.t, state.omega, state.v, alpha, a)
-        return self._kernel.forces(motion).F
+        a, alpha = feedback(wanted, state, self.k_p, self.k_d)
+        a, alpha = wanted.a + a, wanted.alpha + alpha
+        return self.model(Motion.unchecked(state.R, state.t, state.omega, state.v, alpha, a))
 
 
-def along(path: StraightLinePath) -> Callable[[float], Motion]:
+@dataclass(frozen=True, eq=False)
+class ComputedTorque:
+    """Follow a wanted motion by inverse dynamics of the state: ``ModelTorque`` with a robot as the model.
+
+    robot: the model. wanted: time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
+    formulation, backend: of the model. Poses where the model has no answer get NaN forces.
+    """
+
+    robot: Robot
+    wanted: Wanted
+    k_p: float
+    k_d: float
+    formulation: Formulation = "exact"
+    backend: Backend = "c"
+    _law: ModelTorque = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the gains and prepare the model."""
+        instance(self.robot, Robot, "robot")
+        _gains(self.k_p, self.k_d)
+        kernel = prepared_kernel(self.robot, self.formulation, self.backend)
+        law = ModelTorque(lambda motion: kernel.forces(motion).F, self.wanted, self.k_p, self.k_d)
+        object.__setattr__(self, "_law", law)
+
+    def __call__(self, time: float, state: Motion) -> Array:
+        """Forces, N, (6,), of a state."""
+        return self._law(time, state)
+
+
+@dataclass(frozen=True, eq=False)
+class GravityCompensation:
+    """Hold the machine's weight and push towards a wanted motion: H F = g + M_0 [k_p e + k_d e'].
+
+    Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
+
+    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), asked at rest.
+    inertia: M_0 of twists [v; omega], base frame, (6, 6), constant; it turns the gains of ``ModelTorque``,
+    k_p, 1/s^2, and k_d, 1/s, into stiffness and damping.
+
+    Raises ValueError naming the gain that is not finite or negative, or the inertia of another shape.
+    """
+
+    model: Model
+    inertia: Array
+    wanted: Wanted
+    k_p: float
+    k_d: float
+
+    def __post_init__(self) -> None:
+        """Check the gains and the inertia."""
+        _gains(self.k_p, self.k_d)
+        inertia = real_array(self.inertia, "inertia", "a matrix of shape (6, 6)")
+        if inertia.shape != (6, 6):
+            raise ValueError(f"inertia: expected a matrix of shape (6, 6), got {inertia.shape}")
+        object.__setattr__(self, "inertia", inertia)
+
+    def __call__(self, time: float, state: Motion) -> Array:
+        """Forces, N, (6,), of a state."""
+        wrench = self.inertia @ np.concatenate(feedback(self.wanted(time), state, self.k_p, self.k_d))
+        # The wrench asked for is what the legs would hold if its opposite lay on the platform.
+        load = -wrench.reshape(2, 3) @ state.R
+        zero = np.zeros(3)
+        return self.model(Motion.unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
+
+
+def feedback(wanted: Motion, state: Motion, k_p: float, k_d: float) -> tuple[Array, Array]:
+    """Accelerations, m/s^2 and rad/s^2, each (..., 3), that take the state's errors away."""
+    turn = vector_from_rotation(wanted.R @ np.swapaxes(state.R, -1, -2))
+    a = k_d * (wanted.v - state.v) + k_p * (wanted.t - state.t)
+    return a, k_d * (wanted.omega - state.omega) + k_p * turn
+
+
+def along(path: StraightLinePath) -> Wanted:
     """A path as a wanted motion: at rest at its end afterwards."""
 
     def wanted(time: float) -> Motion:
@@ -127,6 +194,13 @@ def along(path: StraightLinePath) -> Callable[[float], Motion]:
         return motion if time < path.tau_f else Motion(motion.R, motion.t, zero, zero, zero, zero)
 
     return wanted
+
+
+def _gains(k_p: float, k_d: float) -> None:
+    for name, value in (("k_p", k_p), ("k_d", k_d)):
+        gain = real_array(value, name, "a finite gain >= 0")
+        if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
+            raise ValueError(f"{name}: expected a finite gain >= 0, got {value!r}")
 
 
 def of_six(value: ArrayLike, name: str) -> Array:

@@ -97,3 +97,41 @@ class EquationsOfMotion:
     friction: NDArray[np.float64]
     bias: NDArray[np.float64]
     status: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class ForceDerivatives:
+    """Actuator forces of inverse dynamics and their derivatives, of one or many poses; (...) is the motion's.
+
+    Rows are legs. Poses move by [dt; dphi], m and rad, base axes, R becoming exp([dphi]x) R.
+
+    F: actuator forces, N, (..., 6).
+    by_pose: dF by [dt; dphi], N/m and N, (..., 6, 6), at fixed rates, accelerations, F_ext, M_ext.
+    by_twist: dF by [v; omega], N s/m and N s, (..., 6, 6).
+    by_acceleration: dF by [a; alpha], kg and kg m, (..., 6, 6): H^-1 M.
+    status: as in ``Forces``; all else is NaN where it is not 0.
+    """
+
+    F: NDArray[np.float64]
+    by_pose: NDArray[np.float64]
+    by_twist: NDArray[np.float64]
+    by_acceleration: NDArray[np.float64]
+    status: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Linearisation:
+    """Forward dynamics and its derivatives, of one or many poses; (...) is the motion's.
+
+    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivatives``,
+    dx/dt = A x + B dF.
+
+    acceleration: [a; alpha] under the given forces, m/s^2 and rad/s^2, (..., 6).
+    A: (..., 12, 12), SI units by blocks.  B: (..., 12, 6).
+    status: as in ``Forces``; all else is NaN where it is not 0.
+    """
+
+    acceleration: NDArray[np.float64]
+    A: NDArray[np.float64]
+    B: NDArray[np.float64]
+    status: NDArray[np.int32]

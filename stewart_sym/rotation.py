@@ -125,6 +125,11 @@ def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
     return np.asarray(omega - 0.5 * across + c * cross(phi, across))
 
 
+def orthonormal(R: Array) -> Array:
+    """Return R, (..., 3, 3), without the rounding of one product: Newton's step to the nearest rotation."""
+    return np.asarray(R @ (3.0 * np.eye(3) - np.swapaxes(R, -1, -2) @ R) / 2.0)
+
+
 def cross(x: Array, y: Array) -> Array:
     """Return x x y, (..., 3): the vector product at a fraction of np.cross's cost for a few vectors."""
     z = np.empty(np.broadcast_shapes(x.shape, y.shape))

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from . import tables
 from .dynamics import Formulation
 from .kernel import FORMULATIONS
-from .laws import ComputedTorque, ForceLaw, LegSprings, along
+from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .motion import Motion
 from .robot import Robot
 from .rotation import rotation_from_rpy
@@ -24,7 +24,6 @@ from .simulation import METHODS, Method, Simulation, Thresholds, simulate
 from .trajectory import PATHS, interpolated, read_csv
 
 Array = NDArray[np.float64]
-Wanted = Callable[[float], Motion]
 
 SCHEMA = 1
 LAWS = ("forces", "springs", "tracking")

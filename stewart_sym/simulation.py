@@ -22,7 +22,7 @@ from .laws import ForceLaw
 from .motion import Motion
 from .results import STATUS_TEXT
 from .robot import Robot
-from .rotation import cross, rotation_from_vector, vector_rate
+from .rotation import cross, orthonormal, rotation_from_vector, vector_rate
 
 Array = NDArray[np.float64]
 Method = Literal["DOP853", "Radau"]
@@ -275,7 +275,7 @@ class _Run:
                 return stop, stop.time, solver.y, center, step
             pieces.append(piece)
         y = np.array(solver.y)
-        center = _orthonormal(rotation_from_vector(y[3:6]) @ center)
+        center = orthonormal(rotation_from_vector(y[3:6]) @ center)
         y[3:6] = 0.0
         return None, float(solver.t), y, center, float(solver.h_abs)
 
@@ -311,11 +311,6 @@ def _motion(y: Array, center: Array) -> Motion:
     """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
     R = rotation_from_vector(y[..., 3:6]) @ center
     return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
-
-
-def _orthonormal(R: Array) -> Array:
-    """R with the rounding of one product taken out: a step of Newton's method to the nearest rotation."""
-    return np.asarray(R @ (3.0 * np.eye(3) - R.T @ R) / 2.0)
 
 
 # Limits

@@ -317,6 +317,27 @@ def read_any_csv(path: str | os.PathLike[str]) -> Trajectory | JointTrajectory:
     return _pose_trajectory(columns, loads, source, rows)
 
 
+def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
+    """Read actuator forces over time: columns ``time`` (s), increasing, and ``F1`` to ``F6`` (N).
+
+    Other columns, such as those that the command ``forces`` writes, are read over. Returns times (n,) and
+    forces (n, 6). Raises ``ValueError`` of one line that names the file and the row or column.
+    """
+    source = os.fspath(path)
+    wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
+
+    def check(header: list[str], source: str) -> None:
+        _check_names(
+            header, [*wanted, *(name for name in header if ";" not in name and "\t" not in name)], source
+        )
+        for column in wanted:
+            if column not in header:
+                raise ValueError(f"{source}: missing column {column}")
+
+    columns, _ = _columns(_read_text(source, "forces"), source, check)
+    return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
+
+
 def _joint_trajectory(
     columns: Mapping[str, Array], loads: Mapping[str, Array], source: str, rows: tuple[int, ...]
 ) -> JointTrajectory:
@@ -360,18 +381,23 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
     return ""
 
 
-def _read_text(source: str) -> str:
+def _read_text(source: str, what: str = "trajectory") -> str:
     try:
         return Path(source).read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the trajectory: {reason}") from None
+        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
 
 
-def _columns(text: str, source: str) -> tuple[dict[str, Array], tuple[int, ...]]:
-    """Return the checked columns of a CSV text by name, and the rows where their numbers stand."""
+def _columns(
+    text: str, source: str, check_header: Callable[[list[str], str], None] | None = None
+) -> tuple[dict[str, Array], tuple[int, ...]]:
+    """Return the checked columns of a CSV text by name, and the rows where their numbers stand.
+
+    check_header: refuses a header, given the name of the file; None for that of a trajectory.
+    """
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     try:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
@@ -380,7 +406,7 @@ def _columns(text: str, source: str) -> tuple[dict[str, Array], tuple[int, ...]]
     if not rows:
         raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
     header = [cell.strip() for cell in rows[0][1]]
-    _check_header(header, source)
+    (check_header or _check_header)(header, source)
     if len(rows) == 1:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
     table = np.array([_row(cells, header, f"{source}: row {number}: ") for number, cells in rows[1:]])

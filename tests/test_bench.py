@@ -57,6 +57,9 @@ def padded(numbers: int) -> dict[str, str]:
     header, start = "stewart_exact_forces.h", "typedef struct {\n"
     assert start in sources[header]
     sources[header] = sources[header].replace(start, f"{start}    stewart_real padding[{numbers}];\n")
+    code, made = "stewart_exact_forces.c", "    stewart_exact_model made;\n"
+    assert made in sources[code]
+    sources[code] = sources[code].replace(made, made.replace("    ", "    static ", 1))
     return sources
 
 

@@ -502,7 +502,7 @@ def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
 # the command as a whole
 
 
-@pytest.mark.parametrize("verb", ["reproduce", "check", "forces", "derive", "generate"])
+@pytest.mark.parametrize("verb", ["reproduce", "check", "forces", "derive", "generate", "control"])
 def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
         main([verb, "--help"])
@@ -546,8 +546,9 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
 # writing
 
 
-def test_the_default_folder_of_reproduce_is_no_part_of_the_repository() -> None:
-    folder = cli._parser().parse_args(["reproduce"]).output
+@pytest.mark.parametrize("verb", ["reproduce", "control"])
+def test_the_default_folder_is_no_part_of_the_repository(verb: str) -> None:
+    folder = cli._parser().parse_args([verb]).output
     ignored = (Path(__file__).parent.parent / ".gitignore").read_text().splitlines()
     assert f"/{folder}/" in ignored
 

@@ -323,3 +323,11 @@ def test_a_warning_points_at_the_line_of_the_caller() -> None:
     with pytest.warns(ss.SingularPoseWarning) as full:
         ss.inverse_dynamics(robot, bad, on_singular="warn")
     assert [warning.filename for warning in (*fast, *full)] == [__file__, __file__]
+
+
+def test_constants_that_overflow_the_precision_are_refused() -> None:
+    robot = dasgupta()
+    heavy = dataclasses.replace(robot, M=1e39)
+    ss.prepare(heavy)
+    with pytest.raises(ValueError, match="robot: expected constants that float can hold"):
+        ss.prepare(heavy, precision="float")

@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
 
+from stewart_sym import closed_form
 from stewart_sym.derive.emit import c, lanes
+from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
-from stewart_sym.derive.generate import reduced, reduced_forces
+from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
+from stewart_sym.derive.motion import F_LEG, SumKernel
 from stewart_sym.derive.operations import elimination, kernel_operations
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
@@ -44,7 +47,7 @@ static Threshold operator*(int, Threshold t) { return t; }
 #define STEWART_FABS(v) Real(std::fabs((v).value))
 #define STEWART_EPSILON Threshold()
 #define STEWART_MAX Real(1e308)
-#include "stewart_@SOURCE@.c"
+@INCLUDES@
 int main() {
     static stewart_robot robot;
     static stewart_motion motion;
@@ -69,6 +72,16 @@ BLOCK = """static stewart_@KERNEL@_model model;
     counts = Counts();
     int status = stewart_@KERNEL@_forces_batch(&model, 1, &all, F, 0);"""
 
+SUMS = """static stewart_exact_model model;
+    stewart_exact_prepare(&robot, &model);
+    static @WHAT@_legs legs;
+    static Real sum[100];
+    static const Real F[6] = {1, 2, 3, 4, 5, 6};
+    (void)F;
+    counts = Counts();
+    int status = @WHAT@_sums(&model, &motion@FORCE@, &legs, sum);"""
+"""Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
+
 
 def executed(
     kernel: str,
@@ -83,11 +96,13 @@ def executed(
 
     sources: the C by file name; None for the generated kernel.
     """
-    for name, text in (sources or c_sources(source)).items():
+    texts = sources or c_sources(source)
+    for name, text in texts.items():
         (folder / name).write_text(text)
     parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
     numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
-    program = COUNTING.replace("@CALL@", call).replace("@SOURCE@", source).replace("@KERNEL@", kernel)
+    includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
+    program = COUNTING.replace("@INCLUDES@", includes).replace("@CALL@", call).replace("@KERNEL@", kernel)
     for mark, values in (("@ROBOT@", robot_numbers(robot)), ("@MOTION@", numbers)):
         program = program.replace(mark, ", ".join(repr(float(v)) for v in values))
     (folder / "count.cpp").write_text(program)
@@ -114,6 +129,18 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
     name = form.kernel_name
     counted = executed(name, f"{name}_forces", BLOCK, robot, random_motion(rng, robot), tmp_path)
     assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
+
+
+@pytest.mark.parametrize("kernel", reduced_motion(), ids=lambda kernel: kernel.name)
+def test_counts_of_the_closed_form_are_what_the_c_executes(kernel: SumKernel, tmp_path: Path) -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    sources = closed_form.c_sources()
+    call = SUMS.replace("@WHAT@", kernel.name).replace("@FORCE@", ", F" if F_LEG in kernel.leg.inputs else "")
+    motion = random_motion(rng, robot)
+    counted = executed("exact", "exact_motion", call, robot, motion, tmp_path, sources)
+    claimed = sum_operations(kernel) + 2 * kernel.leg.operations()
+    assert counted == (claimed.mul, claimed.add, claimed.div, claimed.sqrt)
 
 
 def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:

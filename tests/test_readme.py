@@ -1,8 +1,8 @@
 """The figures in the README are those that the code computes.
 
-``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR`` wrote for the README's figures: it
-copies bench.json and the pictures into ``.docs`` and writes the README's tables anew; without DIR it only
-writes the tables.
+``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR`` or ``stewart-sym control -o DIR``
+wrote for the README's figures: it copies JSON and pictures into ``.docs`` and writes the README's tables
+anew; without DIR it only writes the tables.
 """
 
 import copy
@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 import readme_bench
+import readme_control
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
@@ -23,10 +24,12 @@ from pinocchio_model import pinocchio_inverse_dynamics
 import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.kernel import module
+from stewart_sym.studies import control, control_report
 from stewart_sym.studies.bench_figures import Figure, MotionFigures
 from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
+PUBLISHED = ("bench.json", "bench.png", "bench_motion.png", "control.json", "control.png")
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
 REWRITE = "run `python tests/test_readme.py` and look at the README"
@@ -98,9 +101,10 @@ def test_operations_in_the_readme_are_those_of_the_kernels(formulation: str) -> 
         assert row(f"`{formulation}`{label}") == totals
 
 
-def figures() -> dict[str, Any]:
-    """What the committed run of the benchmark wrote."""
-    found: dict[str, Any] = json.loads((README_FOLDER / ".docs" / "bench.json").read_text(encoding="utf-8"))
+def figures(study: str = "bench") -> dict[str, Any]:
+    """What the committed run of a study wrote."""
+    text = (README_FOLDER / ".docs" / f"{study}.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(text)
     return found
 
 
@@ -176,6 +180,49 @@ def test_every_figure_that_changes_changes_the_readme() -> None:
     assert len(texts) == 1 + len(places)
 
 
+def test_control_in_the_readme_is_that_of_the_study() -> None:
+    assert readme_control.replaced(README, figures("control")) == README, REWRITE
+
+
+def test_every_figure_of_control_that_the_readme_shows_changes_it() -> None:
+    found = figures("control")
+    kinds = {"position": "mm", "orientation": "mrad"}
+    shown = {f"{kind}_{of}_{unit}" for kind, unit in kinds.items() for of in ("rms", "max")}
+    shown |= {f"{kind}_rms_{unit}_to_exact" for kind, unit in kinds.items()}
+    shown |= {"force_peak_N", "force_rms_N", "force_peak_N_to_exact"}
+    shown |= {"position_settled_rms_mm", "position_settled_rms_mm_to_exact"}
+    text = readme_control.text(found)
+    for name in shown:
+        changed = copy.deepcopy(found)
+        for row in changed["machines"]["printed"]["rows"]:
+            row[name] *= 7
+        assert readme_control.text(changed) != text, name
+
+
+def recomputed(paths: tuple[str, ...]) -> None:
+    """Compute rows anew and compare them with those committed, to what the README shows of them."""
+    committed, machines = figures("control"), control.papers_machines()
+    studies = {label: control.track_paths(robot, paths) for label, robot in machines.items()}
+    found = json.loads(json.dumps(control_report.as_json(studies)))
+    assert found["settings"] == committed["settings"]
+    assert found["machines"].keys() == committed["machines"].keys()
+    for label, machine in found["machines"].items():
+        rows = readme_control.by_name(committed["machines"][label]["rows"])
+        assert machine["friction"] == committed["machines"][label]["friction"]
+        for key, row in readme_control.by_name(machine["rows"]).items():
+            numbers = {name: value for name, value in row.items() if isinstance(value, float)}
+            assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
+
+
+def test_the_committed_run_of_control_is_what_the_code_computes_on_path_ii() -> None:
+    recomputed(("II",))
+
+
+@pytest.mark.slow
+def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
+    recomputed(control.TRACKED)
+
+
 def test_python_example_runs_as_printed() -> None:
     blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     names: dict[str, Any] = {}
@@ -199,11 +246,12 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
 
 def _rewrite(run: Path | None) -> None:
     if run is not None:
-        for name in ("bench.json", "bench.png", "bench_motion.png"):
-            shutil.copyfile(run / name, README_FOLDER / ".docs" / name)
-    (README_FOLDER / "README.md").write_text(
-        readme_bench.replaced(README, figures()), encoding="utf-8", newline="\n"
-    )
+        for path in sorted(run.glob("*")):
+            if path.name in PUBLISHED:
+                shutil.copyfile(path, README_FOLDER / ".docs" / path.name)
+    text = readme_bench.replaced(README, figures("bench"))
+    text = readme_control.replaced(text, figures("control"))
+    (README_FOLDER / "README.md").write_text(text, encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -141,11 +141,11 @@ def _owner_of_raw(quantity: Quantity) -> str:
 
 def _prepare(kernel: ForceKernel) -> str:
     parts = {
-        "@COPIES@": [f"        model->{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
+        "@COPIES@": [f"        made.{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
         "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [
-            f"    model->{name} = platform.{name};" for name in entries(kernel.platform_constants())
+            f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
         ],
     }
     return filled(_PREPARE, parts)
@@ -266,9 +266,59 @@ def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
 
 
 def _solve_pose(about_base_point: bool) -> str:
-    below = "const int last = k > 0 ? 6 : 3;" if about_base_point else "const int last = 6;"
-    why = " The first column has no moment rows." if about_base_point else ""
-    return _SOLVE_POSE.replace("@LAST@", below).replace("@WHY@", why)
+    """Elimination of one pose, unrolled: the next column is known before the rows that hold it are stored."""
+    rows = range(6)
+    body = [f"scale[{i}] = {'moment' if i > 2 else '1'};" for i in rows]
+    body += [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_base_point]
+    for k in rows:
+        below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_base_point]
+        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
+        for i in below:
+            body += [f"if (STEWART_FABS(a{i}) > size) {{", f"    size = STEWART_FABS(a{i});"]
+            body += [f"    pivot = {i};", "}"]
+        body += ["if (!(size > STEWART_ROUNDING * scale[pivot])) {"]
+        body += ["    return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;", "}"]
+        if below:
+            body += _exchange(k, below) + _eliminate(k, below)
+    body.append("x[5] = A[5][6] / a5;")
+    for i in reversed(rows[:-1]):
+        known = "".join(f" - A[{i}][{j}] * x[{j}]" for j in rows[i + 1 :])
+        body.append(f"x[{i}] = (A[{i}][6]{known}) * inverse{i};")
+    why = "\n * The first column has no moment rows." if about_base_point else ""
+    return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
+
+
+def _exchange(k: int, below: list[int]) -> list[str]:
+    """Row `pivot` and row k exchanged, with their entries in column k."""
+    taken = f"a{k}"
+    for i in below:
+        taken = f"pivot == {i} ? a{i} : {taken}"
+    return [
+        f"if (pivot != {k}) {{",
+        f"    const stewart_real moved = a{k};",
+        f"    exchange_rows(A[{k}], A[pivot]);",
+        f"    scale[pivot] = scale[{k}];",
+        f"    a{k} = {taken};",
+        *(f"    a{i} = pivot == {i} ? moved : a{i};" for i in below),
+        "}",
+    ]
+
+
+def _eliminate(k: int, below: list[int]) -> list[str]:
+    """Column k eliminated below row k; a1 to a5 become the entries of the next column."""
+    return [
+        f"inverse{k} = 1 / a{k};",
+        *(f"factor{i} = a{i} * inverse{k};" for i in below),
+        *(
+            f"a{i} = A[{i}][{k + 1}]{f' - factor{i} * A[{k}][{k + 1}]' if i in below else ''};"
+            for i in range(k + 1, 6)
+        ),
+        *(f"subtract_row(A[{i}], factor{i}, A[{k}]);" for i in below),
+    ]
+
+
+def _filled_body(text: str, body: list[str]) -> str:
+    return text.replace("@BODY@", "\n".join(wrap_list(f"    {line}", " " * 8) for line in body))
 
 
 def _solve_block(about_base_point: bool) -> str:
@@ -375,7 +425,8 @@ typedef struct {{
 {platform}
 }} stewart_{name}_model;
 
-/* Prepares the constants. Returns a status. */
+/* Prepares the constants. Returns a status: STEWART_NOT_FINITE if a number of the robot is not finite or too
+ * large; the model is written only if it is STEWART_OK. */
 int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
@@ -441,8 +492,11 @@ static int leg_status(const leg_lanes *leg, int l)
 _PREPARE = """\
 int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
 {
+    stewart_@NAME@_model made;
     prepared_leg found, sum;
     prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
     int i;
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
@@ -459,6 +513,12 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     }
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
     return STEWART_OK;
 }
 """
@@ -551,46 +611,11 @@ static void subtract_row(
  * updated, so that a row is one vector. `moment` is the size of the moment rows.@WHY@ */
 static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
 {
-    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
-    stewart_real inverse[5];
-    int i, j, k;
-    for (i = 3; i < 6; ++i) {
-        scale[i] = moment;
-    }
-    for (k = 0; k < 6; ++k) {
-        @LAST@
-        int pivot = k;
-        stewart_real size = STEWART_FABS(A[k][k]);
-        stewart_real row_scale;
-        for (i = k + 1; i < last; ++i) {
-            if (STEWART_FABS(A[i][k]) > size) {
-                size = STEWART_FABS(A[i][k]);
-                pivot = i;
-            }
-        }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        if (!(size > STEWART_ROUNDING * row_scale)) {
-            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
-        if (pivot != k) {
-            exchange_rows(A[k], A[pivot]);
-        }
-        if (k < 5) {
-            inverse[k] = 1 / A[k][k];
-        }
-        for (i = k + 1; i < last; ++i) {
-            subtract_row(A[i], A[i][k] * inverse[k], A[k]);
-        }
-    }
-    x[5] = A[5][6] / A[5][5];
-    for (i = 4; i >= 0; --i) {
-        stewart_real sum = A[i][6];
-        for (j = i + 1; j < 6; ++j) {
-            sum = sum - A[i][j] * x[j];
-        }
-        x[i] = sum * inverse[i];
-    }
+    stewart_real scale[6];
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int pivot;
+@BODY@
     return STEWART_OK;
 }
 """

@@ -552,7 +552,7 @@ _PIVOTED = {
     }""",
     "@PIVOT@": """\
         int pivot = k;
-        stewart_real row_scale;
+        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * @WIDTH@ + k]) > STEWART_FABS(A[pivot * @WIDTH@ + k])) {
                 pivot = i;
@@ -560,8 +560,9 @@ _PIVOTED = {
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot * @WIDTH@ + k]) > STEWART_ROUNDING * row_scale)) {
-            return A[pivot * @WIDTH@ + k] == A[pivot * @WIDTH@ + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        size = STEWART_FABS(A[pivot * @WIDTH@ + k]);
+        if (!(size > STEWART_ROUNDING * row_scale)) {
+            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < @WIDTH@; ++j) {
             const stewart_real moved = A[k * @WIDTH@ + j];

@@ -60,11 +60,6 @@ def block_function(block: Block, legs: bool) -> str:
         if quantity in group
         for line in _load(quantity, owner, used, legs)
     ]
-    steps = [
-        line
-        for step, before in zip(block.steps, (None, *block.steps), strict=False)
-        for line in _step(step, before)
-    ]
     outputs = [line for out in block.outputs for line in _output(out)]
     shape = "(*motion.t.shape[:-1], 6)" if legs else "motion.t.shape[:-1]"
     return "\n".join(
@@ -75,7 +70,7 @@ def block_function(block: Block, legs: bool) -> str:
             f"    Operations: {block.operations()}.",
             '    """',
             *loads,
-            *steps,
+            *step_lines(block.steps),
             f"    shape = {shape}",
             "    return {",
             *outputs,
@@ -97,6 +92,11 @@ def _load(quantity: Quantity, owner: str, used: set[str], legs: bool) -> list[st
         where = f"[{', '.join(index)}]" if quantity.shape else ""
         lines.append(f"    {name} = {owner}.{quantity.name}{where}")
     return lines
+
+
+def step_lines(steps: tuple[Step, ...]) -> list[str]:
+    """Each step as an assignment, with equation and meaning before the first of a run that shares them."""
+    return [line for step, before in zip(steps, (None, *steps), strict=False) for line in _step(step, before)]
 
 
 def _step(step: Step, before: Step | None) -> list[str]:
@@ -245,6 +245,12 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
             total = total - A[..., i, j] * x[..., j]
         x[..., i] = total * (1 / A[..., i, i])
     return x, status
+
+
+def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
+    """X (..., 6, n) of H X = right, column by column, and the status (...)."""
+    solved = [eliminate(H, right[..., j]) for j in range(right.shape[-1])]
+    return np.stack([x for x, _ in solved], axis=-1), solved[0][1]
 
 
 def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:

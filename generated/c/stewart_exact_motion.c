@@ -2210,7 +2210,7 @@ static int solve_pivoted_12(stewart_real A[6 * 12])
     }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
+        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * 12 + k]) > STEWART_FABS(A[pivot * 12 + k])) {
                 pivot = i;
@@ -2218,8 +2218,9 @@ static int solve_pivoted_12(stewart_real A[6 * 12])
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot * 12 + k]) > STEWART_ROUNDING * row_scale)) {
-            return A[pivot * 12 + k] == A[pivot * 12 + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        size = STEWART_FABS(A[pivot * 12 + k]);
+        if (!(size > STEWART_ROUNDING * row_scale)) {
+            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 12; ++j) {
             const stewart_real moved = A[k * 12 + j];
@@ -2265,7 +2266,7 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
     }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
+        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * 24 + k]) > STEWART_FABS(A[pivot * 24 + k])) {
                 pivot = i;
@@ -2273,8 +2274,9 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
         }
         row_scale = scale[pivot];
         scale[pivot] = scale[k];
-        if (!(STEWART_FABS(A[pivot * 24 + k]) > STEWART_ROUNDING * row_scale)) {
-            return A[pivot * 24 + k] == A[pivot * 24 + k] ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        size = STEWART_FABS(A[pivot * 24 + k]);
+        if (!(size > STEWART_ROUNDING * row_scale)) {
+            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 24; ++j) {
             const stewart_real moved = A[k * 24 + j];

@@ -250,8 +250,11 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
 
 int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model)
 {
+    stewart_paper_model made;
     prepared_leg found, sum;
     prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
     int i;
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
@@ -270,31 +273,31 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
     sum.C_add = 0;
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-        model->p[0][i] = found.p[0];
-        model->p[1][i] = found.p[1];
-        model->p[2][i] = found.p[2];
-        model->k[0][i] = found.k[0];
-        model->k[1][i] = found.k[1];
-        model->k[2][i] = found.k[2];
-        model->C_p[i] = found.C_p;
-        model->C_s[i] = found.C_s;
-        model->h[0][i] = found.h[0];
-        model->h[1][i] = found.h[1];
-        model->h[2][i] = found.h[2];
-        model->w[0][i] = found.w[0];
-        model->w[1][i] = found.w[1];
-        model->w[2][i] = found.w[2];
-        model->J[0][i] = found.J[0];
-        model->J[1][i] = found.J[1];
-        model->J[2][i] = found.J[2];
-        model->J[3][i] = found.J[3];
-        model->J[4][i] = found.J[4];
-        model->J[5][i] = found.J[5];
-        model->C_us[i] = found.C_us;
-        model->m_L2[i] = found.m_L2;
-        model->r[0][i] = found.r[0];
-        model->r[1][i] = found.r[1];
-        model->r[2][i] = found.r[2];
+        made.p[0][i] = found.p[0];
+        made.p[1][i] = found.p[1];
+        made.p[2][i] = found.p[2];
+        made.k[0][i] = found.k[0];
+        made.k[1][i] = found.k[1];
+        made.k[2][i] = found.k[2];
+        made.C_p[i] = found.C_p;
+        made.C_s[i] = found.C_s;
+        made.h[0][i] = found.h[0];
+        made.h[1][i] = found.h[1];
+        made.h[2][i] = found.h[2];
+        made.w[0][i] = found.w[0];
+        made.w[1][i] = found.w[1];
+        made.w[2][i] = found.w[2];
+        made.J[0][i] = found.J[0];
+        made.J[1][i] = found.J[1];
+        made.J[2][i] = found.J[2];
+        made.J[3][i] = found.J[3];
+        made.J[4][i] = found.J[4];
+        made.J[5][i] = found.J[5];
+        made.C_us[i] = found.C_us;
+        made.m_L2[i] = found.m_L2;
+        made.r[0][i] = found.r[0];
+        made.r[1][i] = found.r[1];
+        made.r[2][i] = found.r[2];
         if (i >= 6) {
             continue;
         }
@@ -311,26 +314,32 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
         sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
-    model->M_P = platform.M_P;
-    model->h_P[0] = platform.h_P[0];
-    model->h_P[1] = platform.h_P[1];
-    model->h_P[2] = platform.h_P[2];
-    model->J_P[0] = platform.J_P[0];
-    model->J_P[1] = platform.J_P[1];
-    model->J_P[2] = platform.J_P[2];
-    model->J_P[3] = platform.J_P[3];
-    model->J_P[4] = platform.J_P[4];
-    model->J_P[5] = platform.J_P[5];
-    model->dJ_P[0] = platform.dJ_P[0];
-    model->dJ_P[1] = platform.dJ_P[1];
-    model->dJ_P[2] = platform.dJ_P[2];
-    model->C_P = platform.C_P;
-    model->g[0] = platform.g[0];
-    model->g[1] = platform.g[1];
-    model->g[2] = platform.g[2];
-    model->b_1[0] = platform.b_1[0];
-    model->b_1[1] = platform.b_1[1];
-    model->b_1[2] = platform.b_1[2];
+    made.M_P = platform.M_P;
+    made.h_P[0] = platform.h_P[0];
+    made.h_P[1] = platform.h_P[1];
+    made.h_P[2] = platform.h_P[2];
+    made.J_P[0] = platform.J_P[0];
+    made.J_P[1] = platform.J_P[1];
+    made.J_P[2] = platform.J_P[2];
+    made.J_P[3] = platform.J_P[3];
+    made.J_P[4] = platform.J_P[4];
+    made.J_P[5] = platform.J_P[5];
+    made.dJ_P[0] = platform.dJ_P[0];
+    made.dJ_P[1] = platform.dJ_P[1];
+    made.dJ_P[2] = platform.dJ_P[2];
+    made.C_P = platform.C_P;
+    made.g[0] = platform.g[0];
+    made.g[1] = platform.g[1];
+    made.g[2] = platform.g[2];
+    made.b_1[0] = platform.b_1[0];
+    made.b_1[1] = platform.b_1[1];
+    made.b_1[2] = platform.b_1[2];
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
     return STEWART_OK;
 }
 
@@ -601,49 +610,199 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows. The first column has no moment rows. */
+ * updated, so that a row is one vector. `moment` is the size of the moment rows.
+ * The first column has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
 {
-    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
-    stewart_real inverse[5];
-    int i, j, k;
-    for (i = 3; i < 6; ++i) {
-        scale[i] = moment;
+    stewart_real scale[6];
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int pivot;
+    scale[0] = 1;
+    scale[1] = 1;
+    scale[2] = 1;
+    scale[3] = moment;
+    scale[4] = moment;
+    scale[5] = moment;
+    a0 = A[0][0];
+    a1 = A[1][0];
+    a2 = A[2][0];
+    /* Column 1. */
+    size = STEWART_FABS(a0);
+    pivot = 0;
+    if (STEWART_FABS(a1) > size) {
+        size = STEWART_FABS(a1);
+        pivot = 1;
     }
-    for (k = 0; k < 6; ++k) {
-        const int last = k > 0 ? 6 : 3;
-        int pivot = k;
-        stewart_real size = STEWART_FABS(A[k][k]);
-        stewart_real row_scale;
-        for (i = k + 1; i < last; ++i) {
-            if (STEWART_FABS(A[i][k]) > size) {
-                size = STEWART_FABS(A[i][k]);
-                pivot = i;
-            }
-        }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        if (!(size > STEWART_ROUNDING * row_scale)) {
-            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
-        if (pivot != k) {
-            exchange_rows(A[k], A[pivot]);
-        }
-        if (k < 5) {
-            inverse[k] = 1 / A[k][k];
-        }
-        for (i = k + 1; i < last; ++i) {
-            subtract_row(A[i], A[i][k] * inverse[k], A[k]);
-        }
+    if (STEWART_FABS(a2) > size) {
+        size = STEWART_FABS(a2);
+        pivot = 2;
     }
-    x[5] = A[5][6] / A[5][5];
-    for (i = 4; i >= 0; --i) {
-        stewart_real sum = A[i][6];
-        for (j = i + 1; j < 6; ++j) {
-            sum = sum - A[i][j] * x[j];
-        }
-        x[i] = sum * inverse[i];
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
     }
+    if (pivot != 0) {
+        const stewart_real moved = a0;
+        exchange_rows(A[0], A[pivot]);
+        scale[pivot] = scale[0];
+        a0 = pivot == 2 ? a2 : pivot == 1 ? a1 : a0;
+        a1 = pivot == 1 ? moved : a1;
+        a2 = pivot == 2 ? moved : a2;
+    }
+    inverse0 = 1 / a0;
+    factor1 = a1 * inverse0;
+    factor2 = a2 * inverse0;
+    a1 = A[1][1] - factor1 * A[0][1];
+    a2 = A[2][1] - factor2 * A[0][1];
+    a3 = A[3][1];
+    a4 = A[4][1];
+    a5 = A[5][1];
+    subtract_row(A[1], factor1, A[0]);
+    subtract_row(A[2], factor2, A[0]);
+    /* Column 2. */
+    size = STEWART_FABS(a1);
+    pivot = 1;
+    if (STEWART_FABS(a2) > size) {
+        size = STEWART_FABS(a2);
+        pivot = 2;
+    }
+    if (STEWART_FABS(a3) > size) {
+        size = STEWART_FABS(a3);
+        pivot = 3;
+    }
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 1) {
+        const stewart_real moved = a1;
+        exchange_rows(A[1], A[pivot]);
+        scale[pivot] = scale[1];
+        a1 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : pivot == 2 ? a2 : a1;
+        a2 = pivot == 2 ? moved : a2;
+        a3 = pivot == 3 ? moved : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse1 = 1 / a1;
+    factor2 = a2 * inverse1;
+    factor3 = a3 * inverse1;
+    factor4 = a4 * inverse1;
+    factor5 = a5 * inverse1;
+    a2 = A[2][2] - factor2 * A[1][2];
+    a3 = A[3][2] - factor3 * A[1][2];
+    a4 = A[4][2] - factor4 * A[1][2];
+    a5 = A[5][2] - factor5 * A[1][2];
+    subtract_row(A[2], factor2, A[1]);
+    subtract_row(A[3], factor3, A[1]);
+    subtract_row(A[4], factor4, A[1]);
+    subtract_row(A[5], factor5, A[1]);
+    /* Column 3. */
+    size = STEWART_FABS(a2);
+    pivot = 2;
+    if (STEWART_FABS(a3) > size) {
+        size = STEWART_FABS(a3);
+        pivot = 3;
+    }
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 2) {
+        const stewart_real moved = a2;
+        exchange_rows(A[2], A[pivot]);
+        scale[pivot] = scale[2];
+        a2 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : a2;
+        a3 = pivot == 3 ? moved : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse2 = 1 / a2;
+    factor3 = a3 * inverse2;
+    factor4 = a4 * inverse2;
+    factor5 = a5 * inverse2;
+    a3 = A[3][3] - factor3 * A[2][3];
+    a4 = A[4][3] - factor4 * A[2][3];
+    a5 = A[5][3] - factor5 * A[2][3];
+    subtract_row(A[3], factor3, A[2]);
+    subtract_row(A[4], factor4, A[2]);
+    subtract_row(A[5], factor5, A[2]);
+    /* Column 4. */
+    size = STEWART_FABS(a3);
+    pivot = 3;
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 3) {
+        const stewart_real moved = a3;
+        exchange_rows(A[3], A[pivot]);
+        scale[pivot] = scale[3];
+        a3 = pivot == 5 ? a5 : pivot == 4 ? a4 : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse3 = 1 / a3;
+    factor4 = a4 * inverse3;
+    factor5 = a5 * inverse3;
+    a4 = A[4][4] - factor4 * A[3][4];
+    a5 = A[5][4] - factor5 * A[3][4];
+    subtract_row(A[4], factor4, A[3]);
+    subtract_row(A[5], factor5, A[3]);
+    /* Column 5. */
+    size = STEWART_FABS(a4);
+    pivot = 4;
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 4) {
+        const stewart_real moved = a4;
+        exchange_rows(A[4], A[pivot]);
+        scale[pivot] = scale[4];
+        a4 = pivot == 5 ? a5 : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse4 = 1 / a4;
+    factor5 = a5 * inverse4;
+    a5 = A[5][5] - factor5 * A[4][5];
+    subtract_row(A[5], factor5, A[4]);
+    /* Column 6. */
+    size = STEWART_FABS(a5);
+    pivot = 5;
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    x[5] = A[5][6] / a5;
+    x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
+    x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
+    x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
+    x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
+    x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
     return STEWART_OK;
 }
 

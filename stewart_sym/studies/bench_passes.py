@@ -92,7 +92,7 @@ class _Build:
 
     def _model(self, robot: Robot) -> NDArray[np.float64]:
         numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)
-        getattr(self._library(), f"stewart_{NAME}_prepare")(address(numbers), address(model))
+        succeed(getattr(self._library(), f"stewart_{NAME}_prepare")(address(numbers), address(model)))
         return model
 
     def _library(self) -> ctypes.CDLL:

@@ -1,0 +1,655 @@
+"""The regressor of the Stewart platform, formulation `exact`, universal base joints.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+
+``robot`` and ``motion`` as in exact.py; of the robot, the points, the axes and gravity alone are read.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from .assembly import NOT_FINITE, OK, Array, leg_status, only_good, stack
+
+# Name and unit of each column of one leg and of the platform.
+LEG_PARAMETERS = (
+    ("m_d", "kg"),
+    ("h_d_x", "kg m"),
+    ("h_d_y", "kg m"),
+    ("h_d_z", "kg m"),
+    ("J_d_xx", "kg m^2"),
+    ("J_d_xy", "kg m^2"),
+    ("J_d_xz", "kg m^2"),
+    ("J_d_yy", "kg m^2"),
+    ("J_d_yz", "kg m^2"),
+    ("J_d_zz", "kg m^2"),
+    ("m_u", "kg"),
+    ("h_u_x", "kg m"),
+    ("h_u_y", "kg m"),
+    ("h_u_z", "kg m"),
+    ("J_u_xx", "kg m^2"),
+    ("J_u_xy", "kg m^2"),
+    ("J_u_xz", "kg m^2"),
+    ("J_u_yy", "kg m^2"),
+    ("J_u_yz", "kg m^2"),
+    ("J_u_zz", "kg m^2"),
+    ("C_u", "N m s"),
+    ("C_p", "N s/m"),
+    ("C_s", "N m s"),
+)
+PLATFORM_PARAMETERS = (
+    ("M", "kg"),
+    ("h_P_x", "kg m"),
+    ("h_P_y", "kg m"),
+    ("h_P_z", "kg m"),
+    ("J_P_xx", "kg m^2"),
+    ("J_P_xy", "kg m^2"),
+    ("J_P_xz", "kg m^2"),
+    ("J_P_yy", "kg m^2"),
+    ("J_P_yz", "kg m^2"),
+    ("J_P_zz", "kg m^2"),
+)
+
+# Parameters of a leg whose columns are zero or sums of others on every machine, and the base parameters that
+# take them up; sum: over the legs. All other parameters are base parameters by themselves.
+DEPENDENT = (
+    "m_d",
+    "m_u",
+    "J_d_xx",
+    "J_d_xy",
+    "J_d_xz",
+    "J_d_yy",
+    "J_d_yz",
+    "J_d_zz",
+)
+MERGED = (
+    ("M", "M + sum(m_u)"),
+    ("h_P_x", "h_P_x + sum(m_u*p_x)"),
+    ("h_P_y", "h_P_y + sum(m_u*p_y)"),
+    ("h_P_z", "h_P_z + sum(m_u*p_z)"),
+    ("J_P_xx", "J_P_xx + sum(m_u*(p_y*p_y + p_z*p_z))"),
+    ("J_P_xy", "J_P_xy + sum(-m_u*p_x*p_y)"),
+    ("J_P_xz", "J_P_xz + sum(-m_u*p_x*p_z)"),
+    ("J_P_yy", "J_P_yy + sum(m_u*(p_x*p_x + p_z*p_z))"),
+    ("J_P_yz", "J_P_yz + sum(-m_u*p_y*p_z)"),
+    ("J_P_zz", "J_P_zz + sum(m_u*(p_x*p_x + p_y*p_y))"),
+    ("J_u_xx", "J_u_xx + J_d_xx"),
+    ("J_u_xy", "J_u_xy + J_d_xy"),
+    ("J_u_xz", "J_u_xz + J_d_xz"),
+    ("J_u_yy", "J_u_yy + J_d_yy"),
+    ("J_u_yz", "J_u_yz + J_d_yz"),
+    ("J_u_zz", "J_u_zz + J_d_zz"),
+)
+
+
+def regressor(robot: Any, motion: Any) -> dict[str, Array]:
+    """Y (..., 6, 148), the legs' columns before the platform's, and status (...)."""
+    with np.errstate(all="ignore"):
+        leg = regressor_of_leg(robot, motion)
+        of_legs = columns(leg, LEG_PARAMETERS).swapaxes(-2, -3)
+        platform = columns(regressor_of_platform(robot, motion), PLATFORM_PARAMETERS)
+        status = leg_status(robot, motion, leg)
+    Y = np.concatenate([of_legs.reshape(*platform.shape[:-1], -1), platform], axis=-1)
+    finite = np.isfinite(Y).all(axis=(-1, -2))
+    status = np.where(finite | (status != OK), status, NOT_FINITE).astype(np.int32)
+    return {"Y": only_good(Y, status), "status": status}
+
+
+def columns(found: dict[str, Array], parameters: tuple[tuple[str, str], ...]) -> Array:
+    """The columns of ``parameters`` side by side, (..., 6, n)."""
+    return np.stack(
+        [
+            np.concatenate([found[f"force_{name}"], found[f"moment_{name}"]], axis=-1)
+            for name, _ in parameters
+        ],
+        axis=-1,
+    )
+
+
+def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
+    """Columns of one leg's parameters.
+
+    Operations: 615 (401 mul, 210 add, 2 div, 2 sqrt).
+    """
+    b_x = robot.b[:, 0]
+    b_y = robot.b[:, 1]
+    b_z = robot.b[:, 2]
+    p_x = robot.p[:, 0]
+    p_y = robot.p[:, 1]
+    p_z = robot.p[:, 2]
+    k_x = robot.k[:, 0]
+    k_y = robot.k[:, 1]
+    k_z = robot.k[:, 2]
+    R_xx = motion.R[..., 0, 0, None]
+    R_xy = motion.R[..., 0, 1, None]
+    R_xz = motion.R[..., 0, 2, None]
+    R_yx = motion.R[..., 1, 0, None]
+    R_yy = motion.R[..., 1, 1, None]
+    R_yz = motion.R[..., 1, 2, None]
+    R_zx = motion.R[..., 2, 0, None]
+    R_zy = motion.R[..., 2, 1, None]
+    R_zz = motion.R[..., 2, 2, None]
+    t_x = motion.t[..., 0, None]
+    t_y = motion.t[..., 1, None]
+    t_z = motion.t[..., 2, None]
+    omega_x = motion.omega[..., 0, None]
+    omega_y = motion.omega[..., 1, None]
+    omega_z = motion.omega[..., 2, None]
+    v_x = motion.v[..., 0, None]
+    v_y = motion.v[..., 1, None]
+    v_z = motion.v[..., 2, None]
+    alpha_x = motion.alpha[..., 0, None]
+    alpha_y = motion.alpha[..., 1, None]
+    alpha_z = motion.alpha[..., 2, None]
+    a_x = motion.a[..., 0, None]
+    a_y = motion.a[..., 1, None]
+    a_z = motion.a[..., 2, None]
+    g_x = robot.g[0]
+    g_y = robot.g[1]
+    g_z = robot.g[2]
+    # (1) platform point from the reference point
+    q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z
+    q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z
+    q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z
+    # (1) leg vector
+    S_x = q_x + t_x - b_x
+    S_y = q_y + t_y - b_y
+    S_z = q_z + t_z - b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x*k_x + S_y*k_y + S_z*k_z
+    k_cross_S_x = S_z*k_y - S_y*k_z
+    k_cross_S_y = S_x*k_z - S_z*k_x
+    k_cross_S_z = S_y*k_x - S_x*k_y
+    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = np.sqrt(rho2 + zeta*zeta)
+    rho = np.sqrt(rho2)
+    inv_L = 1/L
+    inv_rho = 1/rho
+    # (3) unit vector along the leg
+    s_x = S_x*inv_L
+    s_y = S_y*inv_L
+    s_z = S_z*inv_L
+    # (10) second axis of the leg frame
+    y_x = inv_rho*k_cross_S_x
+    y_y = inv_rho*k_cross_S_y
+    y_z = inv_rho*k_cross_S_z
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L*zeta
+    k3 = inv_L*rho
+    # (10) k1 / k3
+    kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (7) acceleration of the platform point
+    S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y
+    S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z
+    S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
+    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    # L_dot / L
+    L_share = L_dot*inv_L
+    lean = kappa*theta_dot
+    c1 = theta_dot*theta_dot
+    theta_dot2 = c1
+    c2 = phi_dot*phi_dot
+    phi_dot2 = c2
+    c3 = 2*phi_dot
+    two_phi_dot = c3
+    # rho_dot / rho
+    rho_share = L_share + lean
+    c4 = k3*k3
+    k33 = c4
+    # (8) accelerations of the joint coordinates
+    L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    # (9) accelerations of the joint coordinates
+    theta_ddot = (
+        inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share + rho_share)
+    )
+    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
+    # gravity along the fixed axis
+    g_k = g_x*k_x + g_y*k_y + g_z*k_z
+    # g x k, base frame
+    g_x_k_x = g_y*k_z - g_z*k_y
+    g_x_k_y = g_z*k_x - g_x*k_z
+    g_x_k_z = g_x*k_y - g_y*k_x
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
+    gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
+    # omega along y and k
+    w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
+    w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
+    # (10) third axis of the leg frame
+    z_x = s_y*y_z - s_z*y_y
+    z_y = s_z*y_x - s_x*y_z
+    z_z = s_x*y_y - s_y*y_x
+    c5 = g_k*k3 + gamma_n*k1
+    c6 = -gamma_y*k3
+    # (20) torques by h_d_x
+    tau_theta_h_d_x = c5
+    tau_phi_h_d_x = c6
+    c7 = g_k*k1
+    # (20) torques by h_d_z
+    tau_theta_h_d_z = gamma_n*k3 - c7
+    tau_phi_h_d_z = gamma_y*k1
+    c8 = c2*c4
+    c9 = 2*L
+    c10 = 2*theta_dot
+    c11 = k1*k3
+    c12 = c11*c2
+    c13 = c4*phi_ddot
+    c14 = c3*c4
+    # (20) torques by h_u_x
+    tau_L_h_u_x = -c1 - c8
+    tau_theta_h_u_x = L_dot*c10 + c5 + c9*theta_ddot - c12*c9
+    tau_phi_h_u_x = 4*L*c11*phi_dot*theta_dot + L_dot*c14 + c13*c9 + c6
+    c15 = k3*phi_ddot
+    c16 = k1*phi_ddot
+    c17 = k1*theta_ddot
+    c18 = L_dot*k1
+    # (20) torques by h_u_y
+    tau_L_h_u_y = -c15
+    tau_theta_h_u_y = -L*c16
+    tau_phi_h_u_y = L*c1*k3 - L*c17 - L_ddot*k3 - c10*c18 - gamma_n
+    c19 = k1*k1
+    c20 = c19*c2
+    c21 = c15*k1
+    c22 = c3*theta_dot
+    c23 = c19*c22
+    # (20) torques by h_u_z
+    tau_L_h_u_z = c12 + theta_ddot
+    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c8 - c7
+    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - c18*c3*k3 - c21*c9
+    c24 = c11*c22 + c13
+    # (20) torques by J_u_xx
+    tau_theta_J_u_xx = c12
+    tau_phi_J_u_xx = phi_ddot - c24
+    # (20) torques by J_u_xy
+    tau_theta_J_u_xy = c16
+    tau_phi_J_u_xy = c17 - c1*k3
+    # (20) torques by J_u_xz
+    tau_theta_J_u_xz = c8 - c20
+    tau_phi_J_u_xz = 2*c21 + c23 - c14*theta_dot
+    # (20) torques by J_u_yz
+    tau_theta_J_u_yz = c15
+    tau_phi_J_u_yz = c1*k1 + k3*theta_ddot
+    # (20) torques by J_u_zz
+    tau_theta_J_u_zz = -c12
+    tau_phi_J_u_zz = c24
+    # (20) torques by C_s
+    tau_theta_C_s = theta_dot - w_y_omega
+    tau_phi_C_s = phi_dot - w_k_omega
+    # (6) angular velocity of the leg
+    W_x = k_x*phi_dot + theta_dot*y_x
+    W_y = k_y*phi_dot + theta_dot*y_y
+    W_z = k_z*phi_dot + theta_dot*y_z
+    c25 = inv_L*tau_theta_h_d_x
+    # force at the tip by h_d_x
+    R_h_d_x_x = inv_rho*tau_phi_h_d_x*y_x - c25*z_x
+    R_h_d_x_y = inv_rho*tau_phi_h_d_x*y_y - c25*z_y
+    R_h_d_x_z = inv_rho*tau_phi_h_d_x*y_z - c25*z_z
+    c26 = gamma_n*inv_rho
+    # force at the tip by h_d_y
+    R_h_d_y_x = -c26*y_x
+    R_h_d_y_y = -c26*y_y
+    R_h_d_y_z = -c26*y_z
+    c27 = inv_L*tau_theta_h_d_z
+    # force at the tip by h_d_z
+    R_h_d_z_x = inv_rho*tau_phi_h_d_z*y_x - c27*z_x
+    R_h_d_z_y = inv_rho*tau_phi_h_d_z*y_y - c27*z_y
+    R_h_d_z_z = inv_rho*tau_phi_h_d_z*y_z - c27*z_z
+    c28 = inv_rho*tau_phi_h_u_x
+    c29 = inv_L*tau_theta_h_u_x
+    # force at the tip by h_u_x
+    R_h_u_x_x = c28*y_x + s_x*tau_L_h_u_x - c29*z_x
+    R_h_u_x_y = c28*y_y + s_y*tau_L_h_u_x - c29*z_y
+    R_h_u_x_z = c28*y_z + s_z*tau_L_h_u_x - c29*z_z
+    c30 = inv_rho*tau_phi_h_u_y
+    c31 = inv_L*tau_theta_h_u_y
+    # force at the tip by h_u_y
+    R_h_u_y_x = c30*y_x + s_x*tau_L_h_u_y - c31*z_x
+    R_h_u_y_y = c30*y_y + s_y*tau_L_h_u_y - c31*z_y
+    R_h_u_y_z = c30*y_z + s_z*tau_L_h_u_y - c31*z_z
+    c32 = inv_rho*tau_phi_h_u_z
+    c33 = inv_L*tau_theta_h_u_z
+    # force at the tip by h_u_z
+    R_h_u_z_x = c32*y_x + s_x*tau_L_h_u_z - c33*z_x
+    R_h_u_z_y = c32*y_y + s_y*tau_L_h_u_z - c33*z_y
+    R_h_u_z_z = c32*y_z + s_z*tau_L_h_u_z - c33*z_z
+    c34 = inv_L*tau_theta_J_u_xx
+    # force at the tip by J_u_xx
+    R_J_u_xx_x = inv_rho*tau_phi_J_u_xx*y_x - c34*z_x
+    R_J_u_xx_y = inv_rho*tau_phi_J_u_xx*y_y - c34*z_y
+    R_J_u_xx_z = inv_rho*tau_phi_J_u_xx*y_z - c34*z_z
+    c35 = inv_L*tau_theta_J_u_xy
+    # force at the tip by J_u_xy
+    R_J_u_xy_x = inv_rho*tau_phi_J_u_xy*y_x - c35*z_x
+    R_J_u_xy_y = inv_rho*tau_phi_J_u_xy*y_y - c35*z_y
+    R_J_u_xy_z = inv_rho*tau_phi_J_u_xy*y_z - c35*z_z
+    c36 = inv_L*tau_theta_J_u_xz
+    # force at the tip by J_u_xz
+    R_J_u_xz_x = inv_rho*tau_phi_J_u_xz*y_x - c36*z_x
+    R_J_u_xz_y = inv_rho*tau_phi_J_u_xz*y_y - c36*z_y
+    R_J_u_xz_z = inv_rho*tau_phi_J_u_xz*y_z - c36*z_z
+    c37 = inv_L*theta_ddot
+    # force at the tip by J_u_yy
+    R_J_u_yy_x = -c37*z_x
+    R_J_u_yy_y = -c37*z_y
+    R_J_u_yy_z = -c37*z_z
+    c38 = inv_L*tau_theta_J_u_yz
+    # force at the tip by J_u_yz
+    R_J_u_yz_x = inv_rho*tau_phi_J_u_yz*y_x - c38*z_x
+    R_J_u_yz_y = inv_rho*tau_phi_J_u_yz*y_y - c38*z_y
+    R_J_u_yz_z = inv_rho*tau_phi_J_u_yz*y_z - c38*z_z
+    c39 = inv_L*tau_theta_J_u_zz
+    # force at the tip by J_u_zz
+    R_J_u_zz_x = inv_rho*tau_phi_J_u_zz*y_x - c39*z_x
+    R_J_u_zz_y = inv_rho*tau_phi_J_u_zz*y_y - c39*z_y
+    R_J_u_zz_z = inv_rho*tau_phi_J_u_zz*y_z - c39*z_z
+    c40 = inv_L*theta_dot
+    # force at the tip by C_u
+    R_C_u_x = inv_rho*phi_dot*y_x - c40*z_x
+    R_C_u_y = inv_rho*phi_dot*y_y - c40*z_y
+    R_C_u_z = inv_rho*phi_dot*y_z - c40*z_z
+    # force at the tip by C_p
+    R_C_p_x = L_dot*s_x
+    R_C_p_y = L_dot*s_y
+    R_C_p_z = L_dot*s_z
+    c41 = inv_L*tau_theta_C_s
+    # force at the tip by C_s
+    R_C_s_x = inv_rho*tau_phi_C_s*y_x - c41*z_x
+    R_C_s_y = inv_rho*tau_phi_C_s*y_y - c41*z_y
+    R_C_s_z = inv_rho*tau_phi_C_s*y_z - c41*z_z
+    # (18) S_ddot - g
+    rise_x = S_ddot_x - g_x
+    rise_y = S_ddot_y - g_y
+    rise_z = S_ddot_z - g_z
+    c42 = R_J_u_xx_z*q_y - R_J_u_xx_y*q_z
+    c43 = R_J_u_xx_x*q_z - R_J_u_xx_z*q_x
+    c44 = R_J_u_xx_y*q_x - R_J_u_xx_x*q_y
+    c45 = R_J_u_xy_z*q_y - R_J_u_xy_y*q_z
+    c46 = R_J_u_xy_x*q_z - R_J_u_xy_z*q_x
+    c47 = R_J_u_xy_y*q_x - R_J_u_xy_x*q_y
+    c48 = R_J_u_xz_z*q_y - R_J_u_xz_y*q_z
+    c49 = R_J_u_xz_x*q_z - R_J_u_xz_z*q_x
+    c50 = R_J_u_xz_y*q_x - R_J_u_xz_x*q_y
+    c51 = R_J_u_yy_z*q_y - R_J_u_yy_y*q_z
+    c52 = R_J_u_yy_x*q_z - R_J_u_yy_z*q_x
+    c53 = R_J_u_yy_y*q_x - R_J_u_yy_x*q_y
+    c54 = R_J_u_yz_z*q_y - R_J_u_yz_y*q_z
+    c55 = R_J_u_yz_x*q_z - R_J_u_yz_z*q_x
+    c56 = R_J_u_yz_y*q_x - R_J_u_yz_x*q_y
+    c57 = R_J_u_zz_z*q_y - R_J_u_zz_y*q_z
+    c58 = R_J_u_zz_x*q_z - R_J_u_zz_z*q_x
+    c59 = R_J_u_zz_y*q_x - R_J_u_zz_x*q_y
+    shape = (*motion.t.shape[:-1], 6)
+    return {
+        "force_m_d": stack(shape, 0, 0, 0),
+        "moment_m_d": stack(shape, 0, 0, 0),
+        "force_h_d_x": stack(shape, R_h_d_x_x, R_h_d_x_y, R_h_d_x_z),
+        "moment_h_d_x": stack(
+            shape,
+            R_h_d_x_z*q_y - R_h_d_x_y*q_z,
+            R_h_d_x_x*q_z - R_h_d_x_z*q_x,
+            R_h_d_x_y*q_x - R_h_d_x_x*q_y,
+        ),
+        "force_h_d_y": stack(shape, R_h_d_y_x, R_h_d_y_y, R_h_d_y_z),
+        "moment_h_d_y": stack(
+            shape,
+            R_h_d_y_z*q_y - R_h_d_y_y*q_z,
+            R_h_d_y_x*q_z - R_h_d_y_z*q_x,
+            R_h_d_y_y*q_x - R_h_d_y_x*q_y,
+        ),
+        "force_h_d_z": stack(shape, R_h_d_z_x, R_h_d_z_y, R_h_d_z_z),
+        "moment_h_d_z": stack(
+            shape,
+            R_h_d_z_z*q_y - R_h_d_z_y*q_z,
+            R_h_d_z_x*q_z - R_h_d_z_z*q_x,
+            R_h_d_z_y*q_x - R_h_d_z_x*q_y,
+        ),
+        "force_J_d_xx": stack(shape, R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z),
+        "moment_J_d_xx": stack(shape, c42, c43, c44),
+        "force_J_d_xy": stack(shape, R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z),
+        "moment_J_d_xy": stack(shape, c45, c46, c47),
+        "force_J_d_xz": stack(shape, R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z),
+        "moment_J_d_xz": stack(shape, c48, c49, c50),
+        "force_J_d_yy": stack(shape, R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z),
+        "moment_J_d_yy": stack(shape, c51, c52, c53),
+        "force_J_d_yz": stack(shape, R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z),
+        "moment_J_d_yz": stack(shape, c54, c55, c56),
+        "force_J_d_zz": stack(shape, R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z),
+        "moment_J_d_zz": stack(shape, c57, c58, c59),
+        "force_m_u": stack(shape, rise_x, rise_y, rise_z),
+        "moment_m_u": stack(
+            shape,
+            q_y*rise_z - q_z*rise_y,
+            q_z*rise_x - q_x*rise_z,
+            q_x*rise_y - q_y*rise_x,
+        ),
+        "force_h_u_x": stack(shape, R_h_u_x_x, R_h_u_x_y, R_h_u_x_z),
+        "moment_h_u_x": stack(
+            shape,
+            R_h_u_x_z*q_y - R_h_u_x_y*q_z,
+            R_h_u_x_x*q_z - R_h_u_x_z*q_x,
+            R_h_u_x_y*q_x - R_h_u_x_x*q_y,
+        ),
+        "force_h_u_y": stack(shape, R_h_u_y_x, R_h_u_y_y, R_h_u_y_z),
+        "moment_h_u_y": stack(
+            shape,
+            R_h_u_y_z*q_y - R_h_u_y_y*q_z,
+            R_h_u_y_x*q_z - R_h_u_y_z*q_x,
+            R_h_u_y_y*q_x - R_h_u_y_x*q_y,
+        ),
+        "force_h_u_z": stack(shape, R_h_u_z_x, R_h_u_z_y, R_h_u_z_z),
+        "moment_h_u_z": stack(
+            shape,
+            R_h_u_z_z*q_y - R_h_u_z_y*q_z,
+            R_h_u_z_x*q_z - R_h_u_z_z*q_x,
+            R_h_u_z_y*q_x - R_h_u_z_x*q_y,
+        ),
+        "force_J_u_xx": stack(shape, R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z),
+        "moment_J_u_xx": stack(shape, c42, c43, c44),
+        "force_J_u_xy": stack(shape, R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z),
+        "moment_J_u_xy": stack(shape, c45, c46, c47),
+        "force_J_u_xz": stack(shape, R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z),
+        "moment_J_u_xz": stack(shape, c48, c49, c50),
+        "force_J_u_yy": stack(shape, R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z),
+        "moment_J_u_yy": stack(shape, c51, c52, c53),
+        "force_J_u_yz": stack(shape, R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z),
+        "moment_J_u_yz": stack(shape, c54, c55, c56),
+        "force_J_u_zz": stack(shape, R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z),
+        "moment_J_u_zz": stack(shape, c57, c58, c59),
+        "force_C_u": stack(shape, R_C_u_x, R_C_u_y, R_C_u_z),
+        "moment_C_u": stack(
+            shape,
+            R_C_u_z*q_y - R_C_u_y*q_z,
+            R_C_u_x*q_z - R_C_u_z*q_x,
+            R_C_u_y*q_x - R_C_u_x*q_y,
+        ),
+        "force_C_p": stack(shape, R_C_p_x, R_C_p_y, R_C_p_z),
+        "moment_C_p": stack(
+            shape,
+            R_C_p_z*q_y - R_C_p_y*q_z,
+            R_C_p_x*q_z - R_C_p_z*q_x,
+            R_C_p_y*q_x - R_C_p_x*q_y,
+        ),
+        "force_C_s": stack(shape, R_C_s_x, R_C_s_y, R_C_s_z),
+        "moment_C_s": stack(
+            shape,
+            R_C_s_z*q_y + omega_x - R_C_s_y*q_z - W_x,
+            R_C_s_x*q_z + omega_y - R_C_s_z*q_x - W_y,
+            R_C_s_y*q_x + omega_z - R_C_s_x*q_y - W_z,
+        ),
+        "q": stack(shape, q_x, q_y, q_z),
+        "L": np.broadcast_to(L, shape),
+        "k3": np.broadcast_to(k3, shape),
+    }
+
+
+def regressor_of_platform(robot: Any, motion: Any) -> dict[str, Array]:
+    """Columns of the platform's parameters.
+
+    Operations: 255 (150 mul, 105 add, 0 div, 0 sqrt).
+    """
+    R_xx = motion.R[..., 0, 0]
+    R_xy = motion.R[..., 0, 1]
+    R_xz = motion.R[..., 0, 2]
+    R_yx = motion.R[..., 1, 0]
+    R_yy = motion.R[..., 1, 1]
+    R_yz = motion.R[..., 1, 2]
+    R_zx = motion.R[..., 2, 0]
+    R_zy = motion.R[..., 2, 1]
+    R_zz = motion.R[..., 2, 2]
+    omega_x = motion.omega[..., 0]
+    omega_y = motion.omega[..., 1]
+    omega_z = motion.omega[..., 2]
+    alpha_x = motion.alpha[..., 0]
+    alpha_y = motion.alpha[..., 1]
+    alpha_z = motion.alpha[..., 2]
+    a_x = motion.a[..., 0]
+    a_y = motion.a[..., 1]
+    a_z = motion.a[..., 2]
+    g_x = robot.g[0]
+    g_y = robot.g[1]
+    g_z = robot.g[2]
+    # (33) a - g
+    rise_x = a_x - g_x
+    rise_y = a_y - g_y
+    rise_z = a_z - g_z
+    # angular velocity, platform frame
+    omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z
+    omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z
+    omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z
+    # angular acceleration, platform frame
+    alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z
+    alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z
+    alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z
+    # (31) omega x an axis of the platform
+    w_h_P_x_x = R_zx*omega_y - R_yx*omega_z
+    w_h_P_x_y = R_xx*omega_z - R_zx*omega_x
+    w_h_P_x_z = R_yx*omega_x - R_xx*omega_y
+    w_h_P_y_x = R_zy*omega_y - R_yy*omega_z
+    w_h_P_y_y = R_xy*omega_z - R_zy*omega_x
+    w_h_P_y_z = R_yy*omega_x - R_xy*omega_y
+    w_h_P_z_x = R_zz*omega_y - R_yz*omega_z
+    w_h_P_z_y = R_xz*omega_z - R_zz*omega_x
+    w_h_P_z_z = R_yz*omega_x - R_xz*omega_y
+    c1 = omega_P_x*omega_P_z
+    c2 = omega_P_x*omega_P_y
+    # (34) I alpha + omega x I omega by J_P_xx
+    E_J_P_xx_y = c1
+    E_J_P_xx_z = -c2
+    c5 = omega_P_y*omega_P_z
+    c6 = omega_P_x*omega_P_x
+    c7 = omega_P_y*omega_P_y
+    # (34) I alpha + omega x I omega by J_P_xy
+    E_J_P_xy_x = alpha_P_y - c1
+    E_J_P_xy_y = alpha_P_x + c5
+    E_J_P_xy_z = c6 - c7
+    c8 = -omega_P_z*omega_P_z
+    # (34) I alpha + omega x I omega by J_P_xz
+    E_J_P_xz_x = alpha_P_z + c2
+    E_J_P_xz_y = -c6 - c8
+    E_J_P_xz_z = alpha_P_x - c5
+    # (34) I alpha + omega x I omega by J_P_yy
+    E_J_P_yy_x = -c5
+    E_J_P_yy_z = c2
+    # (34) I alpha + omega x I omega by J_P_yz
+    E_J_P_yz_x = c7 + c8
+    E_J_P_yz_y = alpha_P_z - c2
+    E_J_P_yz_z = alpha_P_y + c1
+    # (34) I alpha + omega x I omega by J_P_zz
+    E_J_P_zz_x = c5
+    E_J_P_zz_y = -c1
+    shape = motion.t.shape[:-1]
+    return {
+        "force_M": stack(shape, rise_x, rise_y, rise_z),
+        "moment_M": stack(shape, 0, 0, 0),
+        "force_h_P_x": stack(
+            shape,
+            R_zx*alpha_y + omega_y*w_h_P_x_z - R_yx*alpha_z - omega_z*w_h_P_x_y,
+            R_xx*alpha_z + omega_z*w_h_P_x_x - R_zx*alpha_x - omega_x*w_h_P_x_z,
+            R_yx*alpha_x + omega_x*w_h_P_x_y - R_xx*alpha_y - omega_y*w_h_P_x_x,
+        ),
+        "moment_h_P_x": stack(
+            shape,
+            R_yx*rise_z - R_zx*rise_y,
+            R_zx*rise_x - R_xx*rise_z,
+            R_xx*rise_y - R_yx*rise_x,
+        ),
+        "force_h_P_y": stack(
+            shape,
+            R_zy*alpha_y + omega_y*w_h_P_y_z - R_yy*alpha_z - omega_z*w_h_P_y_y,
+            R_xy*alpha_z + omega_z*w_h_P_y_x - R_zy*alpha_x - omega_x*w_h_P_y_z,
+            R_yy*alpha_x + omega_x*w_h_P_y_y - R_xy*alpha_y - omega_y*w_h_P_y_x,
+        ),
+        "moment_h_P_y": stack(
+            shape,
+            R_yy*rise_z - R_zy*rise_y,
+            R_zy*rise_x - R_xy*rise_z,
+            R_xy*rise_y - R_yy*rise_x,
+        ),
+        "force_h_P_z": stack(
+            shape,
+            R_zz*alpha_y + omega_y*w_h_P_z_z - R_yz*alpha_z - omega_z*w_h_P_z_y,
+            R_xz*alpha_z + omega_z*w_h_P_z_x - R_zz*alpha_x - omega_x*w_h_P_z_z,
+            R_yz*alpha_x + omega_x*w_h_P_z_y - R_xz*alpha_y - omega_y*w_h_P_z_x,
+        ),
+        "moment_h_P_z": stack(
+            shape,
+            R_yz*rise_z - R_zz*rise_y,
+            R_zz*rise_x - R_xz*rise_z,
+            R_xz*rise_y - R_yz*rise_x,
+        ),
+        "force_J_P_xx": stack(shape, 0, 0, 0),
+        "moment_J_P_xx": stack(
+            shape,
+            E_J_P_xx_y*R_xy + E_J_P_xx_z*R_xz + R_xx*alpha_P_x,
+            E_J_P_xx_y*R_yy + E_J_P_xx_z*R_yz + R_yx*alpha_P_x,
+            E_J_P_xx_y*R_zy + E_J_P_xx_z*R_zz + R_zx*alpha_P_x,
+        ),
+        "force_J_P_xy": stack(shape, 0, 0, 0),
+        "moment_J_P_xy": stack(
+            shape,
+            E_J_P_xy_x*R_xx + E_J_P_xy_y*R_xy + E_J_P_xy_z*R_xz,
+            E_J_P_xy_x*R_yx + E_J_P_xy_y*R_yy + E_J_P_xy_z*R_yz,
+            E_J_P_xy_x*R_zx + E_J_P_xy_y*R_zy + E_J_P_xy_z*R_zz,
+        ),
+        "force_J_P_xz": stack(shape, 0, 0, 0),
+        "moment_J_P_xz": stack(
+            shape,
+            E_J_P_xz_x*R_xx + E_J_P_xz_y*R_xy + E_J_P_xz_z*R_xz,
+            E_J_P_xz_x*R_yx + E_J_P_xz_y*R_yy + E_J_P_xz_z*R_yz,
+            E_J_P_xz_x*R_zx + E_J_P_xz_y*R_zy + E_J_P_xz_z*R_zz,
+        ),
+        "force_J_P_yy": stack(shape, 0, 0, 0),
+        "moment_J_P_yy": stack(
+            shape,
+            E_J_P_yy_x*R_xx + E_J_P_yy_z*R_xz + R_xy*alpha_P_y,
+            E_J_P_yy_x*R_yx + E_J_P_yy_z*R_yz + R_yy*alpha_P_y,
+            E_J_P_yy_x*R_zx + E_J_P_yy_z*R_zz + R_zy*alpha_P_y,
+        ),
+        "force_J_P_yz": stack(shape, 0, 0, 0),
+        "moment_J_P_yz": stack(
+            shape,
+            E_J_P_yz_x*R_xx + E_J_P_yz_y*R_xy + E_J_P_yz_z*R_xz,
+            E_J_P_yz_x*R_yx + E_J_P_yz_y*R_yy + E_J_P_yz_z*R_yz,
+            E_J_P_yz_x*R_zx + E_J_P_yz_y*R_zy + E_J_P_yz_z*R_zz,
+        ),
+        "force_J_P_zz": stack(shape, 0, 0, 0),
+        "moment_J_P_zz": stack(
+            shape,
+            E_J_P_zz_x*R_xx + E_J_P_zz_y*R_xy + R_xz*alpha_P_z,
+            E_J_P_zz_x*R_yx + E_J_P_zz_y*R_yy + R_yz*alpha_P_z,
+            E_J_P_zz_x*R_zx + E_J_P_zz_y*R_zy + R_zz*alpha_P_z,
+        ),
+    }

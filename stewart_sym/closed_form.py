@@ -1,0 +1,157 @@
+"""The closed form's kernels bound to a robot: equations of motion, forward dynamics, derivatives; C or NumPy.
+
+Stands beside ``forces``, whose prepared model the C uses. Takes checked robots and motions, hands arrays to
+the generated code and its results back. Formulation `exact` with universal base joints. Knows the layout of
+the emitted headers and no equation.
+"""
+
+import ctypes
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources import files
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import native
+from .forces import ForceKernel, prepare
+from .kernel import NumpyKernel, loaded, module
+from .motion import Motion
+from .robot import Robot
+
+Array = NDArray[np.float64]
+What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
+
+NAME = "exact"
+_MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
+    "equations": {
+        "M": (6, 6),
+        "C": (6, 6),
+        "g": (6,),
+        "friction": (6,),
+        "bias": (6,),
+        "H": (6, 6),
+        "H_dot": (6, 6),
+    },
+    "bias": {"bias": (6,)},
+    "forward_dynamics": {"acceleration": (6,)},
+    "joint_inertia": {"inertia": (6, 6)},
+    "derivatives": {"F": (6,), "by_pose": (6, 6), "by_twist": (6, 6), "by_acceleration": (6, 6)},
+    "linearisation": {"acceleration": (6,), "A": (12, 12), "B": (12, 6)},
+}
+"""What each function hands out, with the shape of a pose's part."""
+
+_STRUCTS = ("equations", "derivatives", "linearisation")
+
+
+class ClosedForm(Protocol):
+    """A robot bound to the closed form's functions."""
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """Results by name and status (...), NaN where that is not 0; F (..., 6), of the motion's shape."""
+
+
+def c_sources() -> dict[str, str]:
+    """File name -> text of the generated C of the closed form and of the force kernel it stands on."""
+    folder = files("stewart_sym.generated") / "c"
+    parts = [f"stewart_{NAME}_{part}" for part in ("forces", "motion")]
+    names = ["stewart.h", *(f"{part}.{kind}" for part in parts for kind in "hc")]
+    return {name: (folder / name).read_text(encoding="utf-8") for name in names}
+
+
+@functools.cache
+def library() -> ctypes.CDLL:
+    """The compiled C. Raises native.CompilerError where there is no working compiler."""
+    return native.load(f"stewart_{NAME}_motion", c_sources())
+
+
+@dataclass(frozen=True, eq=False)
+class CClosedForm:
+    """The C of the closed form with one robot's prepared constants. Calls release the interpreter lock."""
+
+    robot: Robot
+    _forces: ForceKernel = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Compile or find the kernels and prepare the robot's constants."""
+        library()
+        object.__setattr__(self, "_forces", prepare(self.robot, "exact"))
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """See ``ClosedForm``."""
+        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
+        status = np.zeros(motion.shape, dtype=np.int32)
+        inputs = [_contiguous(getattr(motion, name)) for name in _MOTION]
+        forces = [] if F is None else [_contiguous(F)]
+        targets = [_address(array) for array in outputs.values()]
+        getattr(library(), f"stewart_{NAME}_{what}_batch")(
+            _address(self._forces.model),
+            ctypes.c_size_t(status.size),
+            (ctypes.c_void_p * len(inputs))(*[_address(array) for array in inputs]),
+            *(_address(array) for array in forces),
+            (ctypes.c_void_p * len(targets))(*targets) if what in _STRUCTS else targets[0],
+            _address(status),
+        )
+        return {**outputs, "status": status}
+
+    def one_pose(self) -> "OneState":
+        """Buffers for the forward dynamics of one state at a time, for loops."""
+        return OneState(self)
+
+
+@dataclass(frozen=True, eq=False)
+class OneState:
+    """Buffers of one state under forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
+
+    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N,
+    (6,); acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration as it was
+    if that is not 0.
+    """
+
+    kernel: CClosedForm
+    numbers: Array = field(default_factory=lambda: np.zeros(30))
+    F: Array = field(default_factory=lambda: np.zeros(6))
+    acceleration: Array = field(default_factory=lambda: np.full(6, np.nan))
+
+    def __post_init__(self) -> None:
+        """Look the function and the addresses up once; the buffers live as long as this object."""
+        arrays = (self.kernel._forces.model, self.numbers, self.F, self.acceleration)
+        object.__setattr__(self, "_call", getattr(library(), f"stewart_{NAME}_forward_dynamics"))
+        object.__setattr__(self, "_addresses", tuple(_address(array) for array in arrays))
+
+    def solve(self) -> int:
+        """Compute the acceleration from the numbers in place; returns the status."""
+        return int(self._call(*self._addresses))  # type: ignore[attr-defined]
+
+
+@dataclass(frozen=True, eq=False)
+class NumpyClosedForm:
+    """The NumPy kernels of the closed form with one robot."""
+
+    robot: Robot
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """See ``ClosedForm``."""
+        generated = module(f"{NAME}_motion")
+        given = loaded(motion)
+        if what == "derivatives":
+            forces = NumpyKernel.prepare(self.robot, NAME).forces(motion)
+            found = generated.derivatives(self.robot, given, forces.F)
+            return {"F": np.where((found["status"] == 0)[..., None], forces.F, np.nan), **found}
+        if what == "linearisation":
+            acceleration = generated.forward_dynamics(self.robot, given, F)["acceleration"]
+            given.a, given.alpha = acceleration[..., :3], acceleration[..., 3:]
+            return {"acceleration": acceleration, **generated.linearisation(self.robot, given, F)}
+        arguments = () if F is None else (F,)
+        return dict(getattr(generated, what)(self.robot, given, *arguments))
+
+
+def _contiguous(array: Array | None) -> Array | None:
+    return None if array is None else np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _address(array: NDArray[Any] | None) -> ctypes.c_void_p:
+    return ctypes.c_void_p(None if array is None else array.ctypes.data)

@@ -1,0 +1,108 @@
+"""The regressor: the platform's equations of motion as a matrix times the machine's inertial parameters.
+
+    H F + [R F_ext; R M_ext] = Y pi
+
+Y depends on the points, the axes, gravity and the motion alone, pi on masses, centres of mass, inertias and
+friction alone. Stands above the generated kernels; knows nothing of which parameters can be told apart.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import instance, option
+from .dynamics import need_motion, report_faults
+from .faults import ON_FAULT, OnFault
+from .generated import exact_regressor
+from .kernel import loaded
+from .motion import Motion
+from .robot import LEGS, Robot
+
+Array = NDArray[np.float64]
+
+_UPPER = np.triu_indices(3)
+
+
+@dataclass(frozen=True, eq=False)
+class Parameters:
+    """Inertial and friction parameters of the thirteen bodies, in the order of the columns of Y.
+
+    Leg after leg, 23 each: m_d, first moment h_d = m_d r_d0 and inertia J_d (xx, xy, xz, yy, yz, zz) of the
+    lower part about the base point, frame D; m_u, h_u, J_u of the upper part about the platform point, frame
+    U; C_u, C_p, C_s. Then 10 of the platform: M, h_P = M R_0 and J_P about its reference point, platform
+    frame.
+
+    values: (148,), SI. names: as in the robot's fields, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
+    units: of each.
+    """
+
+    values: Array
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+
+
+def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> Array:
+    """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
+
+    Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
+    its parameter; columns as in ``Parameters``. Equal and zero columns are meant (``base_parameters``). The
+    load of the motion has no part in Y. on_singular: as for ``inverse_dynamics``, but singular H is no fault.
+
+    Raises ValueError for spherical base joints, for a motion without accelerations, and for poses in which a
+    leg has length zero or lies along its universal axis.
+    """
+    need_universal(robot)
+    need_motion(robot, motion)
+    option(on_singular, ON_FAULT, "on_singular")
+    found = exact_regressor.regressor(robot, loaded(motion))
+    report_faults(found["status"], robot, motion, on_singular)
+    return found["Y"]
+
+
+def inertial_parameters(robot: Robot) -> Parameters:
+    """The robot's pi, by Steiner's theorem about each part's joint point.
+
+    Raises ValueError for spherical base joints.
+    """
+    need_universal(robot)
+    lower = _body(robot.m_d, robot.r_d0, robot.I_d0)
+    upper = _body(robot.m_u, robot.r_u0, robot.I_u0)
+    friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
+    platform = _body(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
+    legs = np.hstack([lower, upper, friction])
+    names, units = parameter_names()
+    return Parameters(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
+
+
+def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of the columns of Y."""
+    rows = [
+        (leg_name(name, leg), unit)
+        for leg in range(1, LEGS + 1)
+        for name, unit in exact_regressor.LEG_PARAMETERS
+    ]
+    rows += exact_regressor.PLATFORM_PARAMETERS
+    return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
+
+
+def need_universal(robot: Robot) -> None:
+    """Refuse, by ValueError, what is no robot with universal base joints."""
+    instance(robot, Robot, "robot")
+    if robot.base_joint != "universal":
+        raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
+
+
+def leg_name(name: str, leg: int) -> str:
+    """``h_d_x`` of leg 1 is ``h_d1_x``."""
+    head, under, axes = name.rpartition("_")
+    return f"{head}{leg}_{axes}" if under and set(axes) <= set("xyz") else f"{name}{leg}"
+
+
+def _body(m: Array, r: Array, inertia: Array) -> Array:
+    """Mass, first moment and inertia about the point from which r (n, 3) is measured, (n, 10)."""
+    outer = np.einsum("ni,nj->nij", r, r)
+    about = inertia + m[:, None, None] * (
+        np.trace(outer, axis1=1, axis2=2)[:, None, None] * np.eye(3) - outer
+    )
+    return np.hstack([m[:, None], m[:, None] * r, about[:, *_UPPER]])

@@ -1,0 +1,327 @@
+"""Identified parameters are the true ones to within their standard deviations, which are what they claim."""
+
+import csv
+import dataclasses
+import sys
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.cli import main
+from stewart_sym.conditioning import characteristic_length
+from stewart_sym.home import home_pose
+from stewart_sym.kinematics import inverse_kinematics
+from stewart_sym.robot import Robot
+from stewart_sym.studies.identify import NORMAL
+from stewart_sym.trajectory import read_any_csv
+
+Array = NDArray[np.float64]
+SIGMA = 0.5
+
+
+def robot(seed: int) -> Robot:
+    return random_robot(np.random.default_rng(seed))
+
+
+@cache
+def excited(seed: int) -> ss.Excitation:
+    return ss.choose_excitation(robot(seed), samples=100, candidates=5)
+
+
+def test_identified_parameters_are_within_three_sigma() -> None:
+    for seed in range(3):
+        found = ss.simulated_experiment(robot(seed), excited(seed), SIGMA)
+        assert np.max(np.abs(found.deviation)) < 3.0
+        assert found.estimate.misfit == pytest.approx(1.0, abs=0.15)
+        pi = ss.inertial_parameters(robot(seed))
+        assert np.array_equal(found.truth, found.estimate.base.matrix @ pi.values)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
+def test_deviations_are_normal_over_many_measurements(seed: int) -> None:
+    runs = [ss.simulated_experiment(robot(seed), excited(seed), SIGMA, noise) for noise in range(100)]
+    size = np.abs([run.deviation for run in runs])
+    for width, normal in zip((1, 2, 3), NORMAL, strict=True):
+        # Parameters of one measurement depend on each other, so the spread is that of whole measurements.
+        shares = np.mean(size <= width, axis=1)
+        spread = np.std(shares) / np.sqrt(len(runs))
+        assert abs(np.mean(shares) - normal) < 4.0 * spread
+    weighed = [
+        (run.estimate.values - run.truth)
+        @ np.linalg.solve(run.estimate.covariance, run.estimate.values - run.truth)
+        for run in runs
+    ]
+    rank = runs[0].estimate.base.rank
+    assert np.mean(weighed) == pytest.approx(rank, abs=4.0 * np.sqrt(2.0 * rank / len(runs)))
+
+
+def test_without_noise_to_speak_of_the_parameters_come_back() -> None:
+    machine, way = robot(0), excited(0)
+    found = ss.simulated_experiment(machine, way, 1e-9)
+    lengths = np.linalg.norm(ss.regressor(machine, way.motion)[..., way.base.kept], axis=(0, 1))
+    error = np.abs(found.estimate.values - found.truth) * lengths
+    assert np.max(error) <= 1e-8 * np.max(np.abs(found.truth) * lengths)
+
+
+def test_masses_and_friction_of_the_robot_file_may_be_wrong_and_load_is_taken_off() -> None:
+    machine = robot(1)
+    rng = np.random.default_rng(7)
+    still = excited(1).motion
+    motion = dataclasses.replace(still, F_ext=rng.normal(size=(100, 3)), M_ext=rng.normal(size=(100, 3)))
+    F = ss.inverse_dynamics(machine, motion).F
+    guess = dataclasses.replace(
+        machine, M=1.0, m_d=np.ones(6), m_u=np.ones(6), I_p=np.eye(3), C_p=np.zeros(6), R_0=np.zeros(3)
+    )
+    sigma = rng.uniform(0.5, 2.0, 6)
+    base = ss.base_parameters(machine)
+    right, wrong = (ss.identify(given, motion, F, sigma) for given in (machine, guess))
+    assert np.allclose(right.values, wrong.values, rtol=0, atol=1e-6 * np.max(right.sigma))
+    truth = base.matrix @ ss.inertial_parameters(machine).values
+    assert np.max(np.abs(right.values - truth) / right.sigma) < 1e-3
+
+
+def test_a_force_counts_as_much_as_its_deviation_says() -> None:
+    machine, way = robot(0), excited(0)
+    F = ss.inverse_dynamics(machine, way.motion).F
+    same, double = (ss.identify(machine, way.motion, F, sigma) for sigma in (1.0, 2.0))
+    assert np.allclose(double.sigma, 2.0 * same.sigma, rtol=1e-9)
+    unknown = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1e6])
+    off = F + np.array([0.0, 0.0, 0.0, 0.0, 0.0, 100.0])
+    right, wrong = (ss.identify(machine, way.motion, forces, unknown) for forces in (F, off))
+    assert np.all(right.sigma > same.sigma)
+    assert np.max(np.abs(wrong.values - right.values) / right.sigma) < 1e-2
+    believed = ss.identify(machine, way.motion, off, 1.0)
+    assert np.max(np.abs(believed.values - same.values) / same.sigma) > 10.0
+
+
+def test_what_a_motion_does_excite_can_be_identified() -> None:
+    machine = dasgupta()
+    path, step = ss.PATHS["II"]
+    motion = path.sample(path.times(step))
+    F = ss.inverse_dynamics(machine, motion).F
+    base = ss.base_parameters(machine, motion)
+    with pytest.raises(ValueError, match=r"motion: excites \d+ of 100 base parameters"):
+        ss.identify(machine, motion[:10], F[:10], 1.0)
+    found = ss.identify(machine, motion, F, 1.0, base)
+    truth = base.matrix @ ss.inertial_parameters(machine).values
+    assert np.max(np.abs(found.values - truth) / found.sigma) < 0.01
+
+
+def test_excitation_keeps_within_the_limits_and_tells_more_the_more_is_tried() -> None:
+    machine = robot(0)
+    free = ss.choose_excitation(machine, samples=100, candidates=3)
+    legs = inverse_kinematics(machine, free.motion)
+    middle, L = home_pose(machine).L, legs.L
+    limits = np.column_stack([middle - 0.3 * np.ptp(L, axis=0), middle + 0.3 * np.ptp(L, axis=0)])
+    limited = dataclasses.replace(
+        machine, length_limits=limits, speed_limit=0.4 * np.max(np.abs(legs.L_dot), axis=0)
+    )
+    kept = ss.choose_excitation(limited, samples=100, candidates=3)
+    inside = inverse_kinematics(limited, kept.motion)
+    assert np.all((inside.L >= limits[:, 0]) & (inside.L <= limits[:, 1]))
+    assert np.all(np.abs(inside.L_dot) <= limited.speed_limit)
+    assert kept.condition > free.condition
+    assert ss.choose_excitation(machine, samples=100, candidates=6).condition <= free.condition
+    H = ss.inverse_dynamics(machine, free.motion).H
+    bound = 3.0 * home_pose(machine).scaled_condition
+    assert np.max(ss.scaled_condition_number(H, characteristic_length(machine))) <= bound
+
+
+def test_condition_is_that_of_the_singular_values() -> None:
+    way = excited(2)
+    H = ss.inverse_dynamics(robot(2), way.motion).H
+    A = np.linalg.solve(H, ss.regressor(robot(2), way.motion)[..., way.base.kept]).reshape(-1, way.base.rank)
+    assert way.condition == pytest.approx(np.linalg.cond(A / np.linalg.norm(A, axis=0)), rel=1e-6)
+
+
+def test_derivatives_of_a_fourier_path_are_those_of_differences() -> None:
+    path = excited(0).path
+    time, step = path.times(7), 1e-5 * path.period
+    (_, x_dot, x_ddot), before, after = (path.coordinates(time + shift) for shift in (0.0, -step, step))
+    for derivative, i in ((x_dot, 0), (x_ddot, 1)):
+        difference = (after[i] - before[i]) / (2 * step)
+        assert np.max(np.abs(difference - derivative)) <= 1e-7 * np.max(np.abs(derivative))
+    assert np.allclose(path.coordinates(path.period)[0], path.coordinates(0.0)[0], rtol=0, atol=1e-12)
+    assert path.sample(np.zeros((2, 3))).shape == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("period", 0.0),
+        ("period", float("nan")),
+        ("harmonics", 0),
+        ("samples", 1.5),
+        ("candidates", True),
+    ],
+)
+def test_bad_arguments_of_the_excitation_are_named(name: str, value: object) -> None:
+    with pytest.raises(ValueError, match=f"^{name}: expected "):
+        ss.choose_excitation(robot(0), **{name: value})  # type: ignore[arg-type]
+
+
+def test_machines_that_cannot_be_excited_are_refused() -> None:
+    machine = robot(0)
+    with pytest.raises(ValueError, match="without gravity"):
+        ss.choose_excitation(dataclasses.replace(machine, g=np.zeros(3)))
+    stiff = dataclasses.replace(machine, speed_limit=np.full(6, 1e-9))
+    with pytest.raises(ValueError, match="within the limits"):
+        ss.choose_excitation(stiff, candidates=1, samples=10)
+
+
+@pytest.mark.parametrize(
+    ("F", "sigma", "words"),
+    [
+        (np.zeros((4, 5)), 1.0, "F: expected shape"),
+        (np.zeros((3, 6)), 1.0, "F: expected forces of shape"),
+        (np.zeros((4, 6)), 0.0, "sigma: expected"),
+        (np.zeros((4, 6)), [1.0, 2.0], "sigma: expected"),
+        (np.full((4, 6), np.nan), 1.0, "F: expected finite"),
+    ],
+)
+def test_bad_measurements_are_named(F: Array, sigma: float, words: str) -> None:
+    machine = robot(0)
+    motion = random_motion(np.random.default_rng(0), machine, (4,))
+    with pytest.raises(ValueError, match=words):
+        ss.identify(machine, motion, F, sigma)
+
+
+# The command
+
+
+FEW = ("--samples", "60", "--candidates", "2")
+
+
+@pytest.fixture
+def robot_file() -> Path:
+    return Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+
+
+def test_identify_writes_a_table_a_trajectory_and_forces(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = tmp_path / "out"
+    assert main(["identify", str(robot_file), *FEW, "--sigma", "0.1", "-o", str(target)]) == 0
+    printed = capsys.readouterr().out
+    assert (target / "report.txt").read_text() in printed
+    assert sorted(p.name for p in target.iterdir()) == [
+        "forces.csv",
+        "parameters.csv",
+        "report.txt",
+        "trajectory.csv",
+    ]
+    with open(target / "parameters.csv", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == 100
+    for row in rows:
+        true, estimated, sigma, deviation = (
+            float(row[k]) for k in ("true", "estimated", "sigma", "deviation")
+        )
+        assert (estimated - true) / sigma == pytest.approx(deviation)
+        assert row["name"] in printed
+    assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
+
+
+def test_written_trajectory_and_forces_give_the_written_estimates(robot_file: Path, tmp_path: Path) -> None:
+    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    motion = read_any_csv(tmp_path / "trajectory.csv").motion
+    F = np.loadtxt(tmp_path / "forces.csv", delimiter=",", skiprows=1)[:, 1:]
+    found = ss.identify(dasgupta(), motion, F, 1.0)
+    with open(tmp_path / "parameters.csv", newline="") as stream:
+        written = [float(row["estimated"]) for row in csv.DictReader(stream)]
+    assert np.max(np.abs(found.values - written) / found.sigma) < 1e-6
+
+
+def test_measured_forces_are_identified_with_a_wrong_robot_file(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    simulated, measured = tmp_path / "simulated", tmp_path / "measured"
+    assert main(["identify", str(robot_file), *FEW, "-o", str(simulated)]) == 0
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(robot_file.read_text().replace("mass = 40.0", "mass = 4.0"))
+    inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
+    assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
+    assert (measured / "report.txt").read_text() in capsys.readouterr().out
+    assert sorted(p.name for p in measured.iterdir()) == ["parameters.csv", "report.txt"]
+    tables = []
+    for folder in (simulated, measured):
+        with open(folder / "parameters.csv", newline="") as stream:
+            tables.append(list(csv.DictReader(stream)))
+    for before, after in zip(*tables, strict=True):
+        assert after["formula"] == before["formula"]
+        difference = float(after["estimated"]) - float(before["estimated"])
+        assert abs(difference) < 1e-6 * float(before["sigma"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("time,F1", "time,G1", "missing column F1"),
+        ("time,F1,F2", "time,F1,F1", "column F1 is given twice"),
+        ("\n0.0,", "\n0.001,", "instant 1: expected the time 0"),
+        ("\n0.0,", "\nzero,", "row 2: time: expected a finite number"),
+        ("time,F1,F2,F3,F4,F5,F6", "time;F1;F2;F3;F4;F5;F6", "got semicolons"),
+        ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
+    ],
+)
+def test_bad_forces_are_refused_in_one_line(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    capsys.readouterr()
+    forces = tmp_path / "forces.csv"
+    forces.write_text(forces.read_text().replace(old, new, 1))
+    inputs = [str(tmp_path / name) for name in ("trajectory.csv", "forces.csv")]
+    assert main(["identify", str(robot_file), "--measured", *inputs, "-o", str(tmp_path / "out")]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert len(captured.err.splitlines()) == 1
+    assert f"{forces}: " in captured.err
+    assert words in captured.err
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (("--sigma", "0"), "sigma: expected"),
+        (("--sigma", "nan"), "--sigma"),
+        (("--seed", "-1"), "--seed"),
+        (("--samples", "5"), "motion: excites"),
+        (("--harmonics", "0"), "harmonics: expected"),
+        (("--period", "-2"), "period: expected"),
+    ],
+)
+def test_identify_refuses_in_one_line_and_writes_nothing(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, str], words: str
+) -> None:
+    try:
+        code: object = main(["identify", str(robot_file), *FEW, *options, "-o", str(tmp_path / "out")])
+    except SystemExit as stop:
+        code = stop.code
+    lines = capsys.readouterr().err.splitlines()
+    assert code == 2
+    assert len(lines) == 1
+    assert words in lines[0]
+    assert not list(tmp_path.iterdir())
+
+
+def test_identify_needs_neither_scipy_nor_sympy(
+    robot_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("scipy", "sympy", "matplotlib"):
+        monkeypatch.setitem(sys.modules, name, None)
+    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+
+
+def test_identify_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(["identify", "--help"])
+    assert stop.value.code == 0
+    assert "Example: stewart-sym identify hexapod.toml" in capsys.readouterr().out
