@@ -6,6 +6,7 @@ batches and threads, and no equation.
 
 import ctypes
 import functools
+import itertools
 import math
 import os
 from collections.abc import Sequence
@@ -114,15 +115,19 @@ class ForceKernel:
         if not F.flags.writeable:
             raise ValueError("F: expected a writeable array")
         threads = min(_thread_count(threads), max(1, count // LEAST_SHARE))
-        share = max(LANES, -(-count // (threads * LANES)) * LANES)
-        mine, *others = [(start, min(share, count - start)) for start in range(0, max(count, 1), share)]
-        waiting = []
-        if others:
-            workers = _pool(min(len(others), os.cpu_count() or 1), os.getpid())
-            waiting = [workers.submit(self._run, arrays, F, status, *part) for part in others]
-        self._run(arrays, F, status, *mine)
-        for part in waiting:
-            part.result()
+        parts = _parts(count, threads)
+
+        turn = itertools.count()
+
+        def work() -> None:
+            while (part := next(turn)) < len(parts):
+                self._run(arrays, F, status, *parts[part])
+
+        helpers = min(threads, len(parts), os.cpu_count() or 1) - 1
+        waiting = [_pool(helpers, os.getpid()).submit(work) for _ in range(helpers)]
+        work()
+        for other in waiting:
+            other.result()
 
     def _batch(self, motion: Motion, threads: int) -> tuple[Array, NDArray[np.int32]]:
         arrays = [self._laid_out(motion, name) for name in _MOTION]
@@ -202,6 +207,16 @@ def prepare(robot: Robot, formulation: Formulation = "exact", precision: Precisi
 def _function(name: str, precision: Precision, what: str) -> Any:
     defines = ("STEWART_FLOAT",) if precision == "float" else ()
     return getattr(library(f"{name}_forces", defines), f"stewart_{name}_{what}")
+
+
+def _parts(count: int, threads: int) -> list[tuple[int, int]]:
+    """First pose and number of poses of each part of a batch.
+
+    Several parts for each thread, so that one whose core is disturbed keeps nobody waiting for long.
+    """
+    pieces = 1 if threads == 1 else max(threads, min(4 * threads, count // LEAST_SHARE))
+    share = max(LANES, -(-count // (pieces * LANES)) * LANES)
+    return [(start, min(share, count - start)) for start in range(0, count, share)]
 
 
 @functools.cache

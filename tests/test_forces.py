@@ -83,9 +83,9 @@ def test_results_are_bit_identical_whatever_batch_position_and_threads(
 
 @pytest.mark.parametrize(
     ("count", "threads", "expected"),
-    [(0, 2, 1), (1, 2, 1), (7_999, 2, 1), (8_000, 2, 2), (8_001, 2, 2), (8_000, 64, 2), (50_001, 3, 3)],
+    [(0, 2, 0), (1, 2, 1), (7_999, 2, 1), (8_000, 2, 2), (8_001, 2, 2), (8_000, 64, 2), (50_001, 3, 12)],
 )
-def test_a_batch_is_shared_only_when_every_thread_gets_thousands(
+def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
     count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rng = np.random.default_rng(30)
