@@ -32,6 +32,8 @@ LANES = 8
 LEAST_SHARE = 4_000
 """Poses that a thread gets at least: waking one takes 0.12 ms (2 virtual cores), as long as 1,200 poses."""
 
+CORES = os.cpu_count() or 1
+
 _MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
 _WIDTHS = tuple(math.prod(shape) for shape in _MOTION.values())
 _NUMBERS = sum(_WIDTHS)
@@ -100,14 +102,14 @@ class ForceKernel:
 
         Raises ValueError naming the array whose type or layout is another.
         """
-        count = status.size
+        count, wanted = status.size, np.dtype(self.dtype)
         if status.dtype != np.int32 or not (status.flags.c_contiguous and status.flags.writeable):
             raise ValueError("status: expected a writeable C-contiguous array of int32")
         for name, array, width in (*zip(_MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
             if array is None and name in ("F_ext", "M_ext"):
                 continue
-            if not isinstance(array, np.ndarray) or array.dtype != self.dtype or not array.flags.c_contiguous:
-                raise ValueError(f"{name}: expected a C-contiguous array of {self.dtype.__name__}")
+            if not isinstance(array, np.ndarray) or array.dtype != wanted or not array.flags.c_contiguous:
+                raise ValueError(f"{name}: expected a C-contiguous array of {wanted}")
             if array.size != count * width:
                 raise ValueError(
                     f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
@@ -116,14 +118,13 @@ class ForceKernel:
             raise ValueError("F: expected a writeable array")
         threads = min(_thread_count(threads), max(1, count // LEAST_SHARE))
         parts = _parts(count, threads)
-
         turn = itertools.count()
 
         def work() -> None:
             while (part := next(turn)) < len(parts):
                 self._run(arrays, F, status, *parts[part])
 
-        helpers = min(threads, len(parts), os.cpu_count() or 1) - 1
+        helpers = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
         waiting = [_pool(helpers, os.getpid()).submit(work) for _ in range(helpers)]
         work()
         for other in waiting:
@@ -229,7 +230,12 @@ def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
     """Where an entry of a contiguous array lies; null for None."""
     if array is None:
         return ctypes.c_void_p(None)
-    return ctypes.c_void_p(array.__array_interface__["data"][0] + entries * array.itemsize)
+    try:
+        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
+        start = ctypes.addressof(ctypes.c_char.from_buffer(array))
+    except (TypeError, ValueError):
+        start = array.__array_interface__["data"][0]
+    return ctypes.c_void_p(start + entries * array.itemsize)
 
 
 def _thread_count(threads: int) -> int:
