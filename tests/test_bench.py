@@ -346,6 +346,8 @@ def test_cores_are_compared_on_the_same_batch_round_by_round(figures: dict[str, 
     assert one["poses"] == shared["poses"] == cores["poses"] >= 2 * forces.LEAST_SHARE
     assert cores["raw"] == pytest.approx(np.array(one["raw"]) / np.array(shared["raw"]))
     assert cores["median"] == pytest.approx(np.median(cores["raw"]))
+    assert len(figures["cores_arithmetic"]["raw"]) == len(cores["raw"])
+    assert 0 < figures["cores_arithmetic"]["median"] < 2 * cores["cores"]
     assert cores["quartiles"] == pytest.approx(np.percentile(cores["raw"], (25, 75)))
     line = f"{cores['cores']} cores over one core: {cores['median']:.2f} times, quartiles"
     assert line in (written / "bench.txt").read_text()

@@ -15,6 +15,7 @@ import platform
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -183,6 +184,7 @@ CALLS = (
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
 PINOCCHIO = "Pinocchio"
+ARITHMETIC = f"multiply-add, {CORES} cores"
 
 
 # --- the run ----------------------------------------------------------------------------------
@@ -218,6 +220,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         "empty call": Task(pinocchio.empty_calls, FEW),
         "solve": Task(pinocchio.solve, pinocchio.solves),
         "multiply-add": Task(processor.run, processor.count),
+        ARITHMETIC: Task(_on_all_cores(processor.run), CORES * processor.count),
     }
     tasks |= {name: Task(*each) for name, each in motion.tasks.items()}
     rounds = QUICK_ROUNDS if quick else ROUNDS
@@ -232,9 +235,8 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         shortest_sample=SHORTEST,
         ours=tuple(_figure(each, raw) for each in OURS),
         peers=(*(_figure(each, raw) for each in PEERS), _pinocchio_figure(raw)),
-        cores=Speedup(
-            CORES, LARGE, tuple(one / all_ for one, all_ in zip(raw[BATCH], raw[ALL_CORES], strict=True))
-        ),
+        cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
+        arithmetic=Speedup(CORES, 0, _times(raw["multiply-add"], raw[ARITHMETIC])),
         calls=tuple(_figure(each, raw) for each in CALLS),
         parts=(
             Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
@@ -253,6 +255,24 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         software=_software(),
         clock=clock,
     )
+
+
+def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
+    """The same work on every core at once."""
+    workers = ThreadPoolExecutor(CORES)
+
+    def run_all(repeats: int) -> None:
+        others = [workers.submit(run, repeats) for _ in range(CORES - 1)]
+        run(repeats)
+        for other in others:
+            other.result()
+
+    return run_all
+
+
+def _times(one: Sequence[float], many: Sequence[float]) -> tuple[float, ...]:
+    """How many times as fast the second is, round by round."""
+    return tuple(slow / fast for slow, fast in zip(one, many, strict=True))
 
 
 def _figure(each: Contestant, raw: Mapping[str, tuple[float, ...]]) -> Figure:

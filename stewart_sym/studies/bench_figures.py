@@ -58,7 +58,10 @@ class Figure(Samples):
 
 @dataclass(frozen=True)
 class Speedup(Samples):
-    """How many times as fast ``cores`` cores are as one over the same batch, round by round."""
+    """How many times as fast ``cores`` cores are as one over ``poses`` poses, round by round.
+
+    poses: 0 for arithmetic that needs no memory, which shows what the machine had to give.
+    """
 
     cores: int
     poses: int
@@ -179,9 +182,9 @@ class MotionFigures:
 class Benchmark:
     """Everything that ``bench`` measured.
 
-    shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores: all cores over
-    one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made of. sweep:
-    batches of all sizes. motion: the second group. passes: the kernel after each reduction. compiling: time
+    shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores, arithmetic: all
+    cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made of.
+    sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction. compiling: time
     of the compiler. text: None where the system's linker or ``nm`` can't tell. multiply_add: ns for one
     fused multiply-add of one number, on one core; lanes: numbers in one instruction. differences: by
     contestant, from the reference's forces, share of a pose's largest. machine, software, clock: as JSON
@@ -194,6 +197,7 @@ class Benchmark:
     ours: tuple[Figure, ...]
     peers: tuple[Figure, ...]
     cores: Speedup
+    arithmetic: Speedup
     calls: tuple[Figure, ...]
     parts: tuple[Figure, ...]
     sweep: tuple[Figure, ...]
@@ -249,6 +253,7 @@ class Benchmark:
             "ours": [self._entry(figure) for figure in self.ours],
             "peers": [self._entry(figure) for figure in self.peers],
             "cores": {**self.cores.as_json(), "unit": "times as fast as one core"},
+            "cores_arithmetic": {**self.arithmetic.as_json(), "unit": "times as fast as one core"},
             "pinocchio_parts": [figure.as_json() for figure in self.parts],
             "calls": [
                 {**figure.as_json(), "overhead_over_c_ns": self.overhead(figure)} for figure in self.calls
