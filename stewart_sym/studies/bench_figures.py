@@ -182,13 +182,13 @@ class MotionFigures:
 class Benchmark:
     """Everything that ``bench`` measured.
 
-    shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores, arithmetic: all
-    cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made of.
-    sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction. compiling: time
-    of the compiler. text: None where the system's linker or ``nm`` can't tell. multiply_add: ns for one
-    fused multiply-add of one number, on one core; lanes: numbers in one instruction. differences: by
-    contestant, from the reference's forces, share of a pose's largest. machine, software, clock: as JSON
-    takes them.
+    shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores, arithmetic:
+    all cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made
+    of. sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction.
+    compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
+    multiply_add: ns for one fused multiply-add of one number, on one core; lanes: numbers in one
+    instruction. differences: by contestant, from the reference's forces, share of a pose's largest.
+    machine, software, clock: as JSON takes them.
     """
 
     robot: str
