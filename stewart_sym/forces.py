@@ -124,8 +124,8 @@ class ForceKernel:
             while (part := next(turn)) < len(parts):
                 self._run(arrays, F, status, *parts[part])
 
-        helpers = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
-        waiting = [_pool(helpers, os.getpid()).submit(work) for _ in range(helpers)]
+        others = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
+        waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
         work()
         for other in waiting:
             other.result()
@@ -232,7 +232,7 @@ def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
         return ctypes.c_void_p(None)
     try:
         # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
-        start = ctypes.addressof(ctypes.c_char.from_buffer(array))
+        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
     except (TypeError, ValueError):
         start = array.__array_interface__["data"][0]
     return ctypes.c_void_p(start + entries * array.itemsize)
