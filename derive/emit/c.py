@@ -140,7 +140,7 @@ def source(kernel: Kernel, version: str) -> str:
         block_function(kernel.leg, "leg_terms"),
         block_function(kernel.platform, "platform_terms"),
         block_function(kernel.reactions, "reaction_terms"),
-        _STATUS_CHECK.replace("@POLE@", _POLE_CHECK if has_pole else ""),
+        _STATUS_CHECK.replace("@FINITE@", IS_FINITE).replace("@POLE@", _POLE_CHECK if has_pole else ""),
         _SOLVE,
         _POSE,
         _PUBLIC.replace("@NAME@", name),
@@ -400,6 +400,20 @@ _POLE_CHECK = """\
     }
 """
 
+IS_FINITE = """\
+static int is_finite(const stewart_real *values, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+"""
+"""Whether all of some numbers are finite."""
+
 _STATUS_CHECK = """\
 /* The largest of `result` and the sizes of the values. */
 static stewart_real largest(const stewart_real *values, int count, stewart_real result)
@@ -413,17 +427,7 @@ static stewart_real largest(const stewart_real *values, int count, stewart_real 
     return result;
 }
 
-static int is_finite(const stewart_real *values, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
+@FINITE@
 /* S = q + t - b is known to within rounding of its largest term. */
 static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
 {

@@ -9,7 +9,7 @@ from ..block import Block, Operations
 from ..motion import F_LEG, SumKernel
 from ..prepared import t_1
 from ..regroup import ForceKernel
-from .c import ARITHMETIC, size, step_lines
+from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix
 from .lane_text import (
     JUDGED,
@@ -49,7 +49,7 @@ def source(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
     name = model.formulation.kernel_name
     parts = [
         _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS,
-        _COMMON,
+        _COMMON.replace("@FINITE@", IS_FINITE),
         *(_kernel(kernel, model) for kernel in kernels),
         *(_solve(_DEFINITE, width) for width in (8, 24)),
         *(_solve(_PIVOTED, width) for width in (12, 24)),
@@ -380,17 +380,7 @@ STEWART_APART static void add_legs(
     }
 }
 
-static int is_finite(const stewart_real *values, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
+@FINITE@
 static void copy(const stewart_real *from, int count, stewart_real *to)
 {
     int i;
