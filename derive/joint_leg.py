@@ -1,4 +1,6 @@
-"""The ``exact`` leg in the coordinates of its joints, by Lagrange's equations. Used by ``regroup``.
+"""The ``exact`` leg in the coordinates of its joints, by Lagrange's equations.
+
+Used by ``regroup`` and ``motion``.
 
 The coordinates are the length L, phi about the fixed axis k, and theta about y, with k = (k1, 0, k3) =
 (cos theta, 0, sin theta) in the leg frame. Their rates and accelerations are projections of S_dot and S_ddot
@@ -21,7 +23,7 @@ HALF = sp.Rational(1, 2)
 
 @dataclass(frozen=True)
 class JointFrame:
-    """Where the leg is: s, y of the leg frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, kappa = k1 / k3."""
+    """Where the leg is: tip q, s, y of its frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, k1 / k3."""
 
     q: sp.Matrix
     s: sp.Matrix

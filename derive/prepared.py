@@ -69,6 +69,9 @@ def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Blo
     rides on the platform.
     """
     build = Builder()
+    raw = n.k.value
+    size = build.scalar("k_size", sp.sqrt(raw.dot(raw)))
+    k = build.vector("k_unit", raw * build.scalar("inv_k_size", 1 / size), "", "fixed axis, of length one")
     m_u, r_u = n.m_u.value, n.r_u0.value
     first = build.vector("h", m_u * r_u)
     both = build.vector("w", n.m_d.value * n.r_d0.value + first)
@@ -85,8 +88,9 @@ def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Blo
         J: tensor,
         J2_xz: 2 * tensor[0, 2],
         dJ_zx: tensor[2, 2] - tensor[0, 0],
-        g_k: n.g.value.dot(n.k.value),
-        g_x_k: cross(n.g.value, n.k.value),
+        n.k: k,
+        g_k: n.g.value.dot(k),
+        g_x_k: cross(n.g.value, k),
         C_us: n.C_u.value + n.C_s.value,
         m_L2: m_u,
         r: n.b.value - n.b_1.value,

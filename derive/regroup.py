@@ -147,13 +147,10 @@ def _pose_about_base_point(pose: Block) -> Block:
     )
     moment = sp.Matrix(values[n.c_moment]) + cross(t_1, force)
     outputs = [
-        (q, t_1) if q == p.t_1 else (q, value)
-        for q, value in (
-            *((q, _as_value(q, exprs)) for q, exprs in values.items() if q not in (n.c_force, n.c_moment)),
-            (p.t_1, t_1),
-            (n.c_force, force),
-            (n.c_moment, moment),
-        )
+        *((q, _as_value(q, exprs)) for q, exprs in values.items() if q not in (n.c_force, n.c_moment)),
+        (p.t_1, t_1),
+        (n.c_force, force),
+        (n.c_moment, moment),
     ]
     return build.block(pose.name, pose.meaning, (*pose.inputs, n.t, n.b_1), outputs)
 

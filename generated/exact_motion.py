@@ -241,7 +241,7 @@ def _good(found: dict[str, Array], status: Array) -> dict[str, Array]:
 def prepare_leg(robot: Any) -> dict[str, Any]:
     """Constants of one leg, and what it adds to the platform.
 
-    Operations: 89 (49 mul, 40 add, 0 div, 0 sqrt).
+    Operations: 99 (55 mul, 42 add, 1 div, 1 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -281,6 +281,12 @@ def prepare_leg(robot: Any) -> dict[str, Any]:
     g_x = robot.g[0]
     g_y = robot.g[1]
     g_z = robot.g[2]
+    k_size = np.sqrt(k_x*k_x + k_y*k_y + k_z*k_z)
+    inv_k_size = 1/k_size
+    # fixed axis, of length one
+    k_unit_x = inv_k_size*k_x
+    k_unit_y = inv_k_size*k_y
+    k_unit_z = inv_k_size*k_z
     c1 = m_u*r_u0_x
     h_x = c1
     c2 = m_u*r_u0_y
@@ -312,9 +318,9 @@ def prepare_leg(robot: Any) -> dict[str, Any]:
         "p_x": p_x,
         "p_y": p_y,
         "p_z": p_z,
-        "k_x": k_x,
-        "k_y": k_y,
-        "k_z": k_z,
+        "k_x": k_unit_x,
+        "k_y": k_unit_y,
+        "k_z": k_unit_z,
         "C_p": C_p,
         "C_s": C_s,
         "h_x": h_x,
@@ -334,10 +340,10 @@ def prepare_leg(robot: Any) -> dict[str, Any]:
         "J_zz": J_zz,
         "J2_xz": 2*J_xz,
         "dJ_zx": J_zz - J_xx,
-        "g_k": g_x*k_x + g_y*k_y + g_z*k_z,
-        "g_x_k_x": g_y*k_z - g_z*k_y,
-        "g_x_k_y": g_z*k_x - g_x*k_z,
-        "g_x_k_z": g_x*k_y - g_y*k_x,
+        "g_k": g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z,
+        "g_x_k_x": g_y*k_unit_z - g_z*k_unit_y,
+        "g_x_k_y": g_z*k_unit_x - g_x*k_unit_z,
+        "g_x_k_z": g_x*k_unit_y - g_y*k_unit_x,
         "C_us": C_s + C_u,
         "r_x": b_x - b_1_x,
         "r_y": b_y - b_1_y,

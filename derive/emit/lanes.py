@@ -197,7 +197,7 @@ def _legs_of_pose(kernel: ForceKernel) -> str:
         *fault_lines(length, sine, "0", "out->bad[l]"),
     ]
     text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _leg_of_block(kernel: ForceKernel) -> str:
@@ -222,7 +222,13 @@ def _leg_of_block(kernel: ForceKernel) -> str:
         *fault_lines(length, sine, "bad[l]", "bad[l]"),
     ]
     text = _LEG_OF_BLOCK.replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _used_shared(text: str, lines: list[str]) -> str:
+    """The text without its mark for an unused argument where the pose's shared terms are read."""
+    used = any("shared->" in line for line in lines)
+    return text.replace("@UNUSED@\n", "" if used else "    (void)shared;\n")
 
 
 def _added(expr: sp.Expr) -> str:
@@ -406,7 +412,8 @@ _HEADER = """\
  * Written by stewart-sym {version}; do not edit.
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
- * the loops over lanes (gcc and clang: -O3 -fno-math-errno, and -march for the machine).
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
  *
 {operations}
  */
@@ -425,8 +432,8 @@ typedef struct {{
 {platform}
 }} stewart_{name}_model;
 
-/* Prepares the constants. Returns a status: STEWART_NOT_FINITE if a number of the robot is not finite or too
- * large; the model is written only if it is STEWART_OK. */
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the robot
+ * is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
 int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
@@ -501,7 +508,6 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
     }
-    prepare_leg(robot, &robot->leg[0], &sum);
 @ZERO@
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
@@ -563,7 +569,7 @@ static void legs_of_pose(
 {
     int l;
 @OUTSIDE@
-    (void)shared;
+@UNUSED@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -580,7 +586,7 @@ static void leg_of_block(
 {
     int l;
 @OUTSIDE@
-    (void)shared;
+@UNUSED@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }

@@ -132,6 +132,12 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
         b_1_z = robot->leg[0].b[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
+    const stewart_real inv_k_size = 1/k_size;
+    /* fixed axis, of length one */
+    const stewart_real k_unit_x = inv_k_size*k_x;
+    const stewart_real k_unit_y = inv_k_size*k_y;
+    const stewart_real k_unit_z = inv_k_size*k_z;
     const stewart_real c1 = m_u*r_u0_x;
     const stewart_real h_x = c1;
     const stewart_real c2 = m_u*r_u0_y;
@@ -162,9 +168,9 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->p[0] = p_x;
     out->p[1] = p_y;
     out->p[2] = p_z;
-    out->k[0] = k_x;
-    out->k[1] = k_y;
-    out->k[2] = k_z;
+    out->k[0] = k_unit_x;
+    out->k[1] = k_unit_y;
+    out->k[2] = k_unit_z;
     out->C_p = C_p;
     out->C_s = C_s;
     out->h[0] = h_x;
@@ -184,10 +190,10 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->J[5] = J_zz;
     out->J2_xz = 2*J_xz;
     out->dJ_zx = J_zz - J_xx;
-    out->g_k = g_x*k_x + g_y*k_y + g_z*k_z;
-    out->g_x_k[0] = g_y*k_z - g_z*k_y;
-    out->g_x_k[1] = g_z*k_x - g_x*k_z;
-    out->g_x_k[2] = g_x*k_y - g_y*k_x;
+    out->g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
+    out->g_x_k[0] = g_y*k_unit_z - g_z*k_unit_y;
+    out->g_x_k[1] = g_z*k_unit_x - g_x*k_unit_z;
+    out->g_x_k[2] = g_x*k_unit_y - g_y*k_unit_x;
     out->C_us = C_s + C_u;
     out->r[0] = b_x - b_1_x;
     out->r[1] = b_y - b_1_y;
@@ -274,7 +280,6 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
     }
-    prepare_leg(robot, &robot->leg[0], &sum);
     sum.M_add = 0;
     sum.h_add[0] = 0;
     sum.h_add[1] = 0;
@@ -481,7 +486,6 @@ static void legs_of_pose(
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
@@ -1048,7 +1052,6 @@ static void leg_of_block(
     const stewart_real C_us = model->C_us[leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real r_x = model->r[0][leg], r_y = model->r[1][leg], r_z = model->r[2][leg];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
             R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],

@@ -3,7 +3,8 @@
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
- * the loops over lanes (gcc and clang: -O3 -fno-math-errno, and -march for the machine).
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
@@ -50,8 +51,8 @@ typedef struct {
     stewart_real b_1[3]; /* m: base point 1, base frame */
 } stewart_exact_model;
 
-/* Prepares the constants. Returns a status: STEWART_NOT_FINITE if a number of the robot is not finite or too
- * large; the model is written only if it is STEWART_OK. */
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the robot
+ * is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
 int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */

@@ -233,7 +233,6 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     if (!robot || !model) {
         return STEWART_BAD_ARGUMENT;
     }
-    prepare_leg(robot, &robot->leg[0], &sum);
     sum.M_add = 0;
     sum.h_add[0] = 0;
     sum.h_add[1] = 0;
@@ -434,7 +433,6 @@ static void legs_of_pose(
         B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real m_d = model->m_d[l];
@@ -969,7 +967,6 @@ static void leg_of_block(
     const stewart_real C_s = model->C_s[leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real r_x = model->r[0][leg], r_y = model->r[1][leg], r_z = model->r[2][leg];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
             R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
