@@ -32,7 +32,11 @@ LANES = 8
 LEAST_SHARE = 4_000
 """Poses that a thread gets at least: waking one takes 0.12 ms (2 virtual cores), as long as 1,200 poses."""
 
-CORES = os.cpu_count() or 1
+CONVERTED = 32_768
+"""Poses whose arrays are converted at a time where they don't lie as the C takes them."""
+
+CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+"""Cores that this process may run on."""
 
 _MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
 _WIDTHS = tuple(math.prod(shape) for shape in _MOTION.values())
@@ -65,6 +69,11 @@ class ForceKernel:
         model.setflags(write=False)
         object.__setattr__(self, "model", model)
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Take a copy's or a pickle's state; its model stays read-only, and nothing is compiled."""
+        self.__dict__.update(state)
+        self.model.setflags(write=False)
+
     @property
     def dtype(self) -> type[np.floating[Any]]:
         """Type of the numbers that the kernel computes with."""
@@ -79,14 +88,14 @@ class ForceKernel:
         """
         option(on_singular, ON_FAULT, "on_singular")
         need_motion(self.robot, motion)
-        F, status = self._batch(motion, threads)
+        F, status = self.forces_and_status(motion, threads)
         report_faults(status, self.robot, motion, on_singular, stacklevel=3)
         return F
 
     def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
         """Status of every pose, (...), a code of ``results.STATUS_TEXT``."""
         need_motion(self.robot, motion)
-        return self._batch(motion, threads)[1]
+        return self.forces_and_status(motion, threads)[1]
 
     def one_pose(self) -> "OnePose":
         """Buffers for one pose at a time, for loops where every microsecond counts."""
@@ -102,15 +111,18 @@ class ForceKernel:
 
         Raises ValueError naming the array whose type or layout is another.
         """
-        count, wanted = status.size, np.dtype(self.dtype)
-        if status.dtype != np.int32 or not (status.flags.c_contiguous and status.flags.writeable):
+        wanted = np.dtype(self.dtype)
+        if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
             raise ValueError("status: expected a writeable C-contiguous array of int32")
+        if len(arrays) != len(_MOTION):
+            raise ValueError(f"arrays: expected {len(_MOTION)}, {', '.join(_MOTION)}, got {len(arrays)}")
+        count = status.size
         for name, array, width in (*zip(_MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
             if array is None and name in ("F_ext", "M_ext"):
                 continue
-            if not isinstance(array, np.ndarray) or array.dtype != wanted or not array.flags.c_contiguous:
+            if not (isinstance(array, np.ndarray) and array.dtype == wanted and _lies_plainly(array)):
                 raise ValueError(f"{name}: expected a C-contiguous array of {wanted}")
-            if array.size != count * width:
+            if array.size != count * width or (count and array.shape[-1] not in (3, width)):
                 raise ValueError(
                     f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
                 )
@@ -130,12 +142,26 @@ class ForceKernel:
         for other in waiting:
             other.result()
 
-    def _batch(self, motion: Motion, threads: int) -> tuple[Array, NDArray[np.int32]]:
-        arrays = [self._laid_out(motion, name) for name in _MOTION]
+    def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
+        """F, N, (..., 6), NaN where the status (...), a code of ``results.STATUS_TEXT``, is not 0."""
+        need_motion(self.robot, motion)
         F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
         status = np.zeros(motion.shape, dtype=np.int32)
-        self.forces_into(arrays, F, status, threads)
+        for part in self._parts_to_convert(motion):
+            arrays = [self._laid_out(getattr(motion, name), part) for name in _MOTION]
+            self.forces_into(arrays, F[part], status[part], threads)
         return F, status
+
+    def _parts_to_convert(self, motion: Motion) -> list[Any]:
+        """All poses where the arrays can be taken as they lie, else parts, so that copies stay small."""
+        arrays = [array for array in (getattr(motion, name) for name in _MOTION) if array is not None]
+        ready = all(array.dtype == self.dtype and _lies_plainly(array) for array in arrays)
+        if ready or len(motion.shape) != 1:
+            return [...]
+        return [slice(start, start + CONVERTED) for start in range(0, motion.shape[0], CONVERTED)]
+
+    def _laid_out(self, array: Array | None, part: Any) -> Array | None:
+        return None if array is None else np.ascontiguousarray(array[part], dtype=self.dtype)
 
     def _run(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
@@ -148,10 +174,6 @@ class ForceKernel:
             _offset(F, start * 6),
             _offset(status, start),
         )
-
-    def _laid_out(self, motion: Motion, name: str) -> Array | None:
-        array = getattr(motion, name)
-        return None if array is None else np.ascontiguousarray(array, dtype=self.dtype)
 
     def _function(self, what: str) -> Any:
         return _function(kernel_name(self.formulation, self.robot.base_joint), self.precision, what)
@@ -170,14 +192,21 @@ class OnePose:
     numbers: Array
 
     def __post_init__(self) -> None:
-        """Look the function and the addresses up once; the buffers live as long as this object."""
+        """Look the function and the addresses up once; the buffers live as long as this object.
+
+        Raises ValueError naming the buffer whose type, size or layout is another.
+        """
+        for name, array, size in (("F", self.F, 6), ("numbers", self.numbers, _NUMBERS)):
+            wanted = np.dtype(self.kernel.dtype)
+            if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
+                raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
         addresses = tuple(_offset(array, 0) for array in (self.kernel.model, self.numbers, self.F))
         object.__setattr__(self, "_call", self.kernel._function("forces"))
         object.__setattr__(self, "_addresses", addresses)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies and pickles get buffers, and so addresses, of their own."""
-        return OnePose, (self.kernel, self.F, self.numbers)
+        return OnePose, (self.kernel, self.F.copy(), self.numbers.copy())
 
     def solve(self) -> int:
         """Compute F from the numbers in place; returns the status."""
@@ -224,6 +253,11 @@ def _parts(count: int, threads: int) -> list[tuple[int, int]]:
 def _pool(threads: int, process: int) -> ThreadPoolExecutor:
     """Threads of a process that wait for work; starting them anew costs more than a small batch."""
     return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
+
+
+def _lies_plainly(array: Array) -> bool:
+    """Whether C can take the array as it lies."""
+    return array.flags.c_contiguous and array.flags.aligned
 
 
 def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:

@@ -56,7 +56,7 @@ def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> A
     need_motion(robot, motion)
     option(on_singular, ON_FAULT, "on_singular")
     found = exact_regressor.regressor(robot, loaded(motion))
-    report_faults(found["status"], robot, motion, on_singular)
+    report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
     return found["Y"]
 
 

@@ -5,8 +5,8 @@ import dataclasses
 import gc
 import pickle
 import subprocess
-import sys
 import threading
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,7 @@ from test_bad_poses import CASES, at_rest
 
 import stewart_sym as ss
 from stewart_sym import forces
-from stewart_sym.kernel import c_sources, module
+from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
 
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
@@ -171,7 +171,7 @@ def test_non_finite_numbers_poison_only_their_own_pose() -> None:
             fake = object.__new__(Motion)
             for other in FIELDS:
                 object.__setattr__(fake, other, spoilt if other == name else getattr(motion, other))
-            F, status = kernel._batch(fake, 1)
+            F, status = kernel.forces_and_status(fake)
             assert status[5] == ss.results.NOT_FINITE
             others = np.arange(40) != 5
             assert (status[others] == 0).all()
@@ -241,24 +241,27 @@ int main(void)
         assert int(done.stdout) == module(kernel).MODEL_NUMBERS
 
 
-def test_batches_take_no_memory_beyond_inputs_and_outputs() -> None:
-    """Peak memory of a large batch, measured in a process of its own."""
-    code = """
-import resource, warnings, numpy as np, stewart_sym as ss
-warnings.simplefilter("ignore")
-kernel = ss.prepare(ss.robots.dasgupta1998())
-path, _ = ss.PATHS["I"]
-motion = path.sample(np.linspace(0, 6, 200_000))
-kernel.forces(motion[:8])
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-F, status = kernel._batch(motion, 1)
-after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-print((after - before) * 1024, F.nbytes + status.nbytes)
-"""
-    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    grown, outputs = map(int, done.stdout.split())
-    inputs = 200_000 * 24 * 8
-    assert grown <= outputs + inputs + 2**22
+@pytest.mark.parametrize(
+    "how", ["as they lie", "broadcast", "in columns", "float"], ids=lambda how: how.replace(" ", "_")
+)
+def test_batches_take_no_memory_beyond_inputs_and_outputs(how: str) -> None:
+    count = 400_000
+    path, _ = ss.PATHS["I"]
+    motion = path.sample(np.linspace(0, 6, count))
+    if how == "broadcast":
+        rest = np.broadcast_to(np.zeros(3), (count, 3))
+        motion = Motion.unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
+    if how == "in columns":
+        fields = {name: getattr(motion, name) for name in FIELDS}
+        motion = Motion.unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
+    kernel = ss.prepare(dasgupta(), precision="float" if how == "float" else "double")
+    kernel.forces(motion[:8])
+    tracemalloc.start()
+    F, status = kernel.forces_and_status(motion)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak <= F.nbytes + status.nbytes + 16 * 2**20
+    assert (F[-3:] == kernel.forces(motion[-3:])).all()
 
 
 def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> None:
@@ -331,3 +334,31 @@ def test_constants_that_overflow_the_precision_are_refused() -> None:
     ss.prepare(heavy)
     with pytest.raises(ValueError, match="robot: expected constants that float can hold"):
         ss.prepare(heavy, precision="float")
+
+
+def test_buffers_that_do_not_fit_are_named() -> None:
+    kernel = ss.prepare(dasgupta())
+    with pytest.raises(ValueError, match="F: expected 6 writeable numbers"):
+        forces.OnePose(kernel, np.zeros(6, dtype=np.float32), np.zeros(30))
+    with pytest.raises(ValueError, match="numbers: expected 30 writeable numbers"):
+        forces.OnePose(kernel, np.zeros(6), np.zeros(29))
+
+
+def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
+    rng = np.random.default_rng(40)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (9,))
+    expected = ss.prepare(robot).forces(motion)
+    longer = robot_numbers(robot)
+    for leg in range(6):
+        start = leg * (len(longer) - 13) // 6 + 6
+        np.testing.assert_allclose(np.linalg.norm(longer[start : start + 3]), 1.0)
+        longer[start : start + 3] *= 3.0 + leg
+    kernel = ss.prepare(robot)
+    model = np.zeros_like(kernel.model)
+    assert kernel._function("prepare")(forces._offset(longer, 0), forces._offset(model, 0)) == 0
+    object.__setattr__(kernel, "model", model)
+    assert (relative(kernel.forces(motion), expected) <= 1e-12).all()
+    longer[6:9] = 0.0
+    status = kernel._function("prepare")(forces._offset(longer, 0), forces._offset(model, 0))
+    assert status == ss.results.NOT_FINITE

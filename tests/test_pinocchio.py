@@ -74,6 +74,14 @@ def test_legs_with_two_spherical_joints_agree_with_pinocchio(faults: frozenset[i
         assert max(np.abs(answer.M_u).max() for answer in truth) < RELATIVE * scale
 
 
+def test_prepared_kernels_agree_with_pinocchio() -> None:
+    for seed in range(60):
+        robot, motion, truth = _universal(seed)
+        F = ss.prepare(robot).forces(motion)
+        for found, answer in zip(F, truth, strict=True):
+            assert np.abs(found - answer.F).max() < RELATIVE * np.abs(answer.F).max(), seed
+
+
 def _universal(seed: int) -> tuple[Robot, Motion, list[Answer]]:
     return _case(seed, "universal", True)
 

@@ -17,6 +17,7 @@ from stewart_sym.robot import Robot
 DIGITS = 50
 UNITS = 40
 EPSILON = np.finfo(np.float64).eps
+MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 derived = functools.cache(kernel)
 
 
@@ -84,3 +85,20 @@ def test_c_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> No
             assert error(getattr(found, name), true[name]) <= UNITS * EPSILON * ss.condition_number(
                 found.H
             ), name
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.parametrize("seed", range(3))
+def test_prepared_kernel_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = dasgupta() if seed == 0 and form.base_joint == "universal" else random_robot(rng, form.base_joint)
+    motion = random_motion(rng, robot)
+    kernel = ss.prepare(robot, form.name)  # type: ignore[arg-type]
+    condition = ss.condition_number(ss.wrench_matrix(robot, motion))
+    with mp.workdps(DIGITS):
+        true = truth(form, robot, motion)["F"]
+        slot = kernel.one_pose()
+        slot.numbers[:] = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
+        assert slot.solve() == 0
+        for F in (slot.F, kernel.forces(motion)):
+            assert error(F, true) <= UNITS * EPSILON * condition

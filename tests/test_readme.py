@@ -125,6 +125,18 @@ def test_the_committed_run_was_not_disturbed_by_others() -> None:
     assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
 
 
+def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
+    found = figures()
+    ratio = {each["name"]: each["ratio_to_casadi"] for each in found["ours"]}
+    assert ratio["one pose"] <= 0.33
+    assert ratio["batch, one core"] <= 0.11
+    assert found["cores"]["median"] >= 0.9 * found["cores"]["cores"]
+    assert found["calls"][0]["overhead_over_c_ns"] <= 5_000
+    assert all(flatness <= 1.3 for flatness in found["flatness"].values())
+    assert max(each["median"] for each in found["compiling"]) <= 5
+    assert found["text"]["total"] <= 24 * 1024
+
+
 def motion_figures() -> dict[str, Any]:
     """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
     ours, peers = (

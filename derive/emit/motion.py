@@ -196,6 +196,12 @@ _PLAIN: dict[str, tuple[str, int]] = {
 _FORCED = ("forward_dynamics", "linearisation")
 """Functions that take actuator forces."""
 
+_NEEDED = {
+    **dict.fromkeys(_FORCED, "\n        || !F"),
+    "derivatives": "\n        || !motions->alpha || !motions->a",
+}
+"""What else a batch must be given."""
+
 MEMBERS: dict[str, tuple[tuple[str, int], ...]] = _ARRAYS | {name: (one,) for name, one in _PLAIN.items()}
 """What each function hands out, with the count of its numbers."""
 
@@ -207,7 +213,7 @@ def _batches() -> str:
         marks = {
             "@WHAT@": what,
             "@ARGUMENT@": "const stewart_real *F, " if forced else "",
-            "@NEED@": " || !F" if forced else "",
+            "@NEED@": _NEEDED.get(what, ""),
             "@FORCE@": "F + pose * 6, " if forced else "",
             "@OUT@": _out(what),
         }
@@ -305,7 +311,8 @@ int stewart_@NAME@_linearisation(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearisation *out);
 
-/* `count` poses; F is [count][6]. `status` takes one code for each pose; null: not wanted. Return the first
+/* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
+ * read. `status` takes one code for each pose; null: not wanted. Return the first
  * code other than STEWART_OK, or STEWART_OK. */
 @BATCHES@
 
@@ -842,7 +849,7 @@ int stewart_@NAME@_@WHAT@_batch(
     @DECLARE@
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t@NEED@) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v@NEED@) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {

@@ -73,7 +73,8 @@ def regressor(robot: Any, motion: Any) -> dict[str, Array]:
         of_legs = columns(leg, LEG_PARAMETERS).swapaxes(-2, -3)
         platform = columns(regressor_of_platform(robot, motion), PLATFORM_PARAMETERS)
         status = leg_status(robot, motion, leg)
-    Y = np.concatenate([of_legs.reshape(*platform.shape[:-1], -1), platform], axis=-1)
+    joined = of_legs.reshape(*platform.shape[:-1], of_legs.shape[-2] * of_legs.shape[-1])
+    Y = np.concatenate([joined, platform], axis=-1)
     finite = np.isfinite(Y).all(axis=(-1, -2))
     status = np.where(finite | (status != OK), status, NOT_FINITE).astype(np.int32)
     return {{"Y": only_good(Y, status), "status": status}}

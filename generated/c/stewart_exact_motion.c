@@ -2581,7 +2581,7 @@ int stewart_exact_equations_batch(
     stewart_equations found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2613,7 +2613,8 @@ int stewart_exact_derivatives_batch(
     stewart_derivatives found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !motions->alpha || !motions->a) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2642,7 +2643,8 @@ int stewart_exact_linearisation_batch(
     stewart_linearisation found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !F) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !F) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2670,7 +2672,7 @@ int stewart_exact_bias_batch(
     stewart_real found[6];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2696,7 +2698,8 @@ int stewart_exact_forward_dynamics_batch(
     stewart_real found[6];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !F) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !F) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2722,7 +2725,7 @@ int stewart_exact_joint_inertia_batch(
     stewart_real found[36];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t) {
+    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {

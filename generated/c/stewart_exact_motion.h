@@ -93,7 +93,8 @@ int stewart_exact_linearisation(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearisation *out);
 
-/* `count` poses; F is [count][6]. `status` takes one code for each pose; null: not wanted. Return the first
+/* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
+ * read. `status` takes one code for each pose; null: not wanted. Return the first
  * code other than STEWART_OK, or STEWART_OK. */
 int stewart_exact_equations_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
