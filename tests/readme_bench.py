@@ -58,7 +58,7 @@ def sizes(found: dict[str, Any]) -> str:
     swept = [each for each in found["sweep"] if each["name"] == name]
     counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
     return paragraph(
-        f"From {counts[0]} to {counts[-1]} poses ({name}, one call from Python each) the longest time a "
+        f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces_into` each) the longest time a "
         f"pose is {flatness:.2f} times the shortest."
     ) + table(("poses", *counts), [("ns a pose", *(f"{each['median']:.0f}" for each in swept))])
 
