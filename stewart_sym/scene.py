@@ -20,7 +20,7 @@ from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .motion import Motion
 from .robot import Robot
 from .rotation import rotation_from_rpy
-from .simulation import METHODS, Method, Simulation, Thresholds, simulate
+from .simulation import METHODS, Method, Simulation, Thresholds, check_output_step, check_rtol, simulate
 from .trajectory import PATHS, interpolated, read_csv
 
 Array = NDArray[np.float64]
@@ -106,6 +106,11 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
         key: tables.positive(top[key], file + key) if key in top else default
         for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
     }
+    try:
+        check_rtol(numbers["rtol"])
+        check_output_step(numbers["output_step"], cast(float, numbers["duration"]))
+    except ValueError as error:
+        raise ValueError(f"{file}{error}") from None
     method = tables.choice(top.get("method", METHODS[0]), METHODS, f"{file}method")
     formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
     thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
@@ -142,9 +147,9 @@ def _legs(value: object, prefix: str) -> dict[str, Any]:
     checks: dict[str, Callable[[object, str], Any]] = {
         "law": tables.one_line,
         "forces": lambda value, where: tables.numbers(value, (6,), where),
-        "stiffness": tables.per_leg,
+        "stiffness": _not_negative,
         "rest_length": tables.per_leg,
-        "damping": tables.per_leg,
+        "damping": _not_negative,
         "path": tables.one_line,
         "k_p": tables.not_negative,
         "k_d": tables.not_negative,
@@ -152,6 +157,13 @@ def _legs(value: object, prefix: str) -> dict[str, Any]:
         "rate": tables.positive,
     }
     return {key: checks[key](given, prefix + key) for key, given in legs.items()}
+
+
+def _not_negative(value: object, where: str) -> Any:
+    numbers = tables.per_leg(value, where)
+    if (np.asarray(numbers) < 0.0).any():
+        raise ValueError(f"{where}: expected numbers >= 0, got {tables.shown(value)}")
+    return numbers
 
 
 def _thresholds(value: object, prefix: str) -> Thresholds:

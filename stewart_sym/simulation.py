@@ -34,13 +34,20 @@ CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
 WATCHED = 5
 """Instants of each step at which limits are looked at."""
+NEAR_SINGULAR, CROSSING = 36, 37
+"""Columns of the watched margins: condition number of H, and det H on the side where the run began."""
+MOST_INSTANTS = 10_000_000
+"""Of a trace."""
+RTOL_RANGE = (1e-13, 1e-2)
+"""From where rounding is the error of a step to where the run is no longer that of the machine."""
 
 
 @dataclass(frozen=True)
 class Thresholds:
     """Where a run stops because the model ends, besides the robot's own limits.
 
-    max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1.
+    max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes
+    through singular poses.
     min_length: of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
     min_pole_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
 
@@ -60,7 +67,8 @@ class Thresholds:
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
-            if value is not None:
+            through = name == "max_condition" and value == math.inf
+            if value is not None and not through:
                 _number(value, name, low, high)
 
 
@@ -171,13 +179,15 @@ def simulate(
     forces: N, (6,), or a law (time, state) -> (6,). A law must depend on its arguments alone, unless
     rate: Hz; then it is asked at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
     load: (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
-    method: "DOP853", or "Radau" where springs or dampers are stiff. rtol, atol: error of a step, relative and
-    absolute, in m, rad, m/s and rad/s. output_step: s, between instants of the trace; None: as integrated.
+    method: "DOP853", or "Radau" where springs or dampers are stiff. rtol, in ``RTOL_RANGE``, and atol: error
+    of a step, relative and absolute, in m, rad, m/s and rad/s. output_step: s, between instants of the trace,
+    at most ``MOST_INSTANTS``; None: as integrated.
     thresholds: None for the default ones.
 
     A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
-    and is back within that is not seen.
+    and is back within that is not seen. A singular pose that is crossed, where det H changes its sign, is
+    seen however short the time near it; the run then ends where the condition number passes its threshold.
 
     Returns Simulation. Raises ValueError naming the argument: unknown options, numbers out of range, a state
     in which the machine has no accelerations, forces that are not six numbers; ImportError without SciPy.
@@ -185,11 +195,16 @@ def simulate(
     instance(robot, Robot, "robot")
     _state(initial_state)
     option(method, METHODS, "method")
-    for name, value in (("duration", duration), ("rtol", rtol), ("atol", atol)):
+    for name, value in (("duration", duration), ("atol", atol)):
         _number(value, name, 0.0, math.inf)
-    for name, optional in (("rate", rate), ("output_step", output_step)):
-        if optional is not None:
-            _number(optional, name, 0.0, math.inf)
+    if rate is not None:
+        _number(rate, "rate", 0.0, math.inf)
+    check_rtol(rtol)
+    check_output_step(output_step, duration)
+    if load is not None and not callable(load):
+        raise ValueError(f"load: expected a function (time, state) -> six numbers, got {type(load).__name__}")
+    if thresholds is not None:
+        instance(thresholds, Thresholds, "thresholds")
     run = _Run(
         robot=robot,
         plant=ForwardDynamics(robot, formulation, backend),
@@ -198,7 +213,7 @@ def simulate(
         constant=(initial_state.F_ext, initial_state.M_ext),
         solver=_solver(method),
         tolerances={"rtol": float(rtol), "atol": float(atol)},
-        watch=_Watch(robot, thresholds or Thresholds()),
+        watch=_Watch(robot, thresholds or Thresholds(), _det_sign(robot, initial_state)),
     )
     stop, pieces = run.through(initial_state, float(duration), rate)
     times = _output_times(pieces, stop.time, output_step)
@@ -318,10 +333,14 @@ def _motion(y: Array, center: Array) -> Motion:
 
 @dataclass(frozen=True, eq=False)
 class _Watch:
-    """Everything that stops a run, as numbers that are positive while all is well."""
+    """Everything that stops a run, as numbers that are positive while all is well.
+
+    side: sign of det H at the start of the run.
+    """
 
     robot: Robot
     thresholds: Thresholds
+    side: float
 
     def first(self, piece: _Piece, law: ForceLaw) -> Stop | None:
         """The first stop in a piece, None if there is none."""
@@ -330,26 +349,32 @@ class _Watch:
         below = margins <= 0.0
         if not below.any():
             return None
-        roots = [
-            (self._root(int(row), when, below[:, row], piece, law), int(row))
-            for row in np.flatnonzero(below.any(axis=0))
-        ]
+        roots = []
+        for row in np.flatnonzero(below.any(axis=0)).tolist():
+            i = int(np.argmax(below[:, row]))
+            start = float(when[max(i - 1, 0)])
+            time = start if i == 0 else self._root(row, start, float(when[i]), piece, law)
+            if row == CROSSING:
+                # The condition number passes its threshold on the way, too shortly to be seen itself.
+                time = self._root(NEAR_SINGULAR, start, time, piece, law)
+            roots.append((time, row))
         return self._stop(*min(roots), piece, law)
 
-    def _root(self, row: int, when: Array, below: NDArray[np.bool_], piece: _Piece, law: ForceLaw) -> float:
+    def _root(self, row: int, start: float, end: float, piece: _Piece, law: ForceLaw) -> float:
+        """Where a margin comes to zero; an end of the span where it doesn't within."""
         from scipy.optimize import brentq
-
-        i = int(np.argmax(below))
-        if i == 0:
-            return float(when[0])
 
         def margin(time: float) -> float:
             return float(self._margins(np.array([time]), piece, law)[0, row])
 
-        return float(brentq(margin, when[i - 1], when[i], xtol=1e-14 * max(when[i], 1.0), rtol=1e-14))
+        if not margin(start) > 0.0:
+            return start
+        if margin(end) > 0.0:
+            return end
+        return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, law: ForceLaw) -> Array:
-        """(n, 37): shortest, longest, speed, force, length zero, pole, six each, and singularity."""
+        """(n, 38): shortest, longest, speed, force, length zero, pole, six each; condition and side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
@@ -364,13 +389,20 @@ class _Watch:
             robot.force_limit - np.abs(F),
             legs.L - shortest,
             self._pole_sine(legs.s) - self.thresholds.min_pole_sine,
-            (1.0 - self._condition(legs) / self.thresholds.max_condition)[:, None],
+            *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
 
+    def _singular_margins(self, legs: "_Legs") -> tuple[Array, Array]:
+        if self.thresholds.max_condition == math.inf:
+            none = np.ones((len(legs.L), 1))
+            return none, none
+        near = 1.0 / self._condition(legs) - 1.0 / self.thresholds.max_condition
+        return near[:, None], self.side * np.linalg.det(_scaled_H(legs, self._size))[:, None]
+
     @property
     def _size(self) -> float:
-        return characteristic_length(self.robot) or 1.0
+        return _size(self.robot)
 
     def _pole_sine(self, s: Array) -> Array:
         if self.robot.base_joint == "spherical":
@@ -378,8 +410,7 @@ class _Watch:
         return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
 
     def _condition(self, legs: "_Legs") -> Array:
-        H = np.concatenate([legs.s, cross(legs.q, legs.s) / self._size], axis=-1)
-        return condition_number(H)
+        return condition_number(_scaled_H(legs, self._size))
 
     def _stop(self, time: float, row: int, piece: _Piece, law: ForceLaw) -> Stop:
         robot, leg = self.robot, row % 6
@@ -388,7 +419,7 @@ class _Watch:
         legs = _legs(robot, state)
         low, high = robot.length_limits[leg]
         length = f"{legs.L[0, leg]:.6g} m"
-        if row == 36:
+        if row >= NEAR_SINGULAR:
             text = f"condition number of H reaches {self._condition(legs)[0]:.4g} at {time:.9g} s"
             return Stop("singular", time, None, f"near a singular pose: {text}")
         kind, text = (
@@ -425,6 +456,19 @@ def _legs(robot: Robot, state: Motion) -> _Legs:
         s = S / L[..., None]
     S_dot = cross(state.omega[..., None, :], q) + state.v[..., None, :]
     return _Legs(q, L, np.einsum("...i,...i->...", s, S_dot), s)
+
+
+def _size(robot: Robot) -> float:
+    return characteristic_length(robot) or 1.0
+
+
+def _scaled_H(legs: _Legs, size: float) -> Array:
+    """H^T with its moments over a length, (..., 6, 6)."""
+    return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
+
+
+def _det_sign(robot: Robot, state: Motion) -> float:
+    return float(np.sign(np.linalg.det(_scaled_H(_legs(robot, state), _size(robot)))))
 
 
 # Results
@@ -476,6 +520,27 @@ def six_forces(value: ArrayLike, time: float) -> Array:
     if F.shape != (6,):
         raise ValueError(f"forces: expected six numbers from the law at {time:g} s, got shape {F.shape}")
     return F
+
+
+def check_rtol(rtol: object) -> None:
+    """Refuse, by ValueError, what is no number in ``RTOL_RANGE``."""
+    low, high = RTOL_RANGE
+    text = f"a number in [{low:g}, {high:g}]"
+    number = real_array(rtol, "rtol", text)
+    if number.shape != () or not low <= float(number) <= high:
+        raise ValueError(f"rtol: expected {text}, got {rtol!r}")
+
+
+def check_output_step(output_step: float | None, duration: float) -> None:
+    """Refuse, by ValueError, what is no number > 0, or makes more than ``MOST_INSTANTS`` of a duration, s."""
+    if output_step is None:
+        return
+    _number(output_step, "output_step", 0.0, math.inf)
+    if duration > MOST_INSTANTS * output_step:
+        raise ValueError(
+            f"output_step: expected at least {duration / MOST_INSTANTS:g} s, for at most {MOST_INSTANTS} "
+            f"instants in {duration:g} s, got {output_step!r}"
+        )
 
 
 def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:

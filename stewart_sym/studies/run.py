@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..laws import ForceLaw, LegSprings
 from ..rotation import rpy_from_rotation
 from ..simulation import Simulation
-from .energy_drift import drift_of
+from .energy_drift import drift_of, energy_scale
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,11 +45,7 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
     if isinstance(law, LegSprings):
-        drift = drift_of(run, law)
-        lines.append(
-            f"springs    energy with that of the springs changes by up to {drift.worst:.2e} of the largest "
-            "kinetic energy"
-        )
+        lines.append(f"springs    {drift_of(run, law, energy_scale(run, law)).text}")
     return "\n".join(lines)
 
 
