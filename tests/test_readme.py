@@ -24,7 +24,8 @@ from pinocchio_model import pinocchio_inverse_dynamics
 import stewart_sym as ss
 from stewart_sym import reference
 from stewart_sym.kernel import module
-from stewart_sym.studies import control, control_report
+from stewart_sym.scene import Scene, read_scene
+from stewart_sym.studies import control, control_report, energy_drift
 from stewart_sym.studies.bench_figures import Figure, MotionFigures
 from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
@@ -254,6 +255,34 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(head + "\n".join(legs))
     assert ss.Robot.from_toml(path).name == "hexapod"
+
+
+def readme_scene(folder: Path) -> Scene:
+    """The README's scene, read from a folder that has the robot file where the scene says."""
+    scene = re.search(r"```toml\n(schema = 1\nrobot = .*?)```", README, re.DOTALL)
+    assert scene
+    (folder / "stewart_sym").symlink_to(README_FOLDER / "stewart_sym")
+    (folder / "swing.toml").write_text(scene[1])
+    return read_scene(folder / "swing.toml")
+
+
+def test_scene_example_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
+    scene = readme_scene(tmp_path)
+    assert scene.robot.name == ss.robots.dasgupta1998().name
+    assert energy_drift.springs_of(scene) is scene.law
+
+
+@pytest.mark.slow
+def test_energy_of_the_scene_example_drifts_by_what_the_readme_says(tmp_path: Path) -> None:
+    scene = readme_scene(tmp_path)
+    drifts = energy_drift.energy_drift(energy_drift.springs_of(scene), scene.state, scene.duration)
+    said = re.search(
+        r"by less than (\S+) of the largest kinetic energy with\s+`exact`, by up to (\d+) %", README
+    )
+    assert said
+    assert drifts["exact"].worst < float(said[1])
+    assert round(100 * drifts["paper"].worst) == int(said[2])
+    assert {drift.times[-1] for drift in drifts.values()} == {scene.duration}
 
 
 def _rewrite(run: Path | None) -> None:
