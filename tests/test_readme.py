@@ -277,7 +277,7 @@ def test_energy_of_the_scene_example_drifts_by_what_the_readme_says(tmp_path: Pa
     scene = readme_scene(tmp_path)
     drifts = energy_drift.energy_drift(energy_drift.springs_of(scene), scene.state, scene.duration)
     said = re.search(
-        r"by less than (\S+) of the largest kinetic energy with\s+`exact`, by up to (\d+) %", README
+        r"by less than (\S+) of the mean kinetic energy with\s+`exact`, by up to (\d+) %", README
     )
     assert said
     assert drifts["exact"].worst < float(said[1])
