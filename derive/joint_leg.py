@@ -67,6 +67,16 @@ class JointInertia:
     phi_by_L: sp.Expr
     mixed_by_theta: sp.Expr
 
+    def matrix(self) -> sp.Matrix:
+        """M of (L, theta, phi), 3x3."""
+        return sp.Matrix(
+            [
+                [0, self.L_theta, self.L_phi],
+                [self.L_theta, self.theta, self.mixed],
+                [self.L_phi, self.mixed, self.phi],
+            ]
+        )
+
 
 @dataclass(frozen=True)
 class JointForces:

@@ -81,7 +81,7 @@ BY_TWIST = (
 # What the pose hands to the legs.
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
-S_DOT = (
+H_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
 )
@@ -195,8 +195,8 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
 _LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, n.g)
 
 
-def _tip_inertia(build: Builder, leg: _Leg) -> sp.Matrix:
-    """m of (L, theta, phi) at the tip, base frame, 3x3 symmetric; nothing along s alone."""
+def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
+    """m at the tip, base frame, nothing along s alone, and M of (L, theta, phi), both 3x3 symmetric."""
     at = leg.at
     inner = joint_inertia(build, at)
     meaning = "inertia at the tip, leg frame"
@@ -207,7 +207,8 @@ def _tip_inertia(build: Builder, leg: _Leg) -> sp.Matrix:
     m_yz = build.scalar("m_leg_yz", inner.mixed * y * z, "", meaning)
     m_zz = build.scalar("m_leg_zz", inner.theta * z * z, "", meaning)
     local = sp.Matrix([[0, m_sy, m_sz], [m_sy, m_yy, m_yz], [m_sz, m_yz, m_zz]])
-    return _turned(build, "m", leg.T, local, "inertia at the tip, base frame", symmetric=True)
+    m = _turned(build, "m", leg.T, local, "inertia at the tip, base frame", symmetric=True)
+    return m, inner.matrix()
 
 
 def _turned(
@@ -297,7 +298,7 @@ def forward_kernel(friction: bool) -> SumKernel:
     leg = _leg(build)
     D, K, f = _tip_bias(build, leg, friction)
     push = build.vector("push", (F_LEG.value - D) * leg.at.s - K, "", "force on the platform at the tip")
-    m = _tip_inertia(build, leg)
+    m, _ = _tip_inertia(build, leg)
     block = build.block(
         "forward_of_leg",
         "one leg's part of M and of the right side",
@@ -345,9 +346,9 @@ def _equations_of_leg(friction: bool) -> Block:
     leg = _leg(build)
     at, q = leg.at, leg.at.q
     rates = joint_rates(build, at, leg.S_dot)
-    m = _tip_inertia(build, leg)
+    m, M = _tip_inertia(build, leg)
     inner = tip.gradients()
-    M, C = _named_inertia(build), _local(build, "C_xi", tip.christoffel(tip.inertia()))
+    C = _local(build, "C_xi", tip.christoffel(tip.inertia()))
     rate = _local(build, "G_dot", inner.rate)
     C_tip = _turned(
         build,
@@ -387,7 +388,7 @@ def _equations_of_leg(friction: bool) -> Block:
             *zip(GRAVITY, _wrench(held, q), strict=True),
             *zip(FRICTION, _wrench(rub, q, f), strict=True),
             *_columns(at),
-            *zip(S_DOT, (s_dot, cross(w_q, at.s) + cross(q, s_dot)), strict=True),
+            *zip(H_DOT, (s_dot, cross(w_q, at.s) + cross(q, s_dot)), strict=True),
             *_judged(at),
         ],
     )
@@ -404,16 +405,6 @@ def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
         *value.shape,
         lambda i, j: build.scalar(f"{name}_{i + 1}{j + 1}", value[i, j]),
     )
-
-
-def _named_inertia(build: Builder) -> sp.Matrix:
-    """M of the joint coordinates by the names that ``joint_inertia`` gave."""
-    names = {step.name for step in build.steps}
-    theta, mixed, phi = (sp.Symbol(name, real=True) for name in ("M_theta", "M_mixed", "M_phi"))
-    if not {"M_theta", "M_mixed", "M_phi", "k3_h"} <= names:
-        raise ValueError("the inertia of the joint coordinates must be named first")
-    hz, k3h = p.h.value[2], sp.Symbol("k3_h", real=True)
-    return sp.Matrix([[0, hz, -k3h], [hz, theta, mixed], [-k3h, mixed, phi]])
 
 
 # ---------------------------------------------------------------- derivatives
@@ -515,8 +506,10 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
     rates = joint_rates(build, at, leg.S_dot)
     S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", "acceleration of the platform point")
     joint_accelerations(build, at, rates, S_ddot)
-    m = _tip_inertia(build, leg)
-    _projections(build, leg, friction)
+    m, M = _tip_inertia(build, leg)
+    gravity_torques(build, at)
+    if friction:
+        name_omega(build, at)
     inner = tip.gradients()
     tau = sp.Matrix(
         [
@@ -524,7 +517,6 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
             for name, value in zip(("tau_L", "tau_theta", "tau_phi"), tip.torques(friction), strict=True)
         ]
     )
-    M = _named_inertia(build)
     rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
     raw = tip.torques(friction)
     by_rate = _local(build, "tau_rate", raw.jacobian(tip.rates))
@@ -566,12 +558,10 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
     )
 
 
-def _projections(build: Builder, leg: _Leg, friction: bool) -> None:
-    """Names what ``tip`` takes as given: gravity and omega along k x y, y and k."""
-    y, k, omega = leg.at.y, n.k.value, n.omega.value
-    gravity_torques(build, leg.at)
-    if friction:
-        normal = build.vector("normal", cross(k, y), "", "k x y")
-        build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", "omega along k x y, y and k")
-        build.scalar(tip.OMEGA_Y.name, y.dot(omega), "", "omega along k x y, y and k")
-        build.scalar(tip.OMEGA_K.name, k.dot(omega), "", "omega along k x y, y and k")
+def name_omega(build: Builder, at: JointFrame) -> None:
+    """Names what ``tip`` takes as given of omega: its parts along k x y, y and k."""
+    k, omega, meaning = n.k.value, n.omega.value, "omega along k x y, y and k"
+    normal = build.vector("normal", cross(k, at.y), "", "k x y")
+    build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", meaning)
+    build.scalar(tip.OMEGA_Y.name, at.y.dot(omega), "", meaning)
+    build.scalar(tip.OMEGA_K.name, k.dot(omega), "", meaning)

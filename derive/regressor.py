@@ -18,6 +18,7 @@ from . import tip
 from .block import Block, Builder, Quantity, component_name
 from .joint_leg import JointFrame, gravity_torques, joint_accelerations, joint_frame, joint_rates
 from .leg import cross
+from .motion import name_omega
 
 # Parameters of one leg and of the platform; their columns stand in Y in this order.
 h_d = Quantity("h_d", (3,), "kg m", "first moment of the lower part about the base point, frame D")
@@ -115,12 +116,11 @@ def _leg() -> Block:
 
 def _projections(build: Builder, at: JointFrame) -> None:
     """Names what ``tip`` takes as given: gravity and omega along the axes of the joint."""
-    k, g, omega = n.k.value, n.g.value, n.omega.value
+    k, g = n.k.value, n.g.value
     build.scalar("g_k", g.dot(k), "", p.g_k.meaning)
     build.vector("g_x_k", cross(g, k), "", p.g_x_k.meaning)
     gravity_torques(build, at)
-    build.scalar(tip.OMEGA_Y.name, at.y.dot(omega), "", "omega along y and k")
-    build.scalar(tip.OMEGA_K.name, k.dot(omega), "", "omega along y and k")
+    name_omega(build, at)
 
 
 def _torques_by_parameter() -> dict[str, sp.Matrix]:

@@ -226,7 +226,7 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     # gravity along k x y and along y
     gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
     gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
-    # omega along y and k
+    # omega along k x y, y and k
     w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
     w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
     # (10) third axis of the leg frame

@@ -591,7 +591,7 @@ def _parser() -> argparse.ArgumentParser:
         "only geometry and gravity are used; the options below --sigma have no part in it",
     )
     verb.add_argument(
-        "--sigma", type=_finite, default=1.0, help="standard deviation of measured forces, N; default: 1"
+        "--sigma", type=_positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
     )
     verb.add_argument("--seed", type=_whole, default=0, help="of the candidates and of the noise; default: 0")
     verb.add_argument(
@@ -643,10 +643,11 @@ def _output(verb: argparse.ArgumentParser, metavar: str, what: str, default: Pat
 
 
 def _finite(text: str) -> float:
-    number = float(text)
-    if not math.isfinite(number):
-        raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
-    return number
+    with contextlib.suppress(ValueError):
+        number = float(text)
+        if math.isfinite(number):
+            return number
+    raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
 
 
 def _positive(text: str) -> float:
@@ -657,10 +658,11 @@ def _positive(text: str) -> float:
 
 
 def _whole(text: str) -> int:
-    number = int(text)
-    if number < 0:
-        raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
-    return number
+    with contextlib.suppress(ValueError):
+        number = int(text)
+        if number >= 0:
+            return number
+    raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
 
 
 def _formulation(verb: argparse.ArgumentParser) -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from . import native
 from .forces import ForceKernel, prepare
-from .kernel import NumpyKernel, loaded, module
+from .kernel import MOTION, NumpyKernel, address, contiguous, loaded, module
 from .motion import Motion
 from .robot import Robot
 
@@ -25,7 +25,6 @@ Array = NDArray[np.float64]
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
 
 NAME = "exact"
-_MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
     "equations": {
         "M": (6, 6),
@@ -84,16 +83,16 @@ class CClosedForm:
         """See ``ClosedForm``."""
         outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
         status = np.zeros(motion.shape, dtype=np.int32)
-        inputs = [_contiguous(getattr(motion, name)) for name in _MOTION]
-        forces = [] if F is None else [_contiguous(F)]
-        targets = [_address(array) for array in outputs.values()]
+        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
+        forces = [] if F is None else [contiguous(F)]
+        targets = [address(array) for array in outputs.values()]
         getattr(library(), f"stewart_{NAME}_{what}_batch")(
-            _address(self._forces.model),
+            address(self._forces.model),
             ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[_address(array) for array in inputs]),
-            *(_address(array) for array in forces),
+            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+            *(address(array) for array in forces),
             (ctypes.c_void_p * len(targets))(*targets) if what in _STRUCTS else targets[0],
-            _address(status),
+            address(status),
         )
         return {**outputs, "status": status}
 
@@ -120,7 +119,7 @@ class OneState:
         """Look the function and the addresses up once; the buffers live as long as this object."""
         arrays = (self.kernel._forces.model, self.numbers, self.F, self.acceleration)
         object.__setattr__(self, "_call", getattr(library(), f"stewart_{NAME}_forward_dynamics"))
-        object.__setattr__(self, "_addresses", tuple(_address(array) for array in arrays))
+        object.__setattr__(self, "_addresses", tuple(address(array) for array in arrays))
 
     def solve(self) -> int:
         """Compute the acceleration from the numbers in place; returns the status."""
@@ -147,11 +146,3 @@ class NumpyClosedForm:
             return {"acceleration": acceleration, **generated.linearisation(self.robot, given, F)}
         arguments = () if F is None else (F,)
         return dict(getattr(generated, what)(self.robot, given, *arguments))
-
-
-def _contiguous(array: Array | None) -> Array | None:
-    return None if array is None else np.ascontiguousarray(array, dtype=np.float64)
-
-
-def _address(array: NDArray[Any] | None) -> ctypes.c_void_p:
-    return ctypes.c_void_p(None if array is None else array.ctypes.data)

@@ -136,6 +136,13 @@ def need_motion(robot: Robot, motion: Motion) -> None:
         raise ValueError("motion: expected accelerations alpha and a, got none")
 
 
+def need_universal(robot: Robot) -> None:
+    """Refuse, by ValueError, what is no robot with universal base joints."""
+    instance(robot, Robot, "robot")
+    if robot.base_joint != "universal":
+        raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
+
+
 def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
     kernel_name(formulation, robot.base_joint)
     found: DynamicsKernel = with_compiler(

@@ -19,13 +19,14 @@ from .dynamics import (
     DynamicsKernel,
     Formulation,
     need_motion,
+    need_universal,
     prepared_kernel,
     report_faults,
     with_compiler,
 )
 from .faults import ON_FAULT, OnFault
 from .kernel import FORMULATIONS
-from .kinematics import wrench_matrix
+from .kinematics import leg_vectors, wrench_matrix
 from .motion import Motion
 from .reference_equations import ActuatorWrench, by_linearity, inertia_and_bias
 from .results import (
@@ -229,9 +230,8 @@ def _is_positive(matrix: Array) -> bool:
 
 def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     """H F + W_ext, (..., 6). NaN where a leg has length zero."""
-    q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
-    S = q + motion.t[..., None, :] - robot.b
-    push = S * (F / np.sqrt(np.einsum("...i,...i->...", S, S)))[..., None]
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    push = S * (F / L)[..., None]
     force, moment = push.sum(axis=-2), cross(q, push).sum(axis=-2)
     if motion.F_ext is not None:
         force = force + np.einsum("...ij,...j->...i", motion.R, motion.F_ext)
@@ -273,9 +273,9 @@ def _with_closed_form(robot: Robot, backend: str, on_singular: str) -> ClosedFor
     """The same where there must be one."""
     option(backend, ("c", "numpy"), "backend")
     option(on_singular, ON_FAULT, "on_singular")
+    need_universal(robot)
     closed = _closed_form(robot, "exact", backend)
-    if closed is None:
-        raise ValueError(f"robot: expected universal base joints, got {robot.base_joint} ones")
+    assert closed is not None
     return closed
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from .checks import instance, option
 from .dynamics import Formulation, need_motion, report_faults
 from .faults import ON_FAULT, OnFault
-from .kernel import FORMULATIONS, kernel_name, library, module, robot_numbers
+from .kernel import FORMULATIONS, MOTION, address, kernel_name, library, module, robot_numbers
 from .motion import Motion
 from .results import OK
 from .robot import Robot
@@ -38,8 +38,7 @@ CONVERTED = 32_768
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """Cores that this process may run on."""
 
-_MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
-_WIDTHS = tuple(math.prod(shape) for shape in _MOTION.values())
+_WIDTHS = tuple(math.prod(shape) for shape in MOTION.values())
 _NUMBERS = sum(_WIDTHS)
 
 
@@ -64,7 +63,7 @@ class ForceKernel:
             numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
         model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
-        if self._function("prepare")(_offset(numbers, 0), _offset(model, 0)) != OK:
+        if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
         object.__setattr__(self, "model", model)
@@ -114,10 +113,10 @@ class ForceKernel:
         wanted = np.dtype(self.dtype)
         if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
             raise ValueError("status: expected a writeable C-contiguous array of int32")
-        if len(arrays) != len(_MOTION):
-            raise ValueError(f"arrays: expected {len(_MOTION)}, {', '.join(_MOTION)}, got {len(arrays)}")
+        if len(arrays) != len(MOTION):
+            raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
         count = status.size
-        for name, array, width in (*zip(_MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
+        for name, array, width in (*zip(MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
             if array is None and name in ("F_ext", "M_ext"):
                 continue
             if not (isinstance(array, np.ndarray) and array.dtype == wanted and _lies_plainly(array)):
@@ -148,13 +147,13 @@ class ForceKernel:
         F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
         status = np.zeros(motion.shape, dtype=np.int32)
         for part in self._parts_to_convert(motion):
-            arrays = [self._laid_out(getattr(motion, name), part) for name in _MOTION]
+            arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
             self.forces_into(arrays, F[part], status[part], threads)
         return F, status
 
     def _parts_to_convert(self, motion: Motion) -> list[Any]:
         """All poses where the arrays can be taken as they lie, else parts, so that copies stay small."""
-        arrays = [array for array in (getattr(motion, name) for name in _MOTION) if array is not None]
+        arrays = [array for array in (getattr(motion, name) for name in MOTION) if array is not None]
         ready = all(array.dtype == self.dtype and _lies_plainly(array) for array in arrays)
         if ready or len(motion.shape) != 1:
             return [...]
@@ -166,13 +165,13 @@ class ForceKernel:
     def _run(
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
     ) -> None:
-        pointers = [_offset(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
+        pointers = [address(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
         self._function("forces_batch")(
-            _offset(self.model, 0),
+            address(self.model, 0),
             ctypes.c_size_t(count),
             (ctypes.c_void_p * len(pointers))(*pointers),
-            _offset(F, start * 6),
-            _offset(status, start),
+            address(F, start * 6),
+            address(status, start),
         )
 
     def _function(self, what: str) -> Any:
@@ -200,7 +199,7 @@ class OnePose:
             wanted = np.dtype(self.kernel.dtype)
             if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
                 raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
-        addresses = tuple(_offset(array, 0) for array in (self.kernel.model, self.numbers, self.F))
+        addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
         object.__setattr__(self, "_call", self.kernel._function("forces"))
         object.__setattr__(self, "_addresses", addresses)
 
@@ -214,10 +213,10 @@ class OnePose:
 
     def __getattr__(self, name: str) -> Any:
         """View of one input by name."""
-        if name not in _MOTION:
+        if name not in MOTION:
             raise AttributeError(name)
         start = 0
-        for other, shape in _MOTION.items():
+        for other, shape in MOTION.items():
             width = math.prod(shape)
             if other == name:
                 return self.numbers[start : start + width].reshape(shape)
@@ -258,18 +257,6 @@ def _pool(threads: int, process: int) -> ThreadPoolExecutor:
 def _lies_plainly(array: Array) -> bool:
     """Whether C can take the array as it lies."""
     return array.flags.c_contiguous and array.flags.aligned
-
-
-def _offset(array: Array | None, entries: int) -> ctypes.c_void_p:
-    """Where an entry of a contiguous array lies; null for None."""
-    if array is None:
-        return ctypes.c_void_p(None)
-    try:
-        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
-        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        start = array.__array_interface__["data"][0]
-    return ctypes.c_void_p(start + entries * array.itemsize)
 
 
 def _thread_count(threads: int) -> int:

@@ -15,11 +15,11 @@ from . import faults
 from .checks import finite_array, instance, leading_shape, option
 from .conditioning import characteristic_length, scaled_condition_number
 from .faults import ON_FAULT, OnFault
-from .kinematics import ROUNDING, inverse_kinematics
+from .kinematics import ROUNDING, inverse_kinematics, leg_vectors
 from .motion import Motion
 from .results import NOT_CONVERGED, NOT_FINITE, OK, OUT_OF_LIMITS, SINGULAR, STATUS_TEXT
 from .robot import Robot
-from .rotation import rotation_from_vector
+from .rotation import orthonormal, rotation_from_vector
 
 Array = NDArray[np.float64]
 Status = NDArray[np.int32]
@@ -156,7 +156,7 @@ def checked_lengths(L: ArrayLike) -> Array:
 
 def jacobian(robot: Robot, R: Array, t: Array) -> Array:
     """Return J = H^T, (..., 6, 6): rows [s^T, (q x s)^T] take the twist [v; omega] to L_dot, (5)."""
-    return _rows(*_legs(robot, R, t))
+    return _rows(*leg_vectors(robot, R, t))
 
 
 # Rates
@@ -236,14 +236,14 @@ def newton(
     angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
     steps are Newton's own, and a step that does not is taken back and tried shorter.
     """
-    R, t = _orthonormal(R), t.copy()
+    R, t = orthonormal(R), t.copy()
     length = _length(robot)
     damping = np.full(len(L), _FIRST_DAMPING)
     iterations = np.zeros(len(L), dtype=np.int64)
     live = np.arange(len(L))
     with np.errstate(over="ignore", invalid="ignore"):
         for _ in range(_MOST_STEPS):
-            q, S, now = _legs(robot, R[live], t[live])
+            q, S, now = leg_vectors(robot, R[live], t[live])
             miss = L[live] - now
             far = np.max(np.abs(miss), axis=-1) > _GOAL * _reach(robot, q, t[live])
             go = far & (damping[live] <= _MOST_DAMPING)
@@ -257,9 +257,9 @@ def newton(
             d /= np.maximum(1.0, np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])))[
                 :, None
             ]
-            R_1 = _orthonormal(rotation_from_vector(d[:, 3:]) @ R[live])
+            R_1 = orthonormal(rotation_from_vector(d[:, 3:]) @ R[live])
             t_1 = t[live] + d[:, :3]
-            nearer = _size(L[live] - _legs(robot, R_1, t_1)[2]) < _size(miss)
+            nearer = _size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss)
             R[live[nearer]], t[live[nearer]] = R_1[nearer], t_1[nearer]
             iterations[live] += 1
             damping[live] = np.where(
@@ -267,7 +267,7 @@ def newton(
                 np.maximum(damping[live] * 1e-2, _LEAST_DAMPING),
                 np.maximum(damping[live] * 10.0, 1e-8),
             )
-        q, _, now = _legs(robot, R, t)
+        q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
     return R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t)
 
@@ -275,13 +275,6 @@ def newton(
 def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
     J_T = np.swapaxes(J, -1, -2)
     return solve(J_T @ J + damping[:, None, None] * np.eye(6), np.einsum("...ji,...j->...i", J, miss))[0]
-
-
-def _legs(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
-    """Return q, S and the lengths of S, (..., 6, 3) twice and (..., 6)."""
-    q = robot.p @ np.swapaxes(R, -1, -2)
-    S = t[..., None, :] + q - robot.b
-    return q, S, np.linalg.norm(S, axis=-1)
 
 
 def _rows(q: Array, S: Array, L: Array) -> Array:
@@ -294,11 +287,6 @@ def _reach(robot: Robot, q: Array, t: Array) -> Array:
     """Largest component of the terms of S = q + t - b, m, (...)."""
     of_platform = np.maximum(np.max(np.abs(q), axis=(-2, -1)), np.max(np.abs(t), axis=-1))
     return np.asarray(np.maximum(of_platform, np.max(np.abs(robot.b))))
-
-
-def _orthonormal(R: Array) -> Array:
-    """One step toward the nearest rotation: what is one to 1e-9 becomes one to rounding."""
-    return np.asarray(R @ (1.5 * np.eye(3) - 0.5 * (np.swapaxes(R, -1, -2) @ R)))
 
 
 def _size(vector: Array) -> Array:

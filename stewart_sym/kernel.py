@@ -24,7 +24,9 @@ from .robot import Robot
 Array = NDArray[np.float64]
 
 FORMULATIONS = ("exact", "paper")
-_MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
+"""Arrays of a motion in the order of ``stewart_motion``, with the shape of a pose's part."""
+
 _LEG = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
 _PLATFORM = ("M", "R_0", "I_p", "g")
 _FORCES: Mapping[str, tuple[int, ...]] = {
@@ -115,27 +117,36 @@ class CKernel:
     def _run(
         self, function: str, motion: Motion, shapes: Mapping[str, tuple[int, ...]], bearing: Array | None
     ) -> tuple[dict[str, Array], NDArray[np.int32]]:
-        inputs = [_contiguous(getattr(motion, name)) for name in _MOTION]
+        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
         outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in shapes.items()}
         status = np.zeros(motion.shape, dtype=np.int32)
         call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
         call(
-            _address(self.numbers),
+            address(self.numbers),
             ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[_address(array) for array in inputs]),
-            *([] if bearing is None else [_address(bearing)]),
-            (ctypes.c_void_p * len(outputs))(*[_address(array) for array in outputs.values()]),
-            _address(status),
+            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+            *([] if bearing is None else [address(bearing)]),
+            (ctypes.c_void_p * len(outputs))(*[address(array) for array in outputs.values()]),
+            address(status),
         )
         return outputs, status
 
 
-def _contiguous(array: Array | None) -> Array | None:
+def contiguous(array: Array | None) -> Array | None:
+    """The array as C takes it; None for None."""
     return None if array is None else np.ascontiguousarray(array)
 
 
-def _address(array: NDArray[Any] | None) -> ctypes.c_void_p:
-    return ctypes.c_void_p(None if array is None else array.ctypes.data)
+def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
+    """Where an entry of a contiguous array lies; null for None."""
+    if array is None:
+        return ctypes.c_void_p(None)
+    try:
+        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
+        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        start = array.__array_interface__["data"][0]
+    return ctypes.c_void_p(start + entries * array.itemsize)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +179,7 @@ class NumpyKernel:
 
 def loaded(motion: Motion) -> SimpleNamespace:
     """The motion with zeros for a load that is not given."""
-    given = {name: getattr(motion, name) for name in _MOTION}
+    given = {name: getattr(motion, name) for name in MOTION}
     return SimpleNamespace(
         **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}
     )

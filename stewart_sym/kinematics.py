@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from .checks import instance
 from .motion import Motion
 from .robot import Robot
+from .rotation import cross
 
 Array = NDArray[np.float64]
 
@@ -69,18 +70,27 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     return _columns(s_dot, np.cross(q_dot, legs.s) + np.cross(q, s_dot))
 
 
+def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q and S of (1), m, base frame, (..., 6, 3), and the lengths of S, m, (..., 6), zero or not."""
+    q = np.einsum("...jk,ik->...ij", R, robot.p)
+    S = q + t[..., None, :] - robot.b
+    return q, S, np.linalg.norm(S, axis=-1)
+
+
+def tip_velocities(motion: Motion, q: Array) -> Array:
+    """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
+    return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
+
+
 def _legs(robot: Robot, motion: Motion) -> tuple[LegKinematics, Array, Array]:
     """Lengths, rates and directions, with q of (1) and S_dot of (4), both (..., 6, 3)."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    q = np.einsum("...jk,ik->...ij", motion.R, robot.p)
-    S = q + motion.t[..., None, :] - robot.b
-    L = np.linalg.norm(S, axis=-1)
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
     reach = np.max(np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)), axis=(0, -1))
     _refuse_short(L, ROUNDING * reach)
     s = S / L[..., None]
-    omega = motion.omega[..., None, :]
-    S_dot = np.cross(omega, q) + motion.v[..., None, :]
+    S_dot = tip_velocities(motion, q)
     return LegKinematics(L=L, L_dot=_dot(s, S_dot), L_ddot=None, s=s, S=S), q, S_dot
 
 

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import instance, real_array
 from .dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
-from .kinematics import inverse_kinematics
+from .kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from .motion import Motion
 from .robot import Robot
-from .rotation import cross, vector_from_rotation
+from .rotation import vector_from_rotation
 from .trajectory import StraightLinePath
 
 Array = NDArray[np.float64]
@@ -65,11 +65,8 @@ class LegSprings:
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (..., 6), of any state."""
-        q = np.einsum("...jk,ik->...ij", state.R, self.robot.p)
-        S = q + state.t[..., None, :] - self.robot.b
-        L = np.sqrt(np.einsum("...i,...i->...", S, S))
-        S_dot = cross(state.omega[..., None, :], q) + state.v[..., None, :]
-        L_dot = np.einsum("...i,...i->...", S, S_dot) / L
+        q, S, L = leg_vectors(self.robot, state.R, state.t)
+        L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
         return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
 
     def energy(self, L: ArrayLike) -> Array:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import instance, option
-from .dynamics import need_motion, report_faults
+from .checks import option
+from .dynamics import need_motion, need_universal, report_faults
 from .faults import ON_FAULT, OnFault
 from .generated import exact_regressor
 from .kernel import loaded
@@ -84,13 +84,6 @@ def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     ]
     rows += exact_regressor.PLATFORM_PARAMETERS
     return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
-
-
-def need_universal(robot: Robot) -> None:
-    """Refuse, by ValueError, what is no robot with universal base joints."""
-    instance(robot, Robot, "robot")
-    if robot.base_joint != "universal":
-        raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
 
 
 def leg_name(name: str, leg: int) -> str:

@@ -18,6 +18,7 @@ from .checks import instance, option, real_array
 from .conditioning import characteristic_length, condition_number
 from .dynamics import Backend, Formulation
 from .equations import ForwardDynamics
+from .kinematics import leg_vectors, tip_velocities
 from .laws import ForceLaw
 from .motion import Motion
 from .results import STATUS_TEXT
@@ -449,13 +450,10 @@ class _Legs(NamedTuple):
 
 def _legs(robot: Robot, state: Motion) -> _Legs:
     """Leg kinematics without the refusals of ``inverse_kinematics``: a watched leg may come to nothing."""
-    q = np.einsum("...jk,ik->...ij", state.R, robot.p)
-    S = q + state.t[..., None, :] - robot.b
-    L = np.linalg.norm(S, axis=-1)
+    q, S, L = leg_vectors(robot, state.R, state.t)
     with np.errstate(all="ignore"):
         s = S / L[..., None]
-    S_dot = cross(state.omega[..., None, :], q) + state.v[..., None, :]
-    return _Legs(q, L, np.einsum("...i,...i->...", s, S_dot), s)
+    return _Legs(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
 
 
 def _size(robot: Robot) -> float:

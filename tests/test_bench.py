@@ -190,7 +190,6 @@ def test_every_pass_computes_the_forces_of_any_machine_from_its_own_model(strang
 
 @pytest.mark.slow
 def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) -> None:
-    pytest.importorskip("stewart_sym.derive.passes")
     stages_compute_the_forces_of(stranger)
 
 
@@ -385,8 +384,6 @@ def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: 
 
 @pytest.mark.parametrize("command", ["gcc", "clang"])
 def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    if shutil.which(command) is None:
-        pytest.skip(f"needs {command}")
     monkeypatch.setenv("CC", command)
     size = bench_compile.text_size()
     assert size is not None
@@ -423,9 +420,10 @@ def test_a_run_that_others_disturbed_says_so(work: float, said: str, monkeypatch
 
 
 def test_own_work_is_not_that_of_others() -> None:
-    if bench._work_of_others() is None:
-        pytest.skip("the system doesn't tell")
     work, times = bench._work_of_others(), os.times()
+    if work is None:
+        assert not sys.platform.startswith("linux")
+        return
     while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
         pass
     again = bench._work_of_others()

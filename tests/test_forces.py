@@ -16,7 +16,7 @@ from test_bad_poses import CASES, at_rest
 
 import stewart_sym as ss
 from stewart_sym import forces
-from stewart_sym.kernel import c_sources, module, robot_numbers
+from stewart_sym.kernel import address, c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
 
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
@@ -356,9 +356,9 @@ def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
         longer[start : start + 3] *= 3.0 + leg
     kernel = ss.prepare(robot)
     model = np.zeros_like(kernel.model)
-    assert kernel._function("prepare")(forces._offset(longer, 0), forces._offset(model, 0)) == 0
+    assert kernel._function("prepare")(address(longer), address(model)) == 0
     object.__setattr__(kernel, "model", model)
     assert (relative(kernel.forces(motion), expected) <= 1e-12).all()
     longer[6:9] = 0.0
-    status = kernel._function("prepare")(forces._offset(longer, 0), forces._offset(model, 0))
+    status = kernel._function("prepare")(address(longer), address(model))
     assert status == ss.results.NOT_FINITE

@@ -16,13 +16,14 @@ from numpy.typing import NDArray
 
 from .. import forces, kernel, native, reference
 from ..equations import joint_space_inertia
+from ..kernel import address
 from ..kinematics import wrench_matrix, wrench_matrix_rate
 from ..motion import Motion
 from ..reference_equations import equations_of_motion
 from ..robot import Robot
 from ..rotation import cross_matrix, rotation_from_vector
 from .bench_figures import DERIVATIVES, FORWARD, Figure, MotionFigures
-from .peers import AGREEMENT, NAME, Poses, Runner, address, succeed
+from .peers import AGREEMENT, NAME, Poses, Runner, succeed
 from .peers_constraints import Engine, engines
 from .peers_tree import tensors_of_bodies, tree
 

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import kernel, native
+from ..kernel import address
 from ..robot import Robot
-from .peers import FEW, MANY, NAME, Contestant, Poses, Runner, address, c_loop, forces_loop, repeated, succeed
+from .peers import FEW, MANY, NAME, Contestant, Poses, Runner, c_loop, forces_loop, repeated, succeed
 
 if TYPE_CHECKING:
     from ..derive.passes import Pass

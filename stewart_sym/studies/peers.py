@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from .. import kernel, native, reference
 from ..dynamics import Formulation
+from ..kernel import address
 from ..motion import Motion
 from ..robot import Robot
 from . import peers_casadi
@@ -150,11 +151,6 @@ def loop_source(header: str, body: str) -> str:
 def forces_loop() -> str:
     """The same for the kernel of the forces alone; ``machine`` is its prepared model."""
     return loop_source(f"stewart_{NAME}_forces.h", f"return stewart_{NAME}_forces(machine, motion, F);")
-
-
-def address(array: NDArray[Any]) -> ctypes.c_void_p:
-    """Return where a contiguous array begins."""
-    return ctypes.c_void_p(array.ctypes.data)
 
 
 def succeed(status: int) -> None:

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..conditioning import condition_number
 from ..dynamics import Formulation
 from ..forces import prepare
-from ..kinematics import inverse_kinematics
+from ..kinematics import wrench_matrix
 from ..motion import Motion
 from ..results import NOT_FINITE, SHORT_LEG
 from ..robot import Robot
@@ -108,13 +108,10 @@ def map_block(
 
 
 def _condition(robot: Robot, motion: Motion, status: NDArray[np.int32]) -> Array:
-    """Condition number of H of (36), row blocks s and q x s, from the directions of the legs."""
+    """Condition number of H of (36), wherever the legs have directions."""
     condition = np.full(motion.shape, np.nan)
     sound = ~np.isin(status, (SHORT_LEG, NOT_FINITE))
     if sound.any():
         there = motion[sound]
-        s = inverse_kinematics(robot, there).s
-        q = np.einsum("...jk,ik->...ij", there.R, robot.p)
-        H = np.concatenate([s, np.cross(q, s)], axis=-1).swapaxes(-1, -2)
-        condition[sound] = condition_number(H)
+        condition[sound] = condition_number(wrench_matrix(robot, there))
     return condition
