@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, real_array
 from .conditioning import characteristic_length, scaled_condition_number
-from .dynamics import inverse_dynamics
+from .dynamics import inverse_dynamics, need_universal
 from .home import home_pose, radius
 from .identifiable import BaseParameters, base_parameters
 from .kinematics import inverse_kinematics
 from .motion import Motion
-from .parameters import need_universal, regressor
+from .parameters import regressor
 from .robot import Robot
 
 Array = NDArray[np.float64]

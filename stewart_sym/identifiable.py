@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 
 from .checks import instance
 from .conditioning import characteristic_length
+from .dynamics import need_universal
 from .generated import exact_regressor
 from .home import home_pose, radius
 from .kinematics import inverse_kinematics
 from .motion import Motion
-from .parameters import leg_name, need_universal, parameter_names, regressor
+from .parameters import leg_name, parameter_names, regressor
 from .robot import LEGS, Robot
 from .rotation import rotation_from_rpy
 

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array
-from .dynamics import inverse_dynamics, need_motion
+from .dynamics import inverse_dynamics, need_motion, need_universal
 from .excitation import Excitation, force_regressor
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
-from .parameters import inertial_parameters, need_universal
+from .parameters import inertial_parameters
 from .robot import LEGS, Robot
 
 Array = NDArray[np.float64]
