@@ -32,6 +32,13 @@ m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
 r = Quantity("r", (3,), "m", "base point from base point 1, base frame")
 LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, r)
 
+COMBINED: dict[Quantity, sp.Expr] = {
+    **{double: 2 * single for double, single in zip((h2_x, h2_y, h2_z), h.symbols, strict=True)},
+    J2_xz: 2 * J.value[0, 2],
+    dJ_zx: J.value[2, 2] - J.value[0, 0],
+}
+"""Constants that stand for combinations of h and J."""
+
 # What one leg hands to the platform's constants.
 M_add = Quantity("M_add", (), "kg", "mass that rides on the platform")
 h_add = Quantity("h_add", (3,), "kg m", "its first moment, platform frame")
@@ -81,13 +88,9 @@ def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Blo
     )
     values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.LEG} | {
         h: first,
-        h2_x: 2 * first[0],
-        h2_y: 2 * first[1],
-        h2_z: 2 * first[2],
         w: both,
         J: tensor,
-        J2_xz: 2 * tensor[0, 2],
-        dJ_zx: tensor[2, 2] - tensor[0, 0],
+        **COMBINED,
         n.k: k,
         g_k: n.g.value.dot(k),
         g_x_k: cross(n.g.value, k),

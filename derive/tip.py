@@ -18,6 +18,8 @@ import sympy as sp
 
 from . import notation as n
 from . import prepared as p
+from .block import Builder
+from .joint_leg import JointFrame, joint_inertia
 
 L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", real=True)
 rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
@@ -39,13 +41,11 @@ def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
 
 def inertia() -> sp.Matrix:
     """M of (L, theta, phi), 3x3, from J and h; the upper part's mass rides on the platform."""
-    hx, hy, hz = p.h.value
-    J = p.J.value
-    a3 = J[0, 1] - L * hy
-    mixed = k1 * a3 + k3 * J[1, 2]
-    M_phi = J[0, 0] + k3**2 * (J[2, 2] - J[0, 0] + 2 * L * hx) + 2 * k1 * k3 * (J[0, 2] - L * hz)
-    M_theta = J[1, 1] + 2 * L * hx
-    return sp.Matrix([[0, hz, -k3 * hy], [hz, M_theta, mixed], [-k3 * hy, mixed, M_phi]])
+    build = Builder()
+    nowhere = sp.zeros(3, 1)
+    frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa)
+    M = joint_inertia(build, frame).matrix().xreplace(build.substitution())
+    return M.xreplace({quantity.value: value for quantity, value in p.COMBINED.items()})
 
 
 def christoffel(M: sp.Matrix) -> sp.Matrix:

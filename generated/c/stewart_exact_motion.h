@@ -11,10 +11,10 @@
  * `derivatives` alone.
  *
  * Operations of a pose before any solve      with friction                                without
- * equations         4595 (2583 mul, 1988 add, 12 div, 12 sqrt)   4250
+ * equations         4601 (2589 mul, 1988 add, 12 div, 12 sqrt)   4256
  * bias              1890 (1095 mul, 771 add, 12 div, 12 sqrt)    1674
  * forward_dynamics  2826 (1611 mul, 1191 add, 12 div, 12 sqrt)   2610
- * derivatives       11231 (6282 mul, 4925 add, 12 div, 12 sqrt)  8934
+ * derivatives       11201 (6264 mul, 4913 add, 12 div, 12 sqrt)  8904
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H
