@@ -22,7 +22,7 @@ FLOORS = (
     {"closed_form"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},
-    {"scene"},
+    {"scene", "budget"},
     {"parameters", "home"},
     {"identifiable"},
     {"excitation"},
@@ -30,7 +30,12 @@ FLOORS = (
     {"studies", "kit"},
     {"cli"},
 )
-GENERATE_ON_COMMAND = {f"{PACKAGE}.cli", f"{PACKAGE}.kit", f"{PACKAGE}.studies.bench_passes"}
+GENERATE_ON_COMMAND = {
+    f"{PACKAGE}.cli",
+    f"{PACKAGE}.kit",
+    f"{PACKAGE}.studies.bench_passes",
+    f"{PACKAGE}.studies.truth",
+}
 
 
 def sources() -> dict[str, Path]:
