@@ -5,6 +5,8 @@ body of a loop over lanes, which compilers turn into vector instructions by them
 portable C where they don't. Knows layout and solving, no dynamics.
 """
 
+import re
+
 import sympy as sp
 
 from .. import notation as n
@@ -13,7 +15,7 @@ from ..operations import force_operations
 from ..prepared import ADDED, r, t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
-from .infix import infix
+from .infix import infix, wrap
 from .lane_text import (
     JUDGED,
     LANES,
@@ -33,14 +35,19 @@ from .lane_text import (
 _RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
-def header(kernel: ForceKernel, frictionless: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_forces.h``: the prepared model and the functions."""
-    name = kernel.formulation.kernel_name
-    counts = operations_table(force_operations(kernel), force_operations(frictionless), " * ")
+def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) -> str:
+    """``stewart_<kernel>_forces.h``: the prepared model and the functions.
+
+    frictionless: the same kernel without friction, for its count of operations.
+    """
+    name = kernel.name
+    plain = None if frictionless is None else force_operations(frictionless)
+    counts = operations_table(force_operations(kernel), plain, " * ")
     return _HEADER.format(
         name=name,
         guard=f"STEWART_{name.upper()}_FORCES_H",
         version=version,
+        model=_MODEL[kernel.fidelity == "general"].format(meaning=kernel.meaning),
         operations=counts,
         legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
         platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
@@ -49,7 +56,7 @@ def header(kernel: ForceKernel, frictionless: ForceKernel, version: str) -> str:
 
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
-    name = kernel.formulation.kernel_name
+    name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS,
         _structs(kernel),
@@ -59,14 +66,24 @@ def source(kernel: ForceKernel, version: str) -> str:
         _scalar_shared(kernel.shared),
         _legs_of_pose(kernel),
         _solve_pose(kernel.about_base_point),
-        _POSE,
-        _BLOCK,
+        _pose(kernel),
+        _only(_BLOCK, kernel),
         _block_shared(kernel.shared),
         _leg_of_block(kernel),
-        _solve_block(kernel.about_base_point),
-        _BATCH.replace("@LOADS@", _transposed()).replace("@ONE@", _copied()),
+        _solve_block(kernel),
+        _batch(kernel),
     ]
     return "\n".join(parts).replace("@NAME@", name)
+
+
+def _only(text: str, kernel: ForceKernel) -> str:
+    """The text, with what stands in <D: :D> if legs have a D and in <C: :C> if they add to c."""
+    given = {out.quantity for out in kernel.leg.outputs}
+    for mark, kept in (("D", n.D in given), ("C", n.c_force in given)):
+        if not kept:
+            text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
+        text = re.sub(rf"<{mark}:|:{mark}>", "", text)
+    return text
 
 
 def model_numbers(kernel: ForceKernel) -> int:
@@ -82,7 +99,7 @@ def _member(quantity: Quantity, lanes: str) -> str:
 
 def _structs(kernel: ForceKernel) -> str:
     parts = {
-        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in n.MOTION],
+        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in kernel.used_motion()],
         "@SHARED@": [f"    stewart_real {q.name}[{size(q)}];" for q in _from_pose(kernel)],
         "@SHARED_LANES@": [
             f"    stewart_real {q.name}[{size(q)}][{LANES}];"
@@ -207,13 +224,14 @@ def _leg_of_block(kernel: ForceKernel) -> str:
     length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, more, over_legs=False)
     column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
-    right = [*exprs[n.c_force], *exprs[n.c_moment]]
+    right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
+    known = [assigned("known[l]", infix(e, "STEWART_SQRT")) for e in exprs.get(n.D, ())]
     body = [
         *inside,
         *step_lines(kernel.leg.steps, " " * 8),
         *(assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
         *(assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
-        assigned("known[l]", infix(exprs[n.D][0], "STEWART_SQRT")),
+        *known,
         *(
             f"        moment[l] = STEWART_LARGER(STEWART_FABS(column[{i}][l]), moment[l]);"
             for i in range(3, 6)
@@ -221,7 +239,7 @@ def _leg_of_block(kernel: ForceKernel) -> str:
         *reach_lines(terms),
         *fault_lines(length, sine, "bad[l]", "bad[l]"),
     ]
-    text = _LEG_OF_BLOCK.replace("@COUNT@", str(kernel.leg.operations()))
+    text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
     return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
@@ -327,11 +345,12 @@ def _filled_body(text: str, body: list[str]) -> str:
     return text.replace("@BODY@", "\n".join(wrap_list(f"    {line}", " " * 8) for line in body))
 
 
-def _solve_block(about_base_point: bool) -> str:
+def _solve_block(kernel: ForceKernel) -> str:
     """Elimination with partial pivoting, unrolled: one loop over lanes that never branches.
 
     The row with the largest entry sinks to place k by exchanges that a lane makes or leaves.
     """
+    about_base_point = kernel.about_base_point
     rows, columns = range(6), range(7)
     entries = [[(i, j) for j in columns if not (about_base_point and i > 2 and j == 0)] for i in rows]
     body = [
@@ -354,12 +373,14 @@ def _solve_block(about_base_point: bool) -> str:
         body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
     for i in rows:
         body += [
-            f"const stewart_real F{i} = D[{i}][l] - a{i}6;",
+            f"const stewart_real F{i} = {_force(kernel, f'D[{i}][l]', f'a{i}6')};",
             f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : (stewart_real)1;",
             f"F[{i}][l] = F{i};",
         ]
     body.append("bad[l] = fault;")
-    return _SOLVE_BLOCK.replace("@BODY@", "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body))
+    lines = "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body)
+    text = _only(_SOLVE_BLOCK, kernel).replace("@FORCE@", _force(kernel, "D", "x"))
+    return text.replace("@BODY@", lines)
 
 
 def _sink(k: int, i: int) -> list[str]:
@@ -378,9 +399,37 @@ def _sink(k: int, i: int) -> list[str]:
     return lines
 
 
-def _transposed() -> str:
+def _pose(kernel: ForceKernel) -> str:
+    """One pose; without legs that add to c, the platform's part is all of it."""
+    adds = n.c_force in {out.quantity for out in kernel.leg.outputs}
+    text = _only(_POSE, kernel).replace("@FORCE@", _force(kernel, "legs.D[i]", "x[i]"))
+    return text.replace("@QUALIFIED@", "" if adds else "const ")
+
+
+def _force(kernel: ForceKernel, known: str, solved: str) -> str:
+    """F = D - x, (37), as text."""
+    return f"{known} - {solved}" if n.D in {out.quantity for out in kernel.leg.outputs} else f"-{solved}"
+
+
+def _batch(kernel: ForceKernel) -> str:
+    given = kernel.used_motion()
+    missing = [f"!motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext)]
+    parts = {
+        "@LOADS@": _transposed(given),
+        "@ONE@": _copied(given),
+        "@MISSING@": wrap(
+            f"    if ({' || '.join(['!model', '!motions', '!F', *missing])}) {{", " " * 8, before=r"\|\|"
+        ),
+    }
+    text = _only(_BATCH, kernel)
+    for mark, lines in parts.items():
+        text = text.replace(mark, lines)
+    return text
+
+
+def _transposed(motion: tuple[Quantity, ...]) -> str:
     lines = []
-    for q in n.MOTION:
+    for q in motion:
         call = f"spread_{'matrix' if q == n.R else 'vector'}"
         line = f"{call}(whole(motions->{q.name}, {size(q)}, first, count, padded), in->{q.name});"
         if q in (n.F_ext, n.M_ext):
@@ -396,9 +445,9 @@ def _transposed() -> str:
     return "\n".join(lines)
 
 
-def _copied() -> str:
+def _copied(motion: tuple[Quantity, ...]) -> str:
     lines = []
-    for q in n.MOTION[1:]:
+    for q in motion[1:]:
         value = f"motions->{q.name}[at]"
         if q in (n.F_ext, n.M_ext):
             value = f"motions->{q.name} ? {value} : 0"
@@ -415,7 +464,7 @@ _HEADER = """\
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
  * -ffp-contract=off one pose and a batch agree to the last bit).
  *
-{operations}
+{model}{operations}
  */
 #ifndef {guard}
 #define {guard}
@@ -451,6 +500,8 @@ int stewart_{name}_forces_batch(
 
 #endif
 """
+
+_MODEL = {True: "", False: " * Fidelity: {meaning}.\n *\n"}
 
 _TOP = """\
 /* stewart_{name}_forces.c: see stewart_{name}_forces.h.
@@ -541,7 +592,7 @@ _BLOCK = """\
 /* Eight poses on their way. */
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real <D:D[6][LANES], :D>F[6][LANES];
     stewart_real moment[LANES]; /* size of the moment rows */
     stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
 } block;
@@ -577,11 +628,12 @@ static void legs_of_pose(
 """
 
 _LEG_OF_BLOCK = """\
-/* One leg of eight poses side by side, @COUNT@ operations each: its column of H, its D, its part of c. */
+/* One leg of eight poses side by side, @COUNT@ operations each:
+ * its column of H<D:, its D:D><C:, its part of c:C>. */
 static void leg_of_block(
     const stewart_@NAME@_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
+    <C:stewart_real (*STEWART_RESTRICT c)[LANES], :C><D:stewart_real *STEWART_RESTRICT known,:D>
     stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
@@ -646,10 +698,10 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
         }
     }
     for (j = 0; j < 3; ++j) {
-        stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
+        @QUALIFIED@stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
         for (i = 0; i < 6; ++i) {
-            force = force + legs.c_force[j][i];
-            turn = turn + legs.c_moment[j][i];
+            <C:force = force + legs.c_force[j][i];:C>
+            <C:turn = turn + legs.c_moment[j][i];:C>
             moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
         }
         for (i = 0; i < LANES; ++i) {
@@ -666,7 +718,7 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        found[i] = legs.D[i] - x[i];
+        found[i] = @FORCE@;
         if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -679,10 +731,10 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
 """
 
 _SOLVE_BLOCK = """\
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D - x,
- * (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
+ * F = @FORCE@, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
 STEWART_APART static void solve_block(
-    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    stewart_real (*STEWART_RESTRICT column)[6][LANES],<D: stewart_real (*STEWART_RESTRICT D)[LANES],:D>
     const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
     stewart_real *STEWART_RESTRICT bad)
 {
@@ -761,9 +813,10 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
         leg_of_block(
-            model, i, in, &shared, out->column[i], out->column[6], out->D[i], out->moment, out->bad);
+            model, i, in, &shared, out->column[i],
+            <C:out->column[6], :C><D:out->D[i], :D>out->moment, out->bad);
     }
-    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+    solve_block(out->column, <D:out->D, :D>out->moment, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */
@@ -791,8 +844,7 @@ int stewart_@NAME@_forces_batch(
     size_t first;
     int result = STEWART_OK;
     int i, l;
-    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !motions->alpha || !motions->a) {
+@MISSING@
         return STEWART_BAD_ARGUMENT;
     }
     for (first = 0; first < count; first += LANES) {
