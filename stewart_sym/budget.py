@@ -23,8 +23,8 @@ from .trajectory import PATHS, JointTrajectory, Trajectory, read_any_csv
 Array = NDArray[np.float64]
 
 SCHEMA = 1
-MARGIN = 2.0
-"""Default of ``margin``: instants between the given ones, and poses near them, may err more."""
+MARGIN = 3.0
+"""Default of ``margin``: between and beside the poses given a kernel may err more than on them."""
 
 _KEYS = ("schema", "robot", "motions", "tolerance", "margin", "rate")
 
