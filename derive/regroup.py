@@ -14,6 +14,7 @@ Each change leaves the forces as they are:
 ``passes`` shows what each is worth. Knows nothing of sharing or printing.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -49,12 +50,20 @@ class ForceKernel:
     about_base_point: bool = False
     fidelity: str = "general"
     meaning: str = ""
+    constants: Mapping[Quantity, tuple[float, ...]] | None = None
+    baked_name: str = ""
 
     @property
     def name(self) -> str:
         """Name of the emitted kernel: ``exact``, ``paper``, ``exact_slender``."""
+        if self.baked_name:
+            return self.baked_name
         own = self.formulation.kernel_name
         return own if self.fidelity == "general" else f"{own}_{self.fidelity}"
+
+    def literals(self) -> dict[Quantity, float]:
+        """Constants of a baked kernel that all legs share."""
+        return {q: values[0] for q, values in (self.constants or {}).items() if len(values) == 1}
 
     def used_motion(self) -> tuple[Quantity, ...]:
         """What of the motion the forces depend on; R and t always, since they place the legs."""
@@ -63,10 +72,14 @@ class ForceKernel:
 
     def leg_constants(self) -> tuple[Quantity, ...]:
         """Constants of each leg in the prepared model."""
+        if self.constants is not None:
+            return tuple(q for q, values in self.constants.items() if len(values) > 1)
         return tuple(o.quantity for o in self.prepare_leg.outputs if o.quantity not in p.ADDED)
 
     def platform_constants(self) -> tuple[Quantity, ...]:
         """Constants of the platform in the prepared model."""
+        if self.constants is not None:
+            return ()
         return tuple(o.quantity for o in self.prepare_platform.outputs)
 
 

@@ -54,21 +54,31 @@ def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) 
     )
 
 
+def baked_header(kernel: ForceKernel, before: ForceKernel, version: str) -> str:
+    """The header of a kernel with a robot's numbers folded in; ``before`` is the kernel without them."""
+    return _BAKED_HEADER.format(
+        name=kernel.name,
+        guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
+        version=version,
+        meaning=kernel.meaning,
+        before=force_operations(before).total.total,
+        operations=operations_table(force_operations(kernel), None, " * "),
+    )
+
+
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
     name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS,
         _structs(kernel),
-        _prepare_function(kernel.prepare_leg, "prepared_leg"),
-        _prepare_function(kernel.prepare_platform, "prepared_platform"),
-        _prepare(kernel),
-        _scalar_shared(kernel.shared),
+        *_model(kernel),
+        _scalar_shared(kernel),
         _legs_of_pose(kernel),
         _solve_pose(kernel.about_base_point),
         _pose(kernel),
         _only(_BLOCK, kernel),
-        _block_shared(kernel.shared),
+        _block_shared(kernel),
         _leg_of_block(kernel),
         _solve_block(kernel),
         _batch(kernel),
@@ -77,9 +87,13 @@ def source(kernel: ForceKernel, version: str) -> str:
 
 
 def _only(text: str, kernel: ForceKernel) -> str:
-    """The text, with what stands in <D: :D> if legs have a D and in <C: :C> if they add to c."""
+    """The text, with what stands in <D: :D> if legs have a D, in <C: :C> if they add to c.
+
+    What stands in <M: :M> is of kernels with a prepared model, in <B: :B> of baked ones.
+    """
     given = {out.quantity for out in kernel.leg.outputs}
-    for mark, kept in (("D", n.D in given), ("C", n.c_force in given)):
+    bare = kernel.constants is not None
+    for mark, kept in (("D", n.D in given), ("C", n.c_force in given), ("M", not bare), ("B", bare)):
         if not kept:
             text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
         text = re.sub(rf"<{mark}:|:{mark}>", "", text)
@@ -120,6 +134,30 @@ def _terms(leg: Block) -> list[Quantity]:
 
 
 # ---------------------------------------------------------------- preparation
+
+
+def _model(kernel: ForceKernel) -> list[str]:
+    """What prepares the constants, or the constants themselves."""
+    if kernel.constants is None:
+        return [
+            _prepare_function(kernel.prepare_leg, "prepared_leg"),
+            _prepare_function(kernel.prepare_platform, "prepared_platform"),
+            _prepare(kernel),
+        ]
+    tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
+    # The last two lanes repeat leg 6.
+    rows = [
+        (*(f"REAL({value!r})" for value in values), *(f"REAL({values[-1]!r})",) * 2)
+        for values in tables.values()
+    ]
+    parts = {
+        "@MEMBERS@": [_member(q, f"[{LANES}]") for q in tables],
+        "@ROWS@": [
+            wrap_list(f"    {{{', '.join(row)}}}, /* {q.name} */", " " * 5)
+            for q, row in zip(tables, rows, strict=True)
+        ],
+    }
+    return [filled(_NUMBERS, parts)]
 
 
 def _prepare_function(block: Block, struct: str) -> str:
@@ -171,19 +209,27 @@ def _prepare(kernel: ForceKernel) -> str:
 # ---------------------------------------------------------------- blocks
 
 
-def _scalar_shared(block: Block) -> str:
+def _scalar_shared(kernel: ForceKernel) -> str:
+    block = kernel.shared
     used = names_used(block)
     found = [
-        line for q in block.inputs for line in loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
+        line
+        for q in block.inputs
+        for line in _loads(kernel, q, "at" if q in n.MOTION else "model", "", used, "    ")
     ]
     lines = [*found, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")]
-    return _SHARED_POSE.replace("@BODY@", "\n".join(lines)).replace("@COUNT@", str(block.operations()))
+    text = _SHARED_POSE.replace("@COUNT@", str(block.operations()))
+    return _used(text, found, "model").replace("@BODY@", "\n".join(lines))
 
 
-def _block_shared(block: Block) -> str:
+def _block_shared(kernel: ForceKernel) -> str:
+    block = kernel.shared
     used = names_used(block)
     outside = [
-        line for q in block.inputs if q not in n.MOTION for line in loads(q, "model", "", used, "    ")
+        line
+        for q in block.inputs
+        if q not in n.MOTION
+        for line in _loads(kernel, q, "model", "", used, "    ")
     ]
     inside = [line for q in block.inputs if q in n.MOTION for line in loads(q, "in", "[l]", used, " " * 8)]
     kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
@@ -194,7 +240,16 @@ def _block_shared(block: Block) -> str:
         *stores(kept, "[l]", " " * 8),
         *(assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
     ]
-    return filled(_SHARED_BLOCK, {"@OUTSIDE@": outside, "@BODY@": body})
+    text = _used(_SHARED_BLOCK, outside, "model")
+    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
+    """Loads of one input, or the literal that it is."""
+    literals = kernel.literals()
+    if q in literals:
+        return [f"{indent}const stewart_real {q.name} = REAL({literals[q]!r});"]
+    return loads(q, owner, lane, used, indent)
 
 
 def _legs_of_pose(kernel: ForceKernel) -> str:
@@ -214,7 +269,7 @@ def _legs_of_pose(kernel: ForceKernel) -> str:
         *fault_lines(length, sine, "0", "out->bad[l]"),
     ]
     text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _leg_of_block(kernel: ForceKernel) -> str:
@@ -240,13 +295,13 @@ def _leg_of_block(kernel: ForceKernel) -> str:
         *fault_lines(length, sine, "bad[l]", "bad[l]"),
     ]
     text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
-def _used_shared(text: str, lines: list[str]) -> str:
-    """The text without its mark for an unused argument where the pose's shared terms are read."""
-    used = any("shared->" in line for line in lines)
-    return text.replace("@UNUSED@\n", "" if used else "    (void)shared;\n")
+def _used(text: str, lines: list[str], argument: str) -> str:
+    """The text without its mark for an unused argument where the lines read it."""
+    used = any(f"{argument}->" in line for line in lines)
+    return text.replace(f"@UNUSED {argument}@\n", "" if used else f"    (void){argument};\n")
 
 
 def _added(expr: sp.Expr) -> str:
@@ -261,32 +316,35 @@ def _lane_loads(
 ) -> tuple[list[str], list[str]]:
     """Loads of what all lanes share, and of what differs from lane to lane."""
     used = names_used(kernel.leg) | {name for q in more for name in q.names}
+    shared_by_legs = {*kernel.platform_constants(), *kernel.literals()}
     outside, inside = [], []
     for q in dict.fromkeys((*kernel.leg.inputs, *more)):
         if q in n.MOTION or q in _from_pose(kernel):
             owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
             varies = not over_legs
         else:
-            owner, varies = "model", over_legs and q not in kernel.platform_constants()
+            owner, varies = "model", over_legs and q not in shared_by_legs
         if varies:
-            inside += loads(q, owner, "[l]", used, " " * 8)
+            inside += _loads(kernel, q, owner, "[l]", used, " " * 8)
         else:
-            lane = "[leg]" if owner == "model" and q not in kernel.platform_constants() else ""
-            outside += loads(q, owner, lane, used, "    ")
+            lane = "[leg]" if owner == "model" and q not in shared_by_legs else ""
+            outside += _loads(kernel, q, owner, lane, used, "    ")
     return outside, inside
 
 
 def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    tip = n.S_1 if kernel.about_base_point else n.q
-    inputs = (t_1, r) if kernel.about_base_point else (n.t, n.b)
-    q = n.q.symbols if kernel.about_base_point else exprs[tip]
-    return [
-        f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})"
-        for vector in (q, *(quantity.symbols for quantity in inputs))
-        for expr in vector
-    ], inputs
+    if not kernel.about_base_point:
+        terms, inputs = (*exprs[n.q], *n.t.symbols, *n.b.symbols), (n.t, n.b)
+    elif kernel.constants is None:
+        terms, inputs = (*n.q.symbols, *t_1.symbols, *r.symbols), (t_1, r)
+    else:
+        named = {step.symbol for step in kernel.leg.steps}
+        q = [symbol for symbol in n.q.symbols if symbol in named]
+        inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
+        terms = (*q, *(symbol for part in inputs for symbol in part.symbols))
+    return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 
 
 def _solve_pose(about_base_point: bool) -> str:
@@ -413,13 +471,13 @@ def _force(kernel: ForceKernel, known: str, solved: str) -> str:
 
 def _batch(kernel: ForceKernel) -> str:
     given = kernel.used_motion()
-    missing = [f"!motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext)]
+    missing = ["!motions", "!F", *(f"!motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext))]
+    if kernel.constants is None:
+        missing.insert(0, "!model")
     parts = {
         "@LOADS@": _transposed(given),
         "@ONE@": _copied(given),
-        "@MISSING@": wrap(
-            f"    if ({' || '.join(['!model', '!motions', '!F', *missing])}) {{", " " * 8, before=r"\|\|"
-        ),
+        "@MISSING@": wrap(f"    if ({' || '.join(missing)}) {{", " " * 8, before=r"\|\|"),
     }
     text = _only(_BATCH, kernel)
     for mark, lines in parts.items():
@@ -547,6 +605,56 @@ static int leg_status(const leg_lanes *leg, int l)
 }
 """
 
+_NUMBERS = """\
+#define REAL(value) ((stewart_real)(value))
+
+/* What differs from leg to leg; the last two lanes repeat leg 6. */
+typedef struct {
+@MEMBERS@
+} stewart_@NAME@_model;
+
+static const stewart_@NAME@_model numbers = {
+@ROWS@
+};
+"""
+
+_BAKED_HEADER = """\
+/* stewart_{name}_forces.h: the actuator forces of one machine, its numbers folded in.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ *
+ * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
+ *
+ * Fidelity: {meaning}. Before the numbers were folded in a pose took {before} operations.
+ *
+{operations}
+ */
+#ifndef {guard}
+#define {guard}
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
+int stewart_{name}_forces(const stewart_motion *motion, stewart_real F[6]);
+
+/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+ * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
+int stewart_{name}_forces_batch(
+    size_t count, const stewart_motions *motions, stewart_real *F, int *status);
+
+#ifdef __cplusplus
+}}
+#endif
+
+#endif
+"""
+
 _PREPARE = """\
 int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
 {
@@ -584,6 +692,7 @@ _SHARED_POSE = """\
 /* What one pose has for all legs: @COUNT@ operations. */
 static void shared_of_pose(const stewart_@NAME@_model *model, const stewart_motion *at, shared_terms *out)
 {
+@UNUSED model@
 @BODY@
 }
 """
@@ -606,6 +715,7 @@ static void shared_of_block(
 {
     int l;
 @OUTSIDE@
+@UNUSED model@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -620,7 +730,7 @@ static void legs_of_pose(
 {
     int l;
 @OUTSIDE@
-@UNUSED@
+@UNUSED shared@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -638,7 +748,7 @@ static void leg_of_block(
 {
     int l;
 @OUTSIDE@
-@UNUSED@
+@UNUSED shared@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -679,15 +789,17 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
 """
 
 _POSE = """\
-int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_@NAME@_forces(
+    <M:const stewart_@NAME@_model *model, :M>const stewart_motion *motion, stewart_real F[6])
 {
+    <B:const stewart_@NAME@_model *const model = &numbers;:B>
     shared_terms shared;
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
     stewart_real moment = 0;
     int i, j, status;
-    if (!model || !motion || !F) {
+    if (<M:!model || :M>!motion || !F) {
         return STEWART_BAD_ARGUMENT;
     }
     shared_of_pose(model, motion, &shared);
@@ -821,7 +933,7 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
 
 /* Forces and status of one pose of a batch. */
 static int forces_of(
-    const stewart_@NAME@_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+    <M:const stewart_@NAME@_model *model, :M>const stewart_motions *motions, size_t pose, stewart_real *F)
 {
     stewart_motion one;
     int i;
@@ -832,13 +944,14 @@ static int forces_of(
         const size_t at = pose * 3 + (size_t)i;
 @ONE@
     }
-    return stewart_@NAME@_forces(model, &one, F);
+    return stewart_@NAME@_forces(<M:model, :M>&one, F);
 }
 
 int stewart_@NAME@_forces_batch(
-    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    <M:const stewart_@NAME@_model *model, :M>size_t count, const stewart_motions *motions, stewart_real *F,
     int *status)
 {
+    <B:const stewart_@NAME@_model *const model = &numbers;:B>
     motion_lanes in;
     block done;
     size_t first;
@@ -854,7 +967,7 @@ int stewart_@NAME@_forces_batch(
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
             if (done.bad[l] > 0) {
-                code = forces_of(model, motions, pose, F + pose * 6);
+                code = forces_of(<M:model, :M>motions, pose, F + pose * 6);
             } else {
                 for (i = 0; i < 6; ++i) {
                     F[pose * 6 + (size_t)i] = done.F[i][l];

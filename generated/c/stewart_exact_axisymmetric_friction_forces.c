@@ -808,7 +808,8 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     return STEWART_OK;
 }
 
-int stewart_exact_axisymmetric_friction_forces(const stewart_exact_axisymmetric_friction_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_exact_axisymmetric_friction_forces(
+    const stewart_exact_axisymmetric_friction_model *model, const stewart_motion *motion, stewart_real F[6])
 {
     shared_terms shared;
     leg_lanes legs;

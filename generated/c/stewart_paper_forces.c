@@ -810,7 +810,8 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     return STEWART_OK;
 }
 
-int stewart_paper_forces(const stewart_paper_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_paper_forces(
+    const stewart_paper_model *model, const stewart_motion *motion, stewart_real F[6])
 {
     shared_terms shared;
     leg_lanes legs;
