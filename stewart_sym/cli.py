@@ -17,10 +17,14 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
-from typing import NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn, TextIO
 
 from .native import CompilerError
 from .publish import named
+
+if TYPE_CHECKING:
+    from .robot import Robot
+    from .studies.economy import Candidate
 
 PROGRAM = "stewart-sym"
 
@@ -265,7 +269,81 @@ def _control(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _advise(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .budget import read_budget
+    from .publish import replaced_file
+    from .studies import advice
+    from .studies.economy import economy
+
+    if arguments.json is not None:
+        _refuse_overwrite(arguments.json, arguments.scene)
+    budget = read_budget(arguments.scene)
+    with contextlib.ExitStack() as files, _progress() as progress:
+        stream = None if arguments.json is None else files.enter_context(replaced_file(arguments.json))
+        found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
+        if stream is not None:
+            stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
+        written = []
+        if arguments.generate is not None and found.chosen is not None:
+            progress("generating")
+            written = _kit(budget.robot, found.chosen.candidate, arguments)
+    print(advice.report(found))
+    for path in written:
+        print(path)
+    if found.chosen is None:
+        raise ValueError(f"{arguments.scene}: nothing keeps the budget; closest: {advice.closest(found)}")
+    return 0
+
+
+def _chart(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .budget import Budget, papers_motions, read_budget
+    from .publish import staged_folder
+    from .studies import economy_plot, host
+    from .studies.advice import table
+    from .studies.economy import ROUNDS, economy
+    from .studies.reproduce import paper_machine
+
+    if arguments.pictures:
+        _plots()
+    if arguments.scene is None:
+        scene = Budget(paper_machine(), papers_motions(), tolerance=1.0)
+    else:
+        scene = read_budget(arguments.scene)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        found = economy(scene.robot, scene.motions, True, ROUNDS, progress)
+        text = table(found)
+        figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
+        texts = {
+            "chart.txt": text + "\n",
+            "chart.csv": economy_plot.csv_rows(found),
+            "chart.json": json.dumps(figures, indent=1) + "\n",
+        }
+        pictures = {"chart": lambda: economy_plot.figure(found)}
+        for name, content in texts.items():
+            (folder / name).write_text(content, encoding="utf-8", newline="\n")
+        if arguments.pictures:
+            progress("drawing")
+            for name, figure in pictures.items():
+                economy_plot.save(figure(), folder / name)
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
 # Their parts
+
+
+def _kit(robot: "Robot", candidate: "Candidate", arguments: argparse.Namespace) -> list[Path]:
+    """Write the kernel that was advised."""
+    from .kit import Choice, write_kit
+
+    choice = Choice(candidate.formulation, candidate.fidelity, arguments.bake, candidate.precision)
+    return write_kit(robot, arguments.generate, choice, arguments.force)[1]
 
 
 def _measured(arguments: argparse.Namespace) -> dict[str, str]:
@@ -544,6 +622,42 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--rate", metavar="HZ", type=_positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+    )
+
+    verb = _verb(
+        verbs,
+        "advise",
+        _advise,
+        "the cheapest kernel that is good enough for a machine's motions, and what physics it needs",
+        "stewart-sym advise legs.toml --generate kernel",
+        'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
+        "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), if "
+        "you like margin (default 3: errors times this must be within the tolerance) and rate (Hz: a pose "
+        "alone must not take longer). Runs the motions at every fidelity, formulation and precision; the "
+        "cheapest is the one with the fewest operations, float before double. Exit code 2 where nothing is "
+        "good enough. Takes half a minute, less when the kernels are compiled.",
+    )
+    verb.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
+    verb.add_argument("--json", metavar="FILE", type=Path, help="write all figures and the answer to a file")
+    verb.add_argument(
+        "--generate", metavar="DIR", type=Path, help="write the chosen kernel for this robot, as generate"
+    )
+    verb.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")
+    verb.add_argument("--force", action="store_true", help="replace files that --generate finds there")
+
+    verb = _verb(
+        verbs,
+        "chart",
+        _chart,
+        "draw time a pose over error, of the model and of rounding: PNG, SVG, CSV, JSON, table",
+        "stewart-sym chart legs.toml -o chart",
+        "Every fidelity and implementation is a point. The scene is one of `advise`; without it: the paper's "
+        "machine on its Paths I, II and III. Takes about half a minute.",
+    )
+    verb.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
+    _output(verb, "DIR", "folder to write to", Path("chart"))
     verb.add_argument(
         "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
     )

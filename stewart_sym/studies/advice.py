@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..budget import Budget
-from .economy import Candidate, Economy, Entry
+from .economy import Candidate, Economy, Entry, finite
 from .table import aligned
 
 TERMS: Mapping[str, str] = {
@@ -201,67 +201,14 @@ def as_json(found: Advice) -> dict[str, Any]:
     """The budget, all figures, the choice and the reasons for it."""
     budget, chosen = found.budget, found.chosen
     return {
-        **economy_json(found.economy),
+        **found.economy.as_json(),
         "tolerance": budget.tolerance,
         "margin": budget.margin,
         "rate_Hz": budget.rate,
-        "chosen": None if chosen is None else _identity(chosen.candidate),
-        "closest": _identity(found.closest.candidate),
+        "chosen": None if chosen is None else vars(chosen.candidate),
+        "closest": vars(found.closest.candidate),
         "needed": [
-            {"terms": sorted(left_out), "without": _identity(entry.candidate), "error": _finite(entry.total)}
+            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": finite(entry.total)}
             for left_out, entry in found.needed()
         ],
     }
-
-
-def economy_json(economy: Economy) -> dict[str, Any]:
-    """All figures, times as medians with their rounds; errors are null where poses have no answer."""
-    return {
-        "robot": economy.robot,
-        "motions": {
-            name: {"poses": economy.poses[name], "peak_force_N": peak} for name, peak in economy.peaks.items()
-        },
-        "candidates": [_entry_json(entry) for entry in economy.entries],
-        "implementations": [
-            {
-                "name": each.name,
-                "ns": each.ns,
-                "raw_ns": each.raw,
-                "rounding": {name: _finite(error) for name, error in each.rounding.items()},
-            }
-            for each in economy.implementations
-        ],
-    }
-
-
-def _entry_json(entry: Entry) -> dict[str, Any]:
-    return {
-        **_identity(entry.candidate),
-        "operations": entry.operations,
-        "one_pose_ns": entry.ns,
-        "one_pose_raw_ns": entry.one_pose,
-        "batch_ns": entry.batch_ns,
-        "batch_raw_ns": entry.batch,
-        "text_bytes": entry.text,
-        "errors": {
-            name: {
-                "model": _finite(errors.model),
-                "model_rms": _finite(errors.model_rms),
-                "rounding": _finite(errors.rounding),
-            }
-            for name, errors in entry.errors.items()
-        },
-    }
-
-
-def _identity(candidate: Candidate) -> dict[str, str]:
-    return {
-        "formulation": candidate.formulation,
-        "fidelity": candidate.fidelity,
-        "precision": candidate.precision,
-    }
-
-
-def _finite(error: float) -> float | None:
-    """JSON knows no infinity."""
-    return error if error < float("inf") else None

@@ -10,14 +10,11 @@ nothing. Needs CasADi, MuJoCo and Pinocchio, the extra ``bench``.
 import contextlib
 import functools
 import os
-import platform
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from importlib.metadata import version
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +24,7 @@ from ..dynamics import inverse_dynamics
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
-from . import bench_compile, bench_motion, bench_passes, timing
+from . import bench_compile, bench_motion, bench_passes, host, timing
 from .bench_figures import Benchmark, Figure, PassFigures, Speedup
 from .peers import (
     AGREEMENT,
@@ -190,7 +187,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
     contestant's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
     """
-    clock, machine = time_source(), _machine()
+    clock, machine = time_source(), host.machine()
     progress("preparing the poses")
     poses = bench_poses(robot, MANY)
     few = poses.resized(FEW)
@@ -243,7 +240,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         lanes=processor.lanes,
         differences=differences,
         machine=machine,
-        software=_software(),
+        software=host.software("casadi", "pin", "mujoco"),
         clock=clock,
     )
 
@@ -381,24 +378,7 @@ def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tupl
     return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
-# --- where it ran -----------------------------------------------------------------------------
-
-
-_VECTORS = ("avx512f", "avx2", "asimd")
-"""Instruction sets that name the widest vectors, widest first."""
-
-
-def _machine() -> dict[str, Any]:
-    sets = set(_cpuinfo("flags").split())
-    return {
-        "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
-        "instruction_sets": sorted({*_VECTORS, "fma"} & sets),
-        "architecture": platform.machine(),
-        "vectors": next((name for name in _VECTORS if name in sets), ""),
-        "cores": os.cpu_count(),
-        "system": platform.platform(),
-        "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
-    }
+# --- what others take -----------------------------------------------------------------------------
 
 
 class _Others:
@@ -424,27 +404,6 @@ def _work_of_others() -> float | None:
         ticks = user + nice + system + hard + soft + stolen
         return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
     return None
-
-
-def _software() -> dict[str, Any]:
-    compiler = native.find_compiler()
-    assert compiler is not None
-    return {
-        "compiler": compiler.version,
-        "command": list(compiler.command),
-        "flags": list(native._FLAGS),
-        "python": platform.python_version(),
-        **{name: version(name) for name in ("stewart-sym", "numpy", "casadi", "pin", "mujoco")},
-    }
-
-
-def _cpuinfo(line: str) -> str:
-    with contextlib.suppress(OSError):
-        for text in Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines():
-            name, _, value = text.partition(":")
-            if name.strip() in (line, {"flags": "Features"}.get(line)):
-                return value.strip()
-    return ""
 
 
 def _free_memory() -> int:

@@ -7,6 +7,7 @@ module prints and writes nothing.
 """
 
 import ctypes
+import math
 import statistics
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -33,7 +34,7 @@ Array = NDArray[np.float64]
 PRECISIONS: tuple[Precision, ...] = ("float", "double")
 """The cheaper first."""
 
-ROUNDS = 21
+ROUNDS, QUICK_ROUNDS = 21, 9
 FEW, SLOW, MANY = 64, 1_024, 4_096
 """Poses of a C loop over one-pose calls, of a batch in NumPy, of a batch in C."""
 
@@ -77,6 +78,10 @@ class Errors:
     def total(self) -> float:
         """Bound of the largest error: the two add up at worst."""
         return self.model + self.rounding
+
+    def as_json(self) -> dict[str, float | None]:
+        """Every field, ready for ``json``."""
+        return {name: finite(error) for name, error in vars(self).items()}
 
 
 @dataclass(frozen=True)
@@ -124,6 +129,19 @@ class Entry:
         """Bound of the largest error on any motion."""
         return max(errors.total for errors in self.errors.values())
 
+    def as_json(self) -> dict[str, Any]:
+        """Every field, times with their medians, ready for ``json``."""
+        return {
+            **vars(self.candidate),
+            "operations": self.operations,
+            "one_pose_ns": self.ns,
+            "one_pose_raw_ns": self.one_pose,
+            "batch_ns": self.batch_ns,
+            "batch_raw_ns": self.batch,
+            "text_bytes": self.text,
+            "errors": {name: errors.as_json() for name, errors in self.errors.items()},
+        }
+
 
 @dataclass(frozen=True)
 class Implementation:
@@ -137,6 +155,11 @@ class Implementation:
     def ns(self) -> float:
         """Median time of a pose, ns."""
         return statistics.median(self.raw)
+
+    def as_json(self) -> dict[str, Any]:
+        """Every field and the median, ready for ``json``."""
+        rounding = {name: finite(error) for name, error in self.rounding.items()}
+        return {"name": self.name, "ns": self.ns, "raw_ns": self.raw, "rounding": rounding}
 
 
 @dataclass(frozen=True)
@@ -158,6 +181,22 @@ class Economy:
         wanted = Candidate(formulation, fidelity, precision)
         return next(entry for entry in self.entries if entry.candidate == wanted)
 
+    def as_json(self) -> dict[str, Any]:
+        """All figures, ready for ``json``; errors are null where poses have no answer."""
+        return {
+            "robot": self.robot,
+            "motions": {
+                name: {"poses": self.poses[name], "peak_force_N": peak} for name, peak in self.peaks.items()
+            },
+            "candidates": [entry.as_json() for entry in self.entries],
+            "implementations": [each.as_json() for each in self.implementations],
+        }
+
+
+def finite(error: float) -> float | None:
+    """JSON knows no infinity."""
+    return error if math.isfinite(error) else None
+
 
 # --- the study --------------------------------------------------------------------------------
 
@@ -166,11 +205,12 @@ def economy(
     robot: Robot,
     motions: Mapping[str, Motion],
     implementations: bool = False,
+    rounds: int = QUICK_ROUNDS,
     progress: Progress = lambda _: None,
 ) -> Economy:
     """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
 
-    implementations: also other ways to compute `exact` general, for comparison.
+    implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
 
     A precision that can't hold the robot's constants is left out. Raises ValueError where all forces of a
     motion are zero, native.CompilerError without a C compiler.
@@ -190,7 +230,8 @@ def economy(
                 errors[candidate][name] = found
         for way, forces in ways.items():
             rounding[way][name] = case.rounding_of(forces)
-    raw = _timed(robot, tuple(motions.values()), kernels, ways, progress)
+    tasks = _tasks(tuple(motions.values()), kernels, ways)
+    raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     entries = [
         Entry(
             candidate,
@@ -350,14 +391,12 @@ def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
     return {name: way(backend) for name, backend in backends.items()}
 
 
-def _timed(
-    robot: Robot,
+def _tasks(
     motions: Sequence[Motion],
     kernels: Mapping[Candidate, ForceKernel],
     ways: Mapping[str, Callable[[Motion], Array]],
-    progress: Progress,
-) -> dict[tuple[Candidate | str, str], tuple[float, ...]]:
-    """Ns a pose, all by turns: each kernel's "one pose" and "batch", and the other ways, key ""."""
+) -> dict[tuple[Candidate | str, str], Task]:
+    """What is timed: each kernel's "one pose" and "batch", and the other ways, key ""."""
     few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     for candidate, kernel in kernels.items():
@@ -366,7 +405,7 @@ def _timed(
     motion = Motion(*slow)
     for name, forces in ways.items():
         tasks[name, ""] = Task(_repeated(forces, motion), SLOW)
-    return measured(tasks, dict.fromkeys(tasks, ROUNDS), progress)
+    return tasks
 
 
 def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
@@ -408,8 +447,8 @@ def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], ob
     function = ctypes.cast(kernel._function("forces"), ctypes.c_void_p)
     row_bytes = ctypes.c_size_t(rows.strides[0])
 
-    def run(repeats: int) -> None:
-        loop.drive(
+    def run(repeats: int) -> object:
+        return loop.drive(
             function,
             address(kernel.model),
             ctypes.c_size_t(count),

@@ -1,7 +1,6 @@
 """Speed against accuracy as a picture and as rows: time a pose over error, model and rounding told apart.
 
-Takes what ``economy`` measured; computes nothing but the layout. The picture needs the extra ``plot``; writes
-no file.
+Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
 
 import csv
@@ -9,6 +8,7 @@ import io
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .economy import Economy
@@ -134,6 +134,15 @@ def figure(found: Economy) -> "Figure":
         for axes, panel in ((left, MODEL), (right, ROUNDING)):
             _name(axes, _of(every, panel))
     return picture
+
+
+def save(picture: "Figure", path: Path) -> None:
+    """Write a picture as PNG and as SVG, with their endings, the same bytes for the same picture."""
+    import matplotlib
+
+    with matplotlib.rc_context(_STYLE):
+        picture.savefig(path.with_suffix(".png"), dpi=160, metadata={"Software": None})
+        picture.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
 
 
 def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> None:
