@@ -6,8 +6,9 @@ all legs share becomes a literal; the others stay a table over the legs. Constan
 sum become one. Knows numbers by the names of the blocks' inputs, and nothing of printing.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import sympy as sp
 from mpmath import mp, mpf
@@ -22,8 +23,8 @@ LEGS = 6
 DIGITS = 50
 _MORE_DIGITS = 80
 
-Numbers = Mapping[str, float]
-"""Component of a quantity, such as ``I_p_xy``, -> number."""
+Numbers = Mapping[str, Any]
+"""Field of ``stewart_robot`` -> number or nested lists of numbers; fields of the legs have six rows."""
 
 
 @dataclass
@@ -40,12 +41,9 @@ class _Constants:
         return symbol
 
 
-def baked(kernel: ForceKernel, legs: Sequence[Numbers], platform: Numbers, name: str) -> ForceKernel:
-    """The kernel, not shared yet, with a robot's numbers folded in.
-
-    legs: inputs of each of the six legs; platform: those of the platform and of gravity; name: of the result.
-    """
-    constants = _prepared(kernel, legs, platform)
+def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
+    """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
+    constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
     blocks = []
     for block in (kernel.shared, kernel.leg):
@@ -77,8 +75,8 @@ def _is_simple(values: tuple[mpf, ...]) -> bool:
 # ---------------------------------------------------------------- preparation
 
 
-def _prepared(kernel: ForceKernel, legs: Sequence[Numbers], platform: Numbers) -> _Constants:
-    coarse, fine = (_run(kernel, legs, platform, digits) for digits in (DIGITS, _MORE_DIGITS))
+def _prepared(kernel: ForceKernel, robot: Numbers) -> _Constants:
+    coarse, fine = (_run(kernel, robot, digits) for digits in (DIGITS, _MORE_DIGITS))
     constants = _Constants()
     for name, quantity in coarse.quantities.items():
         pairs = zip(coarse.values[name], fine.values[name], strict=True)
@@ -91,11 +89,13 @@ def _rounded(coarse: mpf, fine: mpf) -> mpf:
     return mpf(0) if abs(fine) < abs(coarse) * mpf(10) ** -10 else mpf(float(fine))
 
 
-def _run(kernel: ForceKernel, legs: Sequence[Numbers], platform: Numbers, digits: int) -> _Constants:
+def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
     """Both preparations in the given digits."""
     with mp.workdps(digits):
-        first = {f"b_1_{axis}": legs[0][f"b_{axis}"] for axis in "xyz"}
-        given = [{key: mpf(value) for key, value in {**platform, **leg, **first}.items()} for leg in legs]
+        of_all = _components(n.PLATFORM, robot) | _components([n.b_1], {n.b_1.name: robot[n.b.name][0]})
+        given = [
+            of_all | _components(n.LEG, {q.name: robot[q.name][leg] for q in n.LEG}) for leg in range(LEGS)
+        ]
         found = [_by_name(kernel.prepare_leg, values) for values in given]
         added = {name: sum(leg[name] for leg in found) for q in ADDED for name in q.names}
         of_platform = _by_name(kernel.prepare_platform, given[0] | added)
@@ -106,6 +106,18 @@ def _run(kernel: ForceKernel, legs: Sequence[Numbers], platform: Numbers, digits
                 of_legs = [leg[name] if name in leg else of_platform[name] for leg in found]
                 constants.add(part, tuple(of_legs))
         return constants
+
+
+def _components(quantities: Iterable[Quantity], numbers: Numbers) -> dict[str, mpf]:
+    """Numbers under the names of the blocks' inputs."""
+    found = {}
+    for quantity in quantities:
+        for name, key in zip(quantity.names, quantity.keys, strict=True):
+            value = numbers[quantity.name]
+            for i in key:
+                value = value[i]
+            found[name] = mpf(float(value))
+    return found
 
 
 def _by_name(block: Block, values: Mapping[str, mpf]) -> dict[str, mpf]:

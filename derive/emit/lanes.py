@@ -153,7 +153,7 @@ def _model(kernel: ForceKernel) -> list[str]:
     parts = {
         "@MEMBERS@": [_member(q, f"[{LANES}]") for q in tables],
         "@ROWS@": [
-            wrap_list(f"    {{{', '.join(row)}}}, /* {q.name} */", " " * 5)
+            f"    /* {q.name} */\n" + wrap_list(f"    {{{', '.join(row)}}},", " " * 5)
             for q, row in zip(tables, rows, strict=True)
         ],
     }
@@ -335,15 +335,17 @@ def _lane_loads(
 def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
+    inputs: tuple[Quantity, ...] = (n.t, n.b)
+    q: tuple[sp.Expr, ...] = n.q.symbols
     if not kernel.about_base_point:
-        terms, inputs = (*exprs[n.q], *n.t.symbols, *n.b.symbols), (n.t, n.b)
+        q = exprs[n.q]
     elif kernel.constants is None:
-        terms, inputs = (*n.q.symbols, *t_1.symbols, *r.symbols), (t_1, r)
+        inputs = (t_1, r)
     else:
         named = {step.symbol for step in kernel.leg.steps}
-        q = [symbol for symbol in n.q.symbols if symbol in named]
+        q = tuple(symbol for symbol in q if symbol in named)
         inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
-        terms = (*q, *(symbol for part in inputs for symbol in part.symbols))
+    terms = (*q, *(symbol for quantity in inputs for symbol in quantity.symbols))
     return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 
 
