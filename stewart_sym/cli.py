@@ -17,14 +17,10 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, NoReturn, TextIO
+from typing import NoReturn, TextIO
 
 from .native import CompilerError
 from .publish import named
-
-if TYPE_CHECKING:
-    from .robot import Robot
-    from .studies.economy import Candidate
 
 PROGRAM = "stewart-sym"
 
@@ -276,6 +272,7 @@ def _advise(arguments: argparse.Namespace) -> int:
     import json
 
     from .budget import read_budget
+    from .kit import Choice, write_kit
     from .publish import replaced_file
     from .studies import advice
     from .studies.economy import economy
@@ -283,15 +280,17 @@ def _advise(arguments: argparse.Namespace) -> int:
     if arguments.json is not None:
         _refuse_overwrite(arguments.json, arguments.scene)
     budget = read_budget(arguments.scene)
-    with contextlib.ExitStack() as files, _progress() as progress:
-        stream = None if arguments.json is None else files.enter_context(replaced_file(arguments.json))
+    with contextlib.ExitStack() as opened, _progress() as progress:
+        stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
         found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
         if stream is not None:
             stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
         written = []
         if arguments.generate is not None and found.chosen is not None:
             progress("generating")
-            written = _kit(budget.robot, found.chosen.candidate, arguments)
+            it = found.chosen.candidate
+            choice = Choice(it.formulation, it.fidelity, arguments.bake, it.precision)
+            _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force)
     print(advice.report(found))
     for path in written:
         print(path)
@@ -339,14 +338,6 @@ def _chart(arguments: argparse.Namespace) -> int:
 
 
 # Their parts
-
-
-def _kit(robot: "Robot", candidate: "Candidate", arguments: argparse.Namespace) -> list[Path]:
-    """Write the kernel that was advised."""
-    from .kit import Choice, write_kit
-
-    choice = Choice(candidate.formulation, candidate.fidelity, arguments.bake, candidate.precision)
-    return write_kit(robot, arguments.generate, choice, arguments.force)[1]
 
 
 def _measured(arguments: argparse.Namespace) -> dict[str, str]:

@@ -184,7 +184,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
     times = [point.ns for point in given]
-    room = (max(times) / min(times)) ** 0.2
+    room = max((max(times) / min(times)) ** 0.2, 1.2)
     axes.set_xlim(min(times) / room, max(times) * room**1.5)
     errors = [error for point in given for error in point.errors.values()]
     heights = [height(error) for error in errors]

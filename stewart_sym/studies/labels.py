@@ -4,30 +4,32 @@ Used by the pictures that name their points; knows axes and texts, nothing of wh
 ``plot``. The same picture gets the same places on every run.
 """
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 Place = tuple[float, float]
 
-ROOM = 2.0
-"""Points that stay free around a marker, and above and below a label; there are more at its sides."""
+MARKER, ROOM, SIDES = 3.0, 2.0, 5.0
+"""Points (1/72 inch) from the middle of a marker to its edge; around markers and labels that stay free; and
+that stay free at both sides of a label."""
 
-_SIDES = 10.0
-
-_NEAREST, _STEP, _DIRECTIONS = 11.0, 6.0, 24
-_TURNS = 8
-"""How often at most every label may look for a better place, given those of the others."""
+_NEAREST, _FARTHER, _DISTANCES, _DIRECTIONS = 11.0, 1.15, 32, 24
+"""Distance between point and label, points, the ratio from one to the next, how many, and directions."""
 
 _CROSSING = 80.0
 """Points farther away that a label rather stands than that its line crosses something."""
 
-_FROM_EAST = tuple(2 * math.pi * i / _DIRECTIONS for i in range(_DIRECTIONS))
+_TURNS = 6
+"""How often at most every label may look for a better place, given those of the others."""
 
 
 @dataclass(frozen=True)
@@ -41,53 +43,13 @@ class Label:
 
 
 @dataclass(frozen=True)
-class _Box:
-    left: float
-    low: float
-    right: float
-    high: float
+class _Choice:
+    """Where a label stands, in pixels: its middle, its line, from point to box, (4,), and what is bad."""
 
-    def overlaps(self, other: "_Box") -> bool:
-        return (
-            self.left < other.right
-            and other.left < self.right
-            and self.low < other.high
-            and other.low < self.high
-        )
-
-    def grown(self, by: float) -> "_Box":
-        return _Box(self.left - by, self.low - by, self.right + by, self.high + by)
-
-    def grown_to(self, size: Place) -> "_Box":
-        across, up = size[0] / 2, size[1] / 2
-        return _Box(self.left - across, self.low - up, self.right + across, self.high + up)
-
-    def holds(self, at: Place) -> bool:
-        return self.left <= at[0] <= self.right and self.low <= at[1] <= self.high
-
-    def within(self, other: "_Box") -> bool:
-        return (
-            other.left <= self.left
-            and self.right <= other.right
-            and other.low <= self.low
-            and self.high <= other.high
-        )
-
-    def crossed(self, start: Place, end: Place) -> bool:
-        """Whether a line runs through it, by clipping the line at its sides."""
-        first, last = 0.0, 1.0
-        for at, to, low, high in (
-            (start[0], end[0], self.left, self.right),
-            (start[1], end[1], self.low, self.high),
-        ):
-            way = to - at
-            if way == 0.0:
-                if not low < at < high:
-                    return False
-                continue
-            one, other = sorted(((low - at) / way, (high - at) / way))
-            first, last = max(first, one), min(last, other)
-        return first < last
+    middle: Array
+    box: Array
+    line: Array
+    cost: float
 
 
 def place(
@@ -110,20 +72,18 @@ def place(
     figure.set_layout_engine("none")
     unit = figure.dpi / 72.0
     room = axes.get_window_extent(renderer)
-    frame = _Box(room.x0, room.y0, room.x1, room.y1).grown(-ROOM * unit)
-
-    def placed(at: Place) -> Place:
-        x, y = axes.transData.transform(at)
-        return float(x), float(y)
-
-    points = [placed(marker) for marker in markers]
-    taken = tuple(_Box(x, y, x, y).grown((3.0 + ROOM) * unit) for x, y in points)
-    drawn = [(placed(start), placed(end)) for start, end in bars]
-    at = {label: placed((label.x, label.y)) for label in labels}
-    sizes = {label: _size(axes, label, size, renderer) for label in labels}
-    placing = _Placing(at, sizes, frame, taken, drawn, unit)
-    found = min((placing.settled(order) for order in _orders(at)), key=lambda each: _cost(each.values()))
-    return [_annotated(axes, label, at[label], found[label], unit, size) for label in labels]
+    points = axes.transData.transform(np.reshape(markers, (-1, 2)))
+    placing = _Placing(
+        at=axes.transData.transform([(label.x, label.y) for label in labels]),
+        sizes=np.array([_size(axes, label, size, renderer) for label in labels]),
+        frame=_grown(np.array([room.x0, room.y0, room.x1, room.y1]), -2.0 * SIDES * unit),
+        taken=_grown(np.hstack([points, points]), (MARKER + ROOM) * unit),
+        bars=axes.transData.transform(np.reshape(bars, (-1, 2))).reshape(-1, 4),
+        unit=unit,
+    )
+    settled = [placing.settled(order) for order in placing.orders()]
+    best = min(settled, key=lambda found: sum(choice.cost for choice in found.values()))
+    return [_annotated(axes, label, placing.at[i], best[i], unit, size) for i, label in enumerate(labels)]
 
 
 def _size(axes: Axes, label: Label, size: float, renderer: Any) -> Place:
@@ -133,140 +93,130 @@ def _size(axes: Axes, label: Label, size: float, renderer: Any) -> Place:
     return extent.width, extent.height
 
 
-def _orders(at: Mapping[Label, Place]) -> list[list[Label]]:
-    """Who chooses first: those with near neighbours, which have the least choice, or from one side on."""
-
-    def crowd(label: Label) -> float:
-        return sum(1.0 / (20.0 + math.dist(at[label], place)) for place in at.values())
-
-    keys: tuple[Callable[[Label], float], ...] = (
-        lambda label: -round(crowd(label), 6),
-        lambda label: at[label][0],
-        lambda label: -at[label][0],
-        lambda label: at[label][1],
-        lambda label: -at[label][1],
-    )
-    return [sorted(at, key=lambda label: (key(label), label.y, label.x, label.text)) for key in keys]
-
-
-@dataclass(frozen=True)
-class _Choice:
-    """Where a label stands: offset of its middle from its point, its box, and what is bad about it."""
-
-    offset: Place
-    box: _Box
-    cost: float
-
-
-def _cost(choices: Iterable[_Choice]) -> float:
-    return sum(choice.cost for choice in choices)
-
-
 @dataclass(frozen=True, eq=False)
 class _Placing:
-    """Labels to place, in pixels: their points, sizes, what is drawn already; ``unit``: pixels a point."""
+    """Labels to place, in pixels: their points and sizes, (n, 2), and what is drawn already.
 
-    at: Mapping[Label, Place]
-    sizes: Mapping[Label, Place]
-    frame: _Box
-    taken: Sequence[_Box]
-    drawn: Sequence[tuple[Place, Place]]
+    frame (4,), taken (m, 4): boxes as left, low, right, high; bars (k, 4): lines as both ends. unit: pixels
+    of a point.
+    """
+
+    at: Array
+    sizes: Array
+    frame: Array
+    taken: Array
+    bars: Array
     unit: float
 
-    def settled(self, order: Sequence[Label]) -> dict[Label, _Choice]:
+    def orders(self) -> list[list[int]]:
+        """Who chooses first: those with near neighbours, which have the least choice, or from one side on."""
+        apart = np.linalg.norm(self.at[:, None] - self.at, axis=-1)
+        crowd = np.sum(1.0 / (20.0 * self.unit + apart), axis=-1).round(6)
+        x, y = self.at.T
+        return [np.lexsort((y, x, key)).tolist() for key in (-crowd, x, -x, y, -y)]
+
+    def settled(self, order: Sequence[int]) -> dict[int, _Choice]:
         """Everybody's best place given those of the others, chosen by turns until nobody moves."""
-        found: dict[Label, _Choice] = {}
+        found: dict[int, _Choice] = {}
         for _ in range(_TURNS):
-            before = dict(found)
-            for label in order:
-                others = {other: choice.box for other, choice in found.items() if other != label}
-                found[label] = self._best(label, others)
-            if found == before:
+            before = {i: choice.middle.tolist() for i, choice in found.items()}
+            for i in order:
+                found[i] = self._best(i, {j: choice for j, choice in found.items() if j != i})
+            if before == {i: choice.middle.tolist() for i, choice in found.items()}:
                 break
         return found
 
-    def _best(self, label: Label, others: Mapping[Label, _Box]) -> _Choice:
-        at, size, frame = self.at[label], self.sizes[label], self.frame
-        written = [box.grown_to((_SIDES * self.unit, 0.0)) for box in others.values()]
-        lines = [
-            *self.drawn,
-            *((self.at[other], _nearest(box, self.at[other])) for other, box in others.items()),
-        ]
-        farthest = math.dist((frame.left, frame.low), (frame.right, frame.high))
-        best: _Choice | None = None
-        for distance, offset in _offsets(size, self.unit, farthest):
-            if best is not None and distance >= best.cost:
-                break
-            middle = at[0] + offset[0], at[1] + offset[1]
-            box = _Box(*middle, *middle).grown_to(size)
-            free = box.grown(ROOM * self.unit)
-            if not box.within(frame) or any(free.overlaps(other) for other in (*self.taken, *written)):
-                continue
-            crossings = self._crossings(at, _nearest(box, at), free, written, lines)
-            cost = distance + _CROSSING * self.unit * crossings
-            if best is None or cost < best.cost:
-                best = _Choice(offset, box, cost)
-        if best is None:
+    def _best(self, i: int, others: Mapping[int, _Choice]) -> _Choice:
+        at, size = self.at[i], self.sizes[i]
+        distance, offsets = _around(size, self.unit)
+        middle = at + offsets
+        boxes = np.hstack([middle - size / 2, middle + size / 2])
+        written = np.array([choice.box for choice in others.values()]).reshape(-1, 4)
+        aside = written + self.unit * np.array([-SIDES, 0.0, SIDES, 0.0])
+        free = _grown(boxes, ROOM * self.unit)
+        fits = _within(boxes, self.frame) & ~_overlap(free, np.vstack([self.taken, aside])).any(axis=-1)
+        if not fits.any():
             raise ValueError("labels: expected room for all of them in the picture")
-        return best
-
-    def _crossings(
-        self,
-        at: Place,
-        end: Place,
-        free: _Box,
-        written: Sequence[_Box],
-        lines: Sequence[tuple[Place, Place]],
-    ) -> int:
-        """How often a label's line, from its point to the end, and its box cross what is drawn already."""
-        # Markers at its own place are where the line starts.
-        others = [box for box in self.taken if not box.holds(at)]
-        through = sum(box.crossed(at, end) for box in (*others, *written))
-        return through + sum(free.crossed(*line) or _cross(line, (at, end)) for line in lines)
+        distance, middle, boxes, free = distance[fits], middle[fits], boxes[fits], free[fits]
+        own = np.hstack([np.broadcast_to(at, middle.shape), np.clip(at, boxes[:, :2], boxes[:, 2:])])
+        lines = np.vstack([self.bars, *(choice.line for choice in others.values())])
+        # Markers at its own place are where its line starts.
+        foreign = self.taken[~_within(np.hstack([at, at]), self.taken)]
+        crossings = _crossed(own[:, None], np.vstack([foreign, written])).sum(axis=-1)
+        crossings += (_crossed(lines, free[:, None]) | _cross(own[:, None], lines)).sum(axis=-1)
+        cost = distance + _CROSSING * self.unit * crossings
+        first = int(np.argmin(cost))
+        return _Choice(middle[first], boxes[first], own[first], float(cost[first]))
 
 
-def _offsets(size: Place, unit: float, farthest: float) -> Iterator[tuple[float, Place]]:
-    """Distances between point and text, growing, and offsets of the text's middle."""
-    width, height = size
-    gap = _NEAREST * unit
-    while gap < farthest:
-        for angle in _FROM_EAST:
-            across, up = math.cos(angle), math.sin(angle)
-            yield gap, (across * (gap + width / 2), up * (gap + height / 2))
-        gap += _STEP * unit
+def _around(size: Array, unit: float) -> tuple[Array, Array]:
+    """Distances of a label's box from its point, (n,), rising, and offsets of its middle, (n, 2)."""
+    distances = _NEAREST * unit * _FARTHER ** np.arange(_DISTANCES)
+    angles = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
+    gap = np.repeat(distances, _DIRECTIONS)[:, None]
+    direction = np.tile(np.stack([np.cos(angles), np.sin(angles)], axis=-1), (_DISTANCES, 1))
+    return gap[:, 0], direction * (gap + size / 2)
 
 
-def _nearest(box: _Box, at: Place) -> Place:
-    """The point of a box that is nearest to another."""
-    return min(max(at[0], box.left), box.right), min(max(at[1], box.low), box.high)
+# --- boxes, (..., 4): left, low, right, high; lines, (..., 4): both ends ----------------------
 
 
-def _cross(one: tuple[Place, Place], other: tuple[Place, Place]) -> bool:
-    """Whether two lines cross, ends not counted."""
-
-    def side(line: tuple[Place, Place], at: Place) -> float:
-        (x0, y0), (x1, y1) = line
-        return (x1 - x0) * (at[1] - y0) - (y1 - y0) * (at[0] - x0)
-
-    return side(one, other[0]) * side(one, other[1]) < 0.0 and side(other, one[0]) * side(other, one[1]) < 0.0
+def _grown(boxes: Array, by: float) -> Array:
+    return boxes + by * np.array([-1.0, -1.0, 1.0, 1.0])
 
 
-def _annotated(axes: Axes, label: Label, at: Place, choice: _Choice, unit: float, size: float) -> Any:
+def _within(boxes: Array, frame: Array) -> Bools:
+    inside: Bools = np.all((boxes[..., :2] >= frame[..., :2]) & (boxes[..., 2:] <= frame[..., 2:]), axis=-1)
+    return inside
+
+
+def _overlap(boxes: Array, others: Array) -> Bools:
+    """Whether each of the boxes, (n, 4), overlaps each of the others, (m, 4): (n, m)."""
+    one, other = boxes[:, None], others
+    overlap: Bools = np.all((one[..., :2] < other[..., 2:]) & (other[..., :2] < one[..., 2:]), axis=-1)
+    return overlap
+
+
+def _crossed(lines: Array, boxes: Array) -> Bools:
+    """Whether lines run through boxes, by clipping them at the boxes' sides."""
+    start, way = lines[..., :2], lines[..., 2:] - lines[..., :2]
+    # A line along a side is turned by as little as doesn't show.
+    way = np.where(way == 0.0, 1e-9, way)
+    one, other = (boxes[..., :2] - start) / way, (boxes[..., 2:] - start) / way
+    enters = np.max(np.minimum(one, other), axis=-1)
+    leaves = np.min(np.maximum(one, other), axis=-1)
+    crossed: Bools = np.maximum(enters, 0.0) < np.minimum(leaves, 1.0)
+    return crossed
+
+
+def _cross(lines: Array, others: Array) -> Bools:
+    """Whether lines cross, ends not counted."""
+
+    def sides(line: Array, ends: Array) -> Array:
+        way = line[..., 2:] - line[..., :2]
+        first, last = (ends[..., k : k + 2] - line[..., :2] for k in (0, 2))
+        turn = [way[..., 0] * to[..., 1] - way[..., 1] * to[..., 0] for to in (first, last)]
+        return np.asarray(turn[0] * turn[1])
+
+    crossing: Bools = (sides(lines, others) < 0.0) & (sides(others, lines) < 0.0)
+    return crossing
+
+
+def _annotated(axes: Axes, label: Label, at: Array, choice: _Choice, unit: float, size: float) -> Any:
     box = choice.box
-    end = _nearest(box, at)
     line = {
         "arrowstyle": "-",
         "color": label.color,
         "linewidth": 0.6,
         "alpha": 0.7,
-        "relpos": ((end[0] - box.left) / (box.right - box.left), (end[1] - box.low) / (box.high - box.low)),
+        "relpos": tuple((choice.line[2:] - box[:2]) / (box[2:] - box[:2])),
         "shrinkA": 0.0,
         "shrinkB": 2.0,
     }
     return axes.annotate(
         label.text,
         (label.x, label.y),
-        (choice.offset[0] / unit, choice.offset[1] / unit),
+        tuple((choice.middle - at) / unit),
         textcoords="offset points",
         ha="center",
         va="center",
