@@ -285,7 +285,7 @@ def _advise(arguments: argparse.Namespace) -> int:
         found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
         if stream is not None:
             stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
-        written = []
+        written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:
             progress("generating")
             it = found.chosen.candidate
@@ -302,35 +302,34 @@ def _advise(arguments: argparse.Namespace) -> int:
 def _chart(arguments: argparse.Namespace) -> int:
     import json
 
-    from .budget import Budget, papers_motions, read_budget
+    from .budget import papers_motions, read_budget
     from .publish import staged_folder
-    from .studies import economy_plot, host
+    from .studies import host
     from .studies.advice import table
+    from .studies.charts import charts
     from .studies.economy import ROUNDS, economy
+    from .studies.economy_plot import save
     from .studies.reproduce import paper_machine
 
     if arguments.pictures:
         _plots()
-    if arguments.scene is None:
-        scene = Budget(paper_machine(), papers_motions(), tolerance=1.0)
-    else:
+    robot, motions = paper_machine(), papers_motions()
+    if arguments.scene is not None:
         scene = read_budget(arguments.scene)
+        robot, motions = scene.robot, dict(scene.motions)
     with staged_folder(arguments.output) as folder, _progress() as progress:
-        found = economy(scene.robot, scene.motions, True, ROUNDS, progress)
+        found = economy(robot, motions, True, ROUNDS, progress)
         text = table(found)
         figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
-        texts = {
-            "chart.txt": text + "\n",
-            "chart.csv": economy_plot.csv_rows(found),
-            "chart.json": json.dumps(figures, indent=1) + "\n",
-        }
-        pictures = {"chart": lambda: economy_plot.figure(found)}
+        texts = {"chart.txt": text + "\n", "chart.json": json.dumps(figures, indent=1) + "\n"}
+        every = charts(found)
+        texts |= {f"{chart.name}.csv": chart.rows for chart in every}
         for name, content in texts.items():
             (folder / name).write_text(content, encoding="utf-8", newline="\n")
         if arguments.pictures:
             progress("drawing")
-            for name, figure in pictures.items():
-                economy_plot.save(figure(), folder / name)
+            for chart in every:
+                save(chart.draw(), folder / chart.name)
         names = sorted(path.name for path in folder.iterdir())
     print(text)
     print(f"Written to {arguments.output}: {', '.join(names)}")

@@ -114,10 +114,15 @@ def report(found: Advice) -> str:
     return "\n\n".join([head, table(economy, found), "\n".join(answer(found))])
 
 
+_COLUMNS = (
+    *("kernel", "operations", "ns a pose", "in a batch", "bytes"),
+    *("model error", "RMS", "rounding", "total"),
+)
+
+
 def table(economy: Economy, found: Advice | None = None) -> str:
     """All candidates, the cheapest first; with advice, the choice is marked."""
-    header = ("kernel", "operations", "ns a pose", "in a batch", "bytes")
-    header += ("model error", "RMS", "rounding", "total", *([] if found is None else [""]))
+    header = [*_COLUMNS, *([] if found is None else [""])]
     rows = [
         (
             entry.candidate.name,

@@ -67,8 +67,8 @@ def place(
     """
     figure = axes.get_figure()
     assert isinstance(figure, Figure)
-    renderer = FigureCanvasAgg(figure).get_renderer()
-    figure.draw_without_rendering()  # type: ignore[no-untyped-call]
+    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
+    figure.draw_without_rendering()
     figure.set_layout_engine("none")
     unit = figure.dpi / 72.0
     room = axes.get_window_extent(renderer)
