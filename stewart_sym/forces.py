@@ -62,7 +62,7 @@ class ForceKernel:
         with np.errstate(over="ignore"):
             numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
-        model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
+        model = np.zeros(kernel.MODEL_NUMBERS + (self.precision == "float"), dtype=self.dtype)
         if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
