@@ -46,6 +46,10 @@ _NUMBERS = sum(_WIDTHS)
 class ForceKernel:
     """A robot's constants prepared for one formulation and precision; safe to share between threads.
 
+    In float the solve takes its moments over a length, a power of two near the size of the platform, so that
+    pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
+    units.
+
     model: the numbers of the C's ``stewart_<kernel>_model``.
     """
 
@@ -62,7 +66,8 @@ class ForceKernel:
         with np.errstate(over="ignore"):
             numbers = robot_numbers(self.robot).astype(self.dtype)
         kernel = module(kernel_name(self.formulation, self.robot.base_joint))
-        model = np.zeros(kernel.MODEL_NUMBERS + (self.precision == "float"), dtype=self.dtype)
+        more = self.precision == "float"  # the length that its solve takes moments over
+        model = np.zeros(kernel.MODEL_NUMBERS + more, dtype=self.dtype)
         if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)

@@ -1,4 +1,4 @@
-"""Text by which the float solve takes its moment rows over a length, so that pivots suit machines of any size.
+"""Text by which the float solve takes its moment rows over a length, so that pivots suit any size of machine.
 
 Stands below ``lanes``. Every operation of the kernel but one is homogeneous in the units of length, mass and
 time, so that units that are powers of two change no bit of it: the choice of a pivot compares force rows,
