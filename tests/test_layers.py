@@ -16,7 +16,16 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 FLOORS = (
     {"checks", "faults", "publish", "results", "rotation", "tables", "generated"},
     {"robot", "motion", "native"},
-    {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
+    {
+        "robots",
+        "reference",
+        "reference_equations",
+        "conditioning",
+        "kinematics",
+        "trajectory",
+        "kernel",
+        "units",
+    },
     {"forward", "joint_space"},
     {"dynamics", "forces"},
     {"closed_form"},
