@@ -18,6 +18,13 @@ from test_generated import c_folder
 import stewart_sym as ss
 from stewart_sym import units
 from stewart_sym.derive import notation as n
+from stewart_sym.derive.bake import baked
+from stewart_sym.derive.emit import lanes
+from stewart_sym.derive.fidelity import FIDELITIES as DERIVED
+from stewart_sym.derive.fidelity import fidelity_kernel
+from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
@@ -68,14 +75,17 @@ on_x86 = pytest.mark.skipif(
 
 @on_x86
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("level", ["-O2", "-O3"])
+@pytest.mark.parametrize(
+    "flags", [["-O2"], ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]], ids=lambda f: f[0]
+)
 @pytest.mark.parametrize("source", SOURCES)
-def test_float_object_code_holds_no_double(source: str, level: str, compiler: str, tmp_path: Path) -> None:
-    for machine in ([], ["-mavx2", "-mfma", "-fno-math-errno"]):
-        target = compiled(compiler, [level, *FLOAT, *machine], source, tmp_path / "kernel.o")
-        assert double_instructions(disassembled(target)) == set()
-        listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
-        assert not {"sqrt", "fabs"} & set(listed.split())
+def test_float_object_code_holds_no_double(
+    source: str, flags: list[str], compiler: str, tmp_path: Path
+) -> None:
+    target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
+    assert double_instructions(disassembled(target)) == set()
+    listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
+    assert not {"sqrt", "fabs"} & set(listed.split())
 
 
 @on_x86
@@ -117,12 +127,12 @@ def test_double_knows_no_unit_of_length(source: str) -> None:
 def test_the_float_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
     for source in FORCES:
         kernel = source.removeprefix("stewart_").removesuffix("_forces.c")
-        if not (c_folder().parent / f"{kernel}.py").exists():
-            continue
+        reduced = [level["model_numbers"] for level in FIDELITIES.values() if level["kernel"] == kernel]
+        numbers = reduced[0] if reduced else module(kernel).MODEL_NUMBERS
         for name, text in c_sources(f"{kernel}_forces").items():
             (tmp_path / name).write_text(text)
         check = f"""#include "stewart_{kernel}_forces.h"
-typedef char size_agrees[sizeof(stewart_{kernel}_model) == {module(kernel).MODEL_NUMBERS + 1} * sizeof(float)
+typedef char size_agrees[sizeof(stewart_{kernel}_model) == {numbers + 1} * sizeof(float)
                              ? 1
                              : -1];
 """
@@ -159,6 +169,20 @@ def float_error(rng: np.random.Generator) -> float:
 def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size() -> None:
     rng = np.random.default_rng(60)
     assert max(float_error(rng) for _ in range(200)) <= BOUND
+
+
+@pytest.mark.parametrize("fidelity", FIDELITIES)
+def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(fidelity: str) -> None:
+    rng = np.random.default_rng(65)
+    for scale in (1e-3, 0.1, 10.0):
+        robot = random_robot(rng, scale=scale)
+        motion = random_motion(rng, robot, (20,))
+        expected = ss.prepare(robot, fidelity=fidelity).forces(motion)
+        found = ss.prepare(robot, precision="float", fidelity=fidelity).forces(motion)
+        full = ss.inverse_dynamics(robot, motion)
+        condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
+        largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
+        assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
 
 
 @pytest.mark.slow
@@ -232,6 +256,17 @@ def test_the_kernel_takes_the_unit_of_length_of_the_robot() -> None:
         assert ss.prepare(robot, precision="float").model[-1] == 1 / Units.of(robot).length
     exactly = dataclasses.replace(robot, p=robot.p / np.abs(robot.p).max() * 0.25)
     assert ss.prepare(exactly, precision="float").model[-1] == 4.0
+
+
+def test_a_baked_kernel_takes_the_same_unit_of_length() -> None:
+    rng = np.random.default_rng(66)
+    raw = fidelity_kernel(EXACT, DERIVED["massless_static"])
+    for scale in (1e-3, 1.0, 10.0):
+        robot = random_robot(rng, scale=scale)
+        numbers = {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
+        folded = shared_blocks(baked(raw, numbers, "machine"))
+        assert folded.per_length == 1 / Units.of(robot).length
+        assert f"((value) * (stewart_real){folded.per_length!r})" in lanes.source(folded, "")
 
 
 def test_units_know_the_dimension_of_every_number() -> None:

@@ -20,13 +20,22 @@ MEMBER = """\
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif"""
 
-MACROS = """
+_MACROS = """
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
 #define STEWART_CHOOSE_LENGTH(made) (made)->per_length = 1 / unit_of_length(made)
 #else
 #define STEWART_OVER_LENGTH(value) (value)
 #define STEWART_CHOOSE_LENGTH(made) (void)(made)
+#endif
+"""
+
+_BAKED_MACROS = """
+{switch}
+#if defined(STEWART_SCALED)
+#define STEWART_OVER_LENGTH(value) ((value) * (stewart_real){per_length!r})
+#else
+#define STEWART_OVER_LENGTH(value) (value)
 #endif
 """
 
@@ -53,3 +62,10 @@ static stewart_real unit_of_length(const stewart_@NAME@_model *model)
 }
 #endif
 """
+
+
+def macros(per_length: float | None) -> str:
+    """Macros that take a moment over the length; ``per_length``, 1/m, None where the model holds it."""
+    if per_length is None:
+        return _MACROS
+    return _BAKED_MACROS.format(switch=SWITCH, per_length=per_length)
