@@ -36,6 +36,7 @@ from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation,
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
+from .units import Units
 
 __all__ = [
     "PATHS",
@@ -63,6 +64,7 @@ __all__ = [
     "StraightLinePath",
     "Thresholds",
     "Trace",
+    "Units",
     "base_parameters",
     "characteristic_length",
     "choose_excitation",

@@ -17,7 +17,7 @@ FLOORS = (
     {"checks", "faults", "publish", "results", "rotation", "tables", "generated"},
     {"robot", "motion", "native"},
     {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
-    {"forward", "joint_space", "fidelity"},
+    {"forward", "joint_space", "fidelity", "units"},
     {"dynamics", "forces"},
     {"closed_form"},
     {"equations", "laws"},
