@@ -13,7 +13,7 @@ from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import generated_files
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
-SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
+SOURCES = [*(name + kind for name in KERNELS for kind in ("", "_forces")), "exact_bounds"]
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 REPOSITORY = Path(__file__).parent.parent
 
