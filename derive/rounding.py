@@ -1,4 +1,4 @@
-"""Rounding: every step of a block with a bound of the rounding error it carries, Wilkinson's running analysis.
+"""Rounding: every step of a block with a bound of the rounding error it carries, by running error analysis.
 
 Stands beside ``reduce`` and takes shared blocks as they are emitted; knows no machine and prints nothing.
 
@@ -9,9 +9,9 @@ error of y and y_max = |y| + y_err, which neither y nor its true value exceeds i
 
 where |df/dy| and the intermediate results are bounded by taking every term positive and at its y_max. By the
 mean value theorem the first sum bounds what the errors of y, z, ... do to f in all orders; the second one
-counts each operation once, whatever the order in which a sum is added up (Higham, Accuracy and Stability of
-Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow. A few units u of
-relative error in x_err itself are left to whoever chooses u.
+counts each operation once, whatever the order in which a sum is added up (Wilkinson; Higham, Accuracy and
+Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow. A
+few units u of relative error in x_err itself are left to whoever chooses u.
 """
 
 from collections.abc import Iterable, Mapping
@@ -29,7 +29,7 @@ PLAIN, ROOT, RECIPROCAL = "plain", "root", "reciprocal"
 class RoundedStep:
     """A step and what bounds its error.
 
-    kind: PLAIN; or ROOT or RECIPROCAL of an argument, then ``carried`` and ``rounded`` are those of the argument.
+    kind: PLAIN; or ROOT or RECIPROCAL of an argument, then ``carried`` and ``rounded`` are the argument's.
     carried: what the errors of the inputs come to; rounded: sizes of intermediate results, each rounded once.
     own: whether the last operation rounds, by u |x|.
     """
@@ -41,17 +41,22 @@ class RoundedStep:
     own: bool
 
     @property
+    def rounds(self) -> bool:
+        """Whether the step adds an error to those that it is given."""
+        return self.own or self.rounded != 0
+
+    @property
     def exact(self) -> bool:
         """Whether the step's value has no error at all."""
-        return self.kind == PLAIN and not self.own and self.carried == 0 and self.rounded == 0
+        return not self.rounds and self.carried == 0
 
 
 @dataclass(frozen=True)
 class RoundedBlock:
     """A block whose steps bound their errors.
 
-    block: the same program; every output is a name or a negated one. errors: of every input and step, a symbol
-    or zero. limits: names of inputs and steps whose largest size some error needs.
+    block: the same program; every output is a name or a negated one. errors: of every input and step, a
+    symbol or zero. limits: names of inputs and steps whose largest size some error needs.
     """
 
     block: Block

@@ -2,10 +2,10 @@
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  *
- * The forces are those of stewart_exact_forces.h, operation for operation (the same to the last bit with
- * -ffp-contract=off). The bound is rigorous: it runs along with every operation, Wilkinson's running error
- * analysis, in all orders, and it counts its own roundings. It holds for arithmetic that rounds to nearest or
- * fuses products into sums, without overflow and underflow; not with -ffast-math.
+ * The forces are those of stewart_exact_forces.h, operation for operation: the same to the last bit with
+ * -ffp-contract=off. The bound is rigorous: the rounding of every operation is counted, in all orders, and so
+ * are the bound's own. It holds for arithmetic that rounds to nearest, or fuses products into sums, short of
+ * overflow and underflow; not with -ffast-math. It takes far longer than the forces.
  *
  * What is bounded is the distance of F from the exact forces of the given numbers, where R stands for the
  * rotation nearest to it: how far R is from being one counts, no other doubt about the inputs does.
@@ -61,11 +61,11 @@ typedef struct {
  * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model);
 
-/* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound is
- * infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
- * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over the
- * model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may be
- * null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
+/* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound
+ * is infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
+ * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over
+ * the model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may
+ * be null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
 int stewart_exact_forces_bounded(
     const stewart_exact_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
     stewart_real bound[6], stewart_real *rcond);
