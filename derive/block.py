@@ -227,6 +227,28 @@ def substitution(steps: Iterable[Step]) -> dict[sp.Symbol, sp.Expr]:
     return back
 
 
+def as_value(quantity: Quantity, exprs: Sequence[sp.Expr]) -> sp.Expr | sp.Matrix:
+    """Components in storage order as they stand in equations: the reverse of what an output stores."""
+    if not quantity.shape:
+        return exprs[0]
+    if len(quantity.shape) == 1:
+        return sp.Matrix(exprs)
+    table = dict(zip(quantity.keys, exprs, strict=True))
+    return sp.Matrix(3, 3, lambda i, j: table[(min(i, j), max(i, j)) if quantity.symmetric else (i, j)])
+
+
+def rebuilt(
+    block: Block, steps: Iterable[Step], outputs: Iterable[Output], inputs: Iterable[Quantity]
+) -> Block:
+    """The block with other steps and outputs, without what they do not need."""
+    return Builder(list(steps)).block(
+        block.name,
+        block.meaning,
+        dict.fromkeys(inputs),
+        [(out.quantity, as_value(out.quantity, out.exprs)) for out in outputs],
+    )
+
+
 def _components(quantity: Quantity, value: sp.Expr | sp.Matrix) -> tuple[sp.Expr, ...]:
     if quantity.shape == ():
         return (sp.sympify(value),)

@@ -11,9 +11,10 @@ from importlib.metadata import version as installed_version
 import sympy as sp
 
 from . import motion
-from .emit import bounds, c, lanes, numpy, numpy_motion
+from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
+from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .operations import force_operations, kernel_operations
@@ -79,6 +80,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         )
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
+    files |= _fidelities(version, progress)
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
@@ -92,6 +94,24 @@ def _error_bounds(version: str) -> dict[str, str]:
         f"c/stewart_{name}_bounds.h": bounds.header(built, version),
         f"c/stewart_{name}_bounds.c": bounds.source(built, version),
     }
+
+
+def reduced_fidelity(level: Fidelity) -> ForceKernel:
+    """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
+    return shared_blocks(fidelity_kernel(EXACT, level))
+
+
+def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]:
+    progress("deriving the fidelities")
+    files, kernels = {}, {}
+    for level in FIDELITIES.values():
+        built = reduced_fidelity(level)
+        kernels[level] = built
+        if built.fidelity != "general":
+            files[f"c/stewart_{built.name}_forces.h"] = lanes.header(built, None, version)
+            files[f"c/stewart_{built.name}_forces.c"] = lanes.source(built, version)
+    files["fidelities.py"] = fidelity_table.module(kernels, version)
+    return files
 
 
 def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:

@@ -6,6 +6,7 @@ and the elimination that the emitters print, not their text.
 
 from dataclasses import dataclass
 
+from . import notation as n
 from .block import Operations
 from .kernels import Kernel
 from .regroup import ForceKernel
@@ -65,11 +66,16 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
 
 
 def force_operations(kernel: ForceKernel) -> KernelOperations:
-    """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs."""
+    """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
+
+    What a leg does not have, its part of c or its D, costs nothing to add.
+    """
+    given = {out.quantity for out in kernel.leg.outputs}
+    parts = sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     return KernelOperations(
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations(),
-        sum_c=Operations(add=6 * LEGS),
+        sum_c=Operations(add=parts * LEGS),
         solve=elimination(LEGS, 3 if kernel.about_base_point else LEGS, last_divided=True),
-        forces=Operations(add=LEGS),
+        forces=Operations(add=LEGS if n.D in given else 0),
     )

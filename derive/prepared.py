@@ -7,6 +7,7 @@ Knows no equation of motion.
 """
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import sympy as sp
 
@@ -30,7 +31,13 @@ g_x_k = Quantity("g_x_k", (3,), "m/s^2", "g x k, base frame")
 C_us = Quantity("C_us", (), "N m s", "C_u + C_s")
 m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
 r = Quantity("r", (3,), "m", "base point from base point 1, base frame")
-LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, r)
+h_s = Quantity("h_s", (), "kg m", "first moment of the upper part about the platform point, along the leg")
+w_s = Quantity("w_s", (), "kg m", "first moments of both parts, along the leg")
+J_s = Quantity("J_s", (), "kg m^2", "inertia of both parts about the axis of the leg")
+J_t = Quantity("J_t", (), "kg m^2", "inertias about base and platform point across the leg, mean of two axes")
+J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the masses as points")
+J_ts = Quantity("J_ts", (), "kg m^2", "J_t - J_s")
+LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, r, h_s, w_s, J_s, J_t, J_m, J_ts)
 
 COMBINED: dict[Quantity, sp.Expr] = {
     **{double: 2 * single for double, single in zip((h2_x, h2_y, h2_z), h.symbols, strict=True)},
@@ -69,11 +76,27 @@ def differences(tensor: sp.Matrix) -> sp.Matrix:
     return sp.Matrix([zz - yy, xx - zz, yy - xx])
 
 
-def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Block:
+@dataclass(frozen=True)
+class Riding:
+    """What of a leg rides on the platform: the upper part's mass, the spherical joint's friction."""
+
+    mass: bool
+    friction: bool
+
+
+NOTHING_RIDES = Riding(mass=False, friction=False)
+
+
+def riding(prepare: Block) -> Riding:
+    """What rides on the platform, from the block that prepares a leg."""
+    added = {out.quantity: out.exprs for out in prepare.outputs}
+    return Riding(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
+
+
+def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
     """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
 
-    needed: prepared or raw constants of a leg; others are passed over. riding: whether the upper part's mass
-    rides on the platform.
+    needed: prepared or raw constants of a leg; others are passed over. riding: what rides on the platform.
     """
     build = Builder()
     raw = n.k.value
@@ -97,13 +120,14 @@ def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Blo
         C_us: n.C_u.value + n.C_s.value,
         m_L2: m_u,
         r: n.b.value - n.b_1.value,
+        **_axial(first, both, tensor),
     }
-    mass = m_u if riding else sp.S.Zero
+    mass = m_u if riding.mass else sp.S.Zero
     added = [
         (M_add, mass),
         (h_add, mass * n.p.value),
         (J_add, point_inertia(mass, n.p.value)),
-        (C_add, n.C_s.value if riding and friction else sp.S.Zero),
+        (C_add, n.C_s.value if riding.friction else sp.S.Zero),
     ]
     return build.block(
         "prepare_leg",
@@ -111,6 +135,19 @@ def prepare_leg(needed: Iterable[Quantity], riding: bool, friction: bool) -> Blo
         (*n.LEG, n.b_1, n.g),
         [*((q, values[q]) for q in needed if q in values), *added],
     )
+
+
+def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantity, sp.Expr]:
+    """Constants of a leg that is taken to be the same all round its axis."""
+    across = sp.Rational(1, 2) * (tensor[1, 1] + tensor[2, 2])
+    return {
+        h_s: first[0],
+        w_s: both[0],
+        J_s: tensor[0, 0],
+        J_t: across,
+        J_m: n.m_d.value * n.r_d0.value[0] ** 2 + n.m_u.value * n.r_u0.value[0] ** 2,
+        J_ts: across - tensor[0, 0],
+    }
 
 
 def prepare_platform(needed: Iterable[Quantity]) -> Block:

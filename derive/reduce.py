@@ -5,11 +5,27 @@ steps that needs it; the named steps stay, so that a line of the result can be t
 Knows blocks, not what they mean.
 """
 
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
-from .block import Block, Output, Step, count
+from .block import Block, Builder, Output, Quantity, Step, count, rebuilt
+
+
+def specialised(block: Block, values: Mapping[sp.Symbol, sp.Expr], new: Iterable[Quantity] = ()) -> Block:
+    """The block with some inputs replaced; steps that become a number or a symbol disappear.
+
+    values: input symbol -> a number or an expression of inputs, of the block's or the ``new`` ones.
+    """
+    known = dict(values)
+    build = Builder()
+    for step in block.steps:
+        named = build.scalar(step.name, step.expr.xreplace(known), step.equation, step.meaning)
+        if named != step.symbol:
+            known[step.symbol] = named
+    outputs = [Output(out.quantity, tuple(e.xreplace(known) for e in out.exprs)) for out in block.outputs]
+    return rebuilt(block, build.steps, outputs, (*block.inputs, *new))
 
 
 def share(block: Block) -> Block:

@@ -14,13 +14,14 @@ Each change leaves the forces as they are:
 ``passes`` shows what each is worth. Knows nothing of sharing or printing.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from . import notation as n
 from . import prepared as p
-from .block import Block, Builder, Output, Quantity, Step
+from .block import Block, Builder, Output, Quantity, Step, as_value, rebuilt
 from .formulation import SPHERICAL, Formulation
 from .joint_leg import friction_moment, joint_accelerations, joint_forces, joint_frame, joint_rates, tip_force
 from .kernels import leg_block
@@ -47,13 +48,38 @@ class ForceKernel:
     shared: Block
     leg: Block
     about_base_point: bool = False
+    fidelity: str = "general"
+    meaning: str = ""
+    constants: Mapping[Quantity, tuple[float, ...]] | None = None
+    baked_name: str = ""
+
+    @property
+    def name(self) -> str:
+        """Name of the emitted kernel: ``exact``, ``paper``, ``exact_slender``."""
+        if self.baked_name:
+            return self.baked_name
+        own = self.formulation.kernel_name
+        return own if self.fidelity == "general" else f"{own}_{self.fidelity}"
+
+    def literals(self) -> dict[Quantity, float]:
+        """Constants of a baked kernel that all legs share."""
+        return {q: values[0] for q, values in (self.constants or {}).items() if len(values) == 1}
+
+    def used_motion(self) -> tuple[Quantity, ...]:
+        """What of the motion the forces depend on; R and t always, since they place the legs."""
+        used = {*self.shared.inputs, *self.leg.inputs, n.R, n.t}
+        return tuple(q for q in n.MOTION if q in used)
 
     def leg_constants(self) -> tuple[Quantity, ...]:
         """Constants of each leg in the prepared model."""
+        if self.constants is not None:
+            return tuple(q for q, values in self.constants.items() if len(values) > 1)
         return tuple(o.quantity for o in self.prepare_leg.outputs if o.quantity not in p.ADDED)
 
     def platform_constants(self) -> tuple[Quantity, ...]:
         """Constants of the platform in the prepared model."""
+        if self.constants is not None:
+            return ()
         return tuple(o.quantity for o in self.prepare_platform.outputs)
 
 
@@ -65,30 +91,32 @@ def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
 def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
     """The blocks of ``kernels`` as they are, without what the forces do not need."""
     block, share = platform()
-    return _kernel(form, friction, block, _plain_leg(form, share, friction), riding=False)
+    return with_constants(form, friction, block, _plain_leg(form, share, friction), p.NOTHING_RIDES)
 
 
 def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
     """The legs of ``kernels``, with B and the platform's part of c regrouped."""
     _, share = platform()
     leg = _turned_by_B(_plain_leg(form, share, friction))
-    return _kernel(form, friction, shared(friction=False), leg, riding=False)
+    return with_constants(form, friction, shared(friction=False), leg, p.NOTHING_RIDES)
 
 
 def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     """All constants regrouped, moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
-    leg = _printed_leg(form, friction) if form.no_spin else _joint_leg(friction)
-    return _kernel(form, friction, shared(friction), leg, riding=True)
+    leg = _printed_leg(form, friction) if form.no_spin else joint_leg(friction)
+    return with_constants(form, friction, shared(friction), leg, p.Riding(mass=True, friction=friction))
 
 
-def _kernel(form: Formulation, friction: bool, pose: Block, leg: Block, riding: bool) -> ForceKernel:
+def with_constants(
+    form: Formulation, friction: bool, pose: Block, leg: Block, riding: p.Riding
+) -> ForceKernel:
     """The kernel with the constants that its blocks read; ``riding`` as in ``prepare_leg``."""
     return ForceKernel(
         form,
         friction,
-        p.prepare_leg(leg.inputs, riding, friction),
+        p.prepare_leg(leg.inputs, riding),
         p.prepare_platform(dict.fromkeys((*pose.inputs, *(q for q in leg.inputs if q == n.g)))),
         pose,
         leg,
@@ -102,9 +130,9 @@ def about_base_point(kernel: ForceKernel) -> ForceKernel:
     """The same kernel with moments about base point 1: S_1 = q + t_1, S = S_1 - r."""
     leg = _leg_about_base_point(kernel.leg)
     pose = _pose_about_base_point(kernel.shared)
-    riding = any(out.quantity == p.M_add and out.exprs[0] != 0 for out in kernel.prepare_leg.outputs)
-    moved = _kernel(kernel.formulation, kernel.friction, pose, leg, riding)
-    return replace(moved, about_base_point=True)
+    riding = p.riding(kernel.prepare_leg)
+    moved = with_constants(kernel.formulation, kernel.friction, pose, leg, riding)
+    return replace(moved, about_base_point=True, fidelity=kernel.fidelity)
 
 
 def from_base_point(leg: Block) -> Block:
@@ -121,7 +149,7 @@ def from_base_point(leg: Block) -> Block:
             step = replace(step, expr=tip - base)
         steps.append(step)
     outputs = [Output(n.S_1, n.S_1.symbols) if out.quantity == n.q else out for out in leg.outputs]
-    return _closed(leg, steps, outputs, (*leg.inputs, p.t_1, p.r))
+    return rebuilt(leg, steps, outputs, (*leg.inputs, p.t_1, p.r))
 
 
 def _leg_about_base_point(leg: Block) -> Block:
@@ -135,7 +163,7 @@ def _leg_about_base_point(leg: Block) -> Block:
         Output(out.quantity, tuple(e.xreplace(arms.get(out.quantity, {})) for e in out.exprs))
         for out in moved.outputs
     ]
-    return _closed(moved, list(moved.steps), outputs, (*moved.inputs, p.t_1, p.r))
+    return rebuilt(moved, list(moved.steps), outputs, (*moved.inputs, p.t_1, p.r))
 
 
 def _pose_about_base_point(pose: Block) -> Block:
@@ -147,31 +175,12 @@ def _pose_about_base_point(pose: Block) -> Block:
     )
     moment = sp.Matrix(values[n.c_moment]) + cross(t_1, force)
     outputs = [
-        *((q, _as_value(q, exprs)) for q, exprs in values.items() if q not in (n.c_force, n.c_moment)),
+        *((q, as_value(q, exprs)) for q, exprs in values.items() if q not in (n.c_force, n.c_moment)),
         (p.t_1, t_1),
         (n.c_force, force),
         (n.c_moment, moment),
     ]
     return build.block(pose.name, pose.meaning, (*pose.inputs, n.t, n.b_1), outputs)
-
-
-def _as_value(quantity: Quantity, exprs: tuple[sp.Expr, ...]) -> sp.Expr | sp.Matrix:
-    if not quantity.shape:
-        return exprs[0]
-    if len(quantity.shape) == 1:
-        return sp.Matrix(exprs)
-    table = dict(zip(quantity.keys, exprs, strict=True))
-    return sp.Matrix(3, 3, lambda i, j: table[(min(i, j), max(i, j)) if quantity.symmetric else (i, j)])
-
-
-def _closed(block: Block, steps: list[Step], outputs: list[Output], inputs: tuple[Quantity, ...]) -> Block:
-    """The block with other steps and outputs, without what they do not need."""
-    return Builder(steps).block(
-        block.name,
-        block.meaning,
-        dict.fromkeys(inputs),
-        [(out.quantity, _as_value(out.quantity, out.exprs)) for out in outputs],
-    )
 
 
 # ---------------------------------------------------------------- pose and platform
@@ -255,17 +264,19 @@ def shared(friction: bool) -> Block:
 # ---------------------------------------------------------------- legs
 
 
-def _leg(
+def closed_leg(
     build: Builder,
     meaning: str,
     q: sp.Matrix,
     s: sp.Matrix,
     L: sp.Expr,
-    k3: sp.Expr,
+    k3: sp.Expr | None,
     D: sp.Expr,
     K: sp.Matrix,
     f: sp.Matrix,
 ) -> Block:
+    """The leg's block, moments about the reference point; k3 None where there is no universal joint."""
+    pole = [] if k3 is None else [(n.k3, k3)]
     return build.block(
         "leg_terms_of",
         meaning,
@@ -273,7 +284,7 @@ def _leg(
         [
             (n.q, q),
             (n.L, L),
-            (n.k3, k3),
+            *pole,
             (n.D, D),
             (n.H_force, s),
             (n.H_moment, cross(q, s)),
@@ -283,35 +294,42 @@ def _leg(
     )
 
 
-def _joint_leg(friction: bool) -> Block:
+def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
+    """S_dot and S_ddot, named, (4), (7)."""
+    S_dot = build.vector(
+        "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
+    )
+    S_ddot = build.vector("S_ddot", p.B.value * q + n.a.value, "(7)", "acceleration of the platform point")
+    return S_dot, S_ddot
+
+
+def joint_leg(friction: bool) -> Block:
+    """The general leg in the coordinates of its joints."""
     build = Builder()
     at = joint_frame(build)
-    S_dot = build.vector(
-        "S_dot", cross(n.omega.value, at.q) + n.v.value, "(4)", "velocity of the platform point"
-    )
-    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", "acceleration of the platform point")
+    S_dot, S_ddot = tip_motion(build, at.q)
     rates = joint_rates(build, at, S_dot)
     accelerations = joint_accelerations(build, at, rates, S_ddot)
     D, K = tip_force(build, at, joint_forces(build, at, rates, accelerations, friction))
     meaning = "one leg in joint coordinates: D, its column of H and its part of c"
-    return _leg(build, meaning, at.q, at.s, at.L, at.k3, D, K, friction_moment(at, rates, friction))
+    return closed_leg(build, meaning, at.q, at.s, at.L, at.k3, D, K, friction_moment(at, rates, friction))
 
 
 def _printed_leg(form: Formulation, friction: bool) -> Block:
     build = Builder()
     meaning = "one leg in its frame: D, its column of H and its part of c"
-    return _leg(build, meaning, *printed_leg(build, form, friction))
+    return closed_leg(build, meaning, *printed_leg(build, form, friction))
 
 
 def _plain_leg(form: Formulation, share: LegShare, friction: bool) -> Block:
     """The leg as ``kernels`` has it, without the outputs that the forces do not need."""
     leg = leg_block(form, share, friction)
     kept = [out for out in leg.outputs if out.quantity != n.K]
-    return replace(_closed(leg, list(leg.steps), kept, leg.inputs), name="leg_terms_of")
+    return replace(rebuilt(leg, list(leg.steps), kept, leg.inputs), name="leg_terms_of")
 
 
 def _turned_by_B(leg: Block) -> Block:
     """The leg with S_ddot = B q + a."""
     ready = dict(zip(("S_ddot_x", "S_ddot_y", "S_ddot_z"), p.B.value * n.q.value + n.a.value, strict=True))
     steps = [replace(step, expr=ready.get(step.name, step.expr)) for step in leg.steps]
-    return _closed(leg, steps, list(leg.outputs), (*leg.inputs, p.B))
+    return rebuilt(leg, steps, list(leg.outputs), (*leg.inputs, p.B))

@@ -138,15 +138,18 @@ def _derive(arguments: argparse.Namespace) -> int:
 
 
 def _generate(arguments: argparse.Namespace) -> int:
-    from .kit import write_kit
+    from .kit import Choice, write_kit
     from .robot import Robot
 
     robot = Robot.from_toml(arguments.robot)
+    choice = Choice(arguments.formulation, arguments.fidelity, arguments.bake, arguments.precision)
     with _progress() as progress:
         progress("generating")
-        written = write_kit(robot, arguments.output, arguments.formulation, arguments.force)
+        made, written = write_kit(robot, arguments.output, choice, arguments.force)
     for path in written:
         print(path)
+    folded = "" if made.baked_operations is None else f", with the numbers folded in {made.baked_operations}"
+    print(f"operations of a pose: {made.operations}{folded}")
     return 0
 
 
@@ -563,11 +566,21 @@ def _parser() -> argparse.ArgumentParser:
         "generate",
         _generate,
         "write a C kernel with one robot's constants, a header and an example",
-        "stewart-sym generate hexapod.toml -o kernel",
+        "stewart-sym generate hexapod.toml --bake --fidelity slender -o kernel",
+        "Without --fidelity and --bake the kernel hands out D, K, H, c and the joint reactions as well.",
     )
     _robot(verb)
     _output(verb, "DIR", "folder to write to", None)
     _formulation(verb)
+    verb.add_argument(
+        "--fidelity",
+        metavar="LEVEL",
+        help="forces alone, with so much of the legs' physics: general, frictionless, axisymmetric, slender, "
+        "point_masses, massless, the last four also with _friction; general_static, slender_static, "
+        "massless_static",
+    )
+    verb.add_argument("--bake", action="store_true", help="forces alone, with the robot's numbers folded in")
+    verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--force", action="store_true", help="replace files that are there already")
 
     verb = _verb(

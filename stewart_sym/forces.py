@@ -20,7 +20,8 @@ from numpy.typing import NDArray
 from .checks import instance, option
 from .dynamics import Formulation, need_motion, report_faults
 from .faults import ON_FAULT, OnFault
-from .kernel import FORMULATIONS, MOTION, address, kernel_name, library, module, robot_numbers
+from .fidelity import force_kernel_name, model_numbers
+from .kernel import FORMULATIONS, MOTION, address, library, robot_numbers
 from .motion import Motion
 from .results import OK
 from .robot import Robot
@@ -44,7 +45,9 @@ _NUMBERS = sum(_WIDTHS)
 
 @dataclass(frozen=True, eq=False)
 class ForceKernel:
-    """A robot's constants prepared for one formulation and precision; safe to share between threads.
+    """A robot's constants prepared for one formulation, precision and level of fidelity.
+
+    Safe to share between threads.
 
     model: the numbers of the C's ``stewart_<kernel>_model``.
     """
@@ -52,6 +55,7 @@ class ForceKernel:
     robot: Robot
     formulation: Formulation = "exact"
     precision: Precision = "double"
+    fidelity: str = "general"
     model: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -61,8 +65,8 @@ class ForceKernel:
         option(self.precision, ("double", "float"), "precision")
         with np.errstate(over="ignore"):
             numbers = robot_numbers(self.robot).astype(self.dtype)
-        kernel = module(kernel_name(self.formulation, self.robot.base_joint))
-        model = np.zeros(kernel.MODEL_NUMBERS, dtype=self.dtype)
+        size = model_numbers(self.robot, self.formulation, self.fidelity)
+        model = np.zeros(size, dtype=self.dtype)
         if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
@@ -174,8 +178,13 @@ class ForceKernel:
             address(status, start),
         )
 
+    @property
+    def name(self) -> str:
+        """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
+        return force_kernel_name(self.robot, self.formulation, self.fidelity)
+
     def _function(self, what: str) -> Any:
-        return _function(kernel_name(self.formulation, self.robot.base_joint), self.precision, what)
+        return _function(self.name, self.precision, what)
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,12 +233,18 @@ class OnePose:
         raise AttributeError(name)
 
 
-def prepare(robot: Robot, formulation: Formulation = "exact", precision: Precision = "double") -> ForceKernel:
+def prepare(
+    robot: Robot,
+    formulation: Formulation = "exact",
+    precision: Precision = "double",
+    fidelity: str = "general",
+) -> ForceKernel:
     """Prepare a robot's constants for the fast force kernel, compiling it on first use.
 
-    Raises ValueError for an unknown formulation or precision, native.CompilerError without a C compiler.
+    fidelity: how much of the legs' physics, one of ``fidelity.FIDELITIES``. Raises ValueError for an unknown
+    formulation, precision or fidelity, native.CompilerError without a C compiler.
     """
-    return ForceKernel(robot, formulation, precision)
+    return ForceKernel(robot, formulation, precision, fidelity)
 
 
 @functools.cache

@@ -1,4 +1,4 @@
-"""Writes the C kit of one robot: the committed kernel, the robot's constants, an example that checks itself.
+"""Writes the C kit of one robot: a kernel, the robot's constants, an example that checks itself.
 
 Takes a checked Robot; chooses the example's pose, has its forces computed, and has the files put in place all
 at once or not at all. The texts are those of ``derive.emit.kit``; knows nothing of their syntax.
@@ -8,6 +8,7 @@ import itertools
 import math
 import os
 from collections.abc import Iterable
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import cast
@@ -15,17 +16,27 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import fidelity
+from .checks import option
 from .conditioning import characteristic_length, scaled_condition_number
 from .derive import notation
+from .derive.bake import baked
 from .derive.block import Quantity
 from .derive.emit import kit as texts
+from .derive.emit import lanes
+from .derive.emit.c import common_header
+from .derive.fidelity import FIDELITIES, fidelity_kernel
+from .derive.formulation import EXACT, FORMULATIONS
+from .derive.generate import generator_version, shared_blocks
+from .derive.operations import force_operations
 from .dynamics import Formulation, inverse_dynamics
-from .kernel import c_sources, kernel_name
+from .kernel import c_sources, kernel_name, module
 from .kinematics import inverse_kinematics
 from .motion import Motion
 from .publish import staged_folder
 from .results import Forces
 from .robot import Robot
+from .studies.truth import Truth
 
 Array = NDArray[np.float64]
 
@@ -40,18 +51,50 @@ _DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 
 _SLIGHT_TURN = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]) / 406
 
 
-def write_kit(robot: Robot, directory: Path, formulation: str = "exact", force: bool = False) -> list[Path]:
-    """Write the C kit of ``robot`` into ``directory``, made if missing, and return its files.
+@dataclass(frozen=True)
+class Choice:
+    """Which kernel goes into a kit.
 
-    The same robot, formulation and version give the same bytes. Files that are there already and equal stay;
+    formulation: "exact" or "paper". fidelity: None for the whole kernel with D, K, H, c and the reactions,
+    else the forces alone at one level of ``fidelity.FIDELITIES``. bake: fold the robot's numbers in (forces
+    alone; ``general`` where no fidelity is given). precision: "double" or "float".
+    """
+
+    formulation: str = "exact"
+    fidelity: str | None = None
+    bake: bool = False
+    precision: str = "double"
+
+    @property
+    def level(self) -> str | None:
+        """The level of the forces alone, None for the whole kernel."""
+        return self.fidelity or ("general" if self.bake else None)
+
+
+@dataclass(frozen=True)
+class Kit:
+    """Files of a kit, name -> text, and what a pose takes in operations, before the numbers were folded in
+    and after; None where they were not."""
+
+    files: dict[str, str]
+    operations: int
+    baked_operations: int | None
+
+
+def write_kit(
+    robot: Robot, directory: Path, choice: Choice = Choice(), force: bool = False
+) -> tuple[Kit, list[Path]]:
+    """Write the C kit of ``robot`` into ``directory``, made if missing, and return it and its files.
+
+    The same robot, choice and version give the same bytes. Files that are there already and equal stay;
     others of the kit's names are replaced only with ``force``; further files are left alone. When anything
     fails the folder is as it was before.
 
-    Raises ValueError of one line: an unknown formulation, a robot without a pose for the example, a file that
+    Raises ValueError of one line: an unknown option, a robot without a pose for the example, a file that
     would be overwritten, a folder that cannot be written.
     """
-    files = kit_files(robot, formulation)
-    contents = {name: text.encode() for name, text in files.items()}
+    made = kit(robot, choice)
+    contents = {name: text.encode() for name, text in made.files.items()}
     try:
         changed = [name for name, content in contents.items() if _differs(directory / name, content, force)]
         if changed:
@@ -61,27 +104,96 @@ def write_kit(robot: Robot, directory: Path, formulation: str = "exact", force: 
     except OSError as error:
         reason = error.strerror or str(error)
         raise ValueError(f"{error.filename or directory}: {reason}") from error
-    return [directory / name for name in files]
+    return made, [directory / name for name in made.files]
 
 
-def kit_files(robot: Robot, formulation: str = "exact") -> dict[str, str]:
-    """File name -> text of the kit. Raises ValueError for an unknown formulation, or if no pose is good."""
-    name = kernel_name(formulation, robot.base_joint)
-    motion, forces, condition = sample(robot, formulation)
-    largest = max(float(np.abs(values).max()) for values in (forces.F, forces.D, forces.x))
-    checked = texts.Sample(
-        motion={field: getattr(motion, field).tolist() for field in _names(notation.MOTION)},
-        F=forces.F.tolist(),
-        tolerance=float(_significant([TOLERANCE_FACTOR * condition * largest], 2)[0]),
-    )
+def kit(robot: Robot, choice: Choice = Choice()) -> Kit:
+    """The kit of a robot. Raises ValueError for an unknown option, or if no pose is good."""
+    option(choice.precision, ("double", "float"), "precision")
     numbers = {
         field: np.asarray(getattr(robot, field)).tolist()
         for field in _names(notation.LEG + notation.PLATFORM)
     }
-    return {
-        **c_sources(name),
-        **texts.kit(robot.name, name, numbers, checked, version("stewart-sym")),
+    if choice.level is None:
+        kernel = _whole_kernel(robot, choice)
+    elif choice.bake:
+        kernel = _baked_kernel(robot, choice, numbers)
+    else:
+        kernel = _force_kernel(robot, choice)
+    sources = dict(kernel.sources)
+    if choice.precision == "float":
+        sources["stewart.h"] = texts.float_by_default(sources["stewart.h"])
+    checked = _checked(robot, choice)
+    own = texts.kit(robot.name, kernel.target, numbers, checked, version("stewart-sym"))
+    return Kit({**sources, **own}, kernel.operations, kernel.baked_operations)
+
+
+@dataclass(frozen=True)
+class _Kernel:
+    """A kernel's files, how the kit's texts call it, and its operations."""
+
+    sources: dict[str, str]
+    target: texts.Target
+    operations: int
+    baked_operations: int | None = None
+
+
+def _whole_kernel(robot: Robot, choice: Choice) -> _Kernel:
+    name = kernel_name(choice.formulation, robot.base_joint)
+    says = f"Inverse dynamics and joint reactions of this Stewart platform, kernel `{name}`."
+    target = texts.Target(name, precision=choice.precision, says=says)
+    count = sum(module(name).OPERATIONS["friction"]["total"])
+    return _Kernel(c_sources(name), target, count)
+
+
+def _force_kernel(robot: Robot, choice: Choice) -> _Kernel:
+    level = str(choice.level)
+    name = fidelity.force_kernel_name(robot, choice.formulation, level)
+    count = fidelity.operations(robot, choice.formulation, level)
+    says = (
+        f"Actuator forces of this Stewart platform, kernel `{name}`, fidelity {level}: "
+        f"{fidelity.meaning(level)}; {count} operations a pose."
+    )
+    target = texts.Target(name, forces_alone=True, precision=choice.precision, says=says)
+    return _Kernel(c_sources(f"{name}_forces"), target, count)
+
+
+def _baked_kernel(robot: Robot, choice: Choice, numbers: texts.Numbers) -> _Kernel:
+    level = fidelity.resolved(robot, choice.formulation, str(choice.level))
+    joint = robot.base_joint if level == "general" else EXACT.base_joint
+    form = next(f for f in FORMULATIONS if f.kernel_name == kernel_name(choice.formulation, joint))
+    raw = fidelity_kernel(form, FIDELITIES[level])
+    name = texts.robot_symbol(robot.name).removeprefix("stewart_")
+    name += "" if level == "general" else f"_{level}"
+    general, folded = shared_blocks(raw), shared_blocks(baked(raw, numbers, name))
+    before, after = (force_operations(kernel).total.total for kernel in (general, folded))
+    says = (
+        f"Actuator forces of this Stewart platform with its numbers folded in, {form.name}, fidelity "
+        f"{level}: {fidelity.meaning(level)}; {after} operations a pose, {before} before."
+    )
+    generator = generator_version()
+    sources = {
+        "stewart.h": common_header(generator),
+        f"stewart_{name}_forces.h": lanes.baked_header(folded, general, generator),
+        f"stewart_{name}_forces.c": lanes.source(folded, generator),
     }
+    target = texts.Target(name, forces_alone=True, baked=True, precision=choice.precision, says=says)
+    return _Kernel(sources, target, before, after)
+
+
+def _checked(robot: Robot, choice: Choice) -> texts.Sample:
+    """The example's pose with its forces; those of a reduced kernel from its own equations at 50 digits."""
+    motion, forces, condition = sample(robot, choice.formulation)
+    F = forces.F
+    if choice.level is not None:
+        level = fidelity.resolved(robot, choice.formulation, choice.level)
+        F = Truth(robot, choice.formulation, level).forces(motion).astype(np.float64)
+    largest = max(float(np.abs(values).max()) for values in (F, forces.F, forces.D, forces.x))
+    return texts.Sample(
+        motion={field: getattr(motion, field).tolist() for field in _names(notation.MOTION)},
+        F=F.tolist(),
+        tolerance=float(_significant([TOLERANCE_FACTOR * condition * largest], 2)[0]),
+    )
 
 
 def _names(quantities: Iterable[Quantity]) -> list[str]:

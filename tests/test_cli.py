@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -484,12 +485,30 @@ def _two_files(progress: Callable[[str], None]) -> dict[str, str]:
 # generate
 
 
+def test_generate_says_what_folding_the_numbers_in_saves(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target = robot.parent / "kit"
+    assert main(["generate", str(robot), "-o", str(target), "--bake", "--fidelity", "massless"]) == 0
+    count = capsys.readouterr().out.splitlines()[-1]
+    found = re.fullmatch(r"operations of a pose: (\d+), with the numbers folded in (\d+)", count)
+    assert found is not None
+    assert int(found[2]) < int(found[1])
+
+
+def test_generate_refuses_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
+    assert "fidelity: expected one of general, " in error
+    assert not (robot.parent / "kit").exists()
+
+
 def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     target = robot.parent / "kit"
     assert main(["generate", str(robot), "-o", str(target), "--formulation", "paper"]) == 0
-    listed = capsys.readouterr().out.splitlines()
+    *listed, count = capsys.readouterr().out.splitlines()
+    assert re.fullmatch(r"operations of a pose: \d+", count)
     assert sorted(listed) == sorted(str(path) for path in target.iterdir())
     written = folder_state(target)
     (target / "robot.c").write_text("mine")

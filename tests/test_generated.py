@@ -9,11 +9,14 @@ from pathlib import Path
 
 import pytest
 
+from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import generated_files
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
-SOURCES = [*(name + kind for name in KERNELS for kind in ("", "_forces")), "exact_bounds"]
+SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
+SOURCES += [f"exact_{name}_forces" for name in FIDELITIES if name != "general"]
+SOURCES.append("exact_bounds")
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 REPOSITORY = Path(__file__).parent.parent
 

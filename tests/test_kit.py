@@ -14,10 +14,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from stewart_sym import inverse_dynamics, inverse_kinematics, kernel, native
+from stewart_sym import fidelity, inverse_dynamics, inverse_kinematics, kernel, native
 from stewart_sym.derive import notation
-from stewart_sym.derive.emit.kit import Sample, kit, robot_symbol
-from stewart_sym.kit import kit_files, sample, write_kit
+from stewart_sym.derive.emit import kit as texts
+from stewart_sym.derive.emit.kit import Sample, Target, robot_symbol
+from stewart_sym.kit import Choice, kit, sample, write_kit
 from stewart_sym.robot import Robot
 
 Array = NDArray[np.float64]
@@ -71,8 +72,22 @@ def renamed(name: str) -> Robot:
 def test_kit_builds_silently_and_its_example_agrees(
     tmp_path: Path, which: str, formulation: str, compiler: str, arithmetic: str
 ) -> None:
-    write_kit(machine(which), tmp_path / "kit", formulation)
+    write_kit(machine(which), tmp_path / "kit", Choice(formulation))
     code, output = run(build(tmp_path / "kit", compiler, arithmetic))
+    assert code == 0, output
+    assert "6 of 6 forces agree" in output
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("bake", [False, True])
+@pytest.mark.parametrize("level", fidelity.FIDELITIES)
+def test_kit_of_every_level_builds_silently_and_its_example_agrees(
+    tmp_path: Path, level: str, bake: bool, precision: str
+) -> None:
+    choice = Choice(fidelity=level, bake=bake, precision=precision)
+    write_kit(machine("dasgupta" if bake else "random"), tmp_path / "kit", choice)
+    # Valid C++ where the language makes a difference: in what the printers print of general legs.
+    code, output = run(build(tmp_path / "kit", "g++" if level == "general" else "gcc"))
     assert code == 0, output
     assert "6 of 6 forces agree" in output
 
@@ -110,7 +125,7 @@ def test_example_fails_with_other_constants_or_pose(
 @pytest.mark.parametrize("which", ["dasgupta", "random", "spherical"])
 def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     robot = machine(which)
-    files = kit_files(robot)
+    files = kit(robot).files
     library = native.load("kit_robot", {name: files[name] for name in ("stewart.h", "robot.h", "robot.c")})
     numbers = kernel.robot_numbers(robot)
     found = (ctypes.c_double * numbers.size).in_dll(library, robot_symbol(robot.name))
@@ -128,14 +143,14 @@ def test_expected_forces_are_those_of_the_c_kernel_and_of_the_reference() -> Non
 
 def test_kernel_files_are_the_committed_ones() -> None:
     for formulation in FORMULATIONS:
-        files = kit_files(machines.dasgupta(), formulation)
+        files = kit(machines.dasgupta(), Choice(formulation)).files
         committed = kernel.c_sources(formulation)
         assert {name: files[name] for name in committed} == committed
         assert set(files) - set(committed) == {"robot.h", "robot.c", "example.c", "README.md"}
 
 
 def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
-    first = write_kit(machines.dasgupta(), tmp_path / "a")
+    _, first = write_kit(machines.dasgupta(), tmp_path / "a")
     program = f"""
 import warnings
 from pathlib import Path
@@ -153,9 +168,9 @@ write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}))
 def test_digest_follows_name_and_every_constant() -> None:
     robot = machines.dasgupta()
     variants = [robot, renamed("Other"), dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]
-    digests = {re.findall(r"[0-9a-f]{64}", kit_files(variant)["README.md"])[0] for variant in variants}
+    digests = {re.findall(r"[0-9a-f]{64}", kit(variant).files["README.md"])[0] for variant in variants}
     assert len(digests) == 3
-    assert re.findall(r"[0-9a-f]{64}", kit_files(robot)["robot.c"])[0] in digests
+    assert re.findall(r"[0-9a-f]{64}", kit(robot).files["robot.c"])[0] in digests
 
 
 @pytest.mark.parametrize(
@@ -202,13 +217,13 @@ def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Pat
 
 
 def test_second_run_leaves_equal_files_untouched(tmp_path: Path) -> None:
-    files = write_kit(machines.dasgupta(), tmp_path / "kit")
+    _, files = write_kit(machines.dasgupta(), tmp_path / "kit")
 
     def stamps() -> list[tuple[int, int]]:
         return [(path.stat().st_ino, path.stat().st_mtime_ns) for path in files]
 
     before = stamps()
-    assert write_kit(machines.dasgupta(), tmp_path / "kit") == files
+    assert write_kit(machines.dasgupta(), tmp_path / "kit")[1] == files
     assert stamps() == before
 
 
@@ -277,7 +292,7 @@ def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path
 
 def test_unknown_formulation_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got \'fast\'$'):
-        write_kit(machines.dasgupta(), tmp_path / "kit", "fast")
+        write_kit(machines.dasgupta(), tmp_path / "kit", Choice("fast"))
     assert os.listdir(tmp_path) == []
 
 
@@ -345,7 +360,7 @@ def test_emitter_names_the_field_it_cannot_print(field: str, value: object, mess
     names = [quantity.name for quantity in (*notation.LEG, *notation.PLATFORM)]
     numbers = {name: np.asarray(getattr(robot, name)).tolist() for name in names}
     with pytest.raises(ValueError, match=re.escape(message)):
-        kit("x", "exact", {**numbers, field: value}, Sample({}, [0.0] * 6, 1.0), "0")
+        texts.kit("x", Target("exact"), {**numbers, field: value}, Sample({}, [0.0] * 6, 1.0), "0")
     del numbers[field]
     with pytest.raises(ValueError, match=f"^robot: {field}: missing$"):
-        kit("x", "exact", numbers, Sample({}, [0.0] * 6, 1.0), "0")
+        texts.kit("x", Target("exact"), numbers, Sample({}, [0.0] * 6, 1.0), "0")

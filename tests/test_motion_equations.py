@@ -11,7 +11,7 @@ from test_regroup import by_name
 
 from stewart_sym.derive.formulation import EXACT
 from stewart_sym.derive.motion import SumKernel, kernels
-from stewart_sym.derive.prepared import ADDED, prepare_leg, prepare_platform
+from stewart_sym.derive.prepared import ADDED, Riding, prepare_leg, prepare_platform
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 
@@ -26,7 +26,7 @@ def preparation(friction: bool) -> tuple:
     every = KERNELS[friction].values()
     of_leg = dict.fromkeys(q for kernel in every for q in kernel.leg.inputs)
     of_platform = dict.fromkeys(q for kernel in every for q in kernel.pose.inputs)
-    return prepare_leg(of_leg, True, friction), prepare_platform(of_platform)
+    return prepare_leg(of_leg, Riding(mass=True, friction=friction)), prepare_platform(of_platform)
 
 
 def summed(kernel: SumKernel, friction: bool, raw: list[Values], F: list[mp.mpf]) -> dict[str, mp.matrix]:

@@ -40,10 +40,11 @@ def forces(kernel: ForceKernel, robot: Robot, motion: Motion) -> mp.matrix:
     platform = by_name(kernel.prepare_platform, kernel.prepare_platform.run(raw[0] | added, mp.sqrt))
     shared = kernel.shared.run(raw[0] | platform, mp.sqrt)
     turn = by_name(kernel.shared, shared)
+    nothing = {"D": (0,), "c_force": (0,) * 3, "c_moment": (0,) * 3}
     c = mp.matrix([*shared["c_force"], *shared["c_moment"]])
     D, H = mp.matrix(6, 1), mp.matrix(6, 6)
     for i, leg in enumerate(legs):
-        found = kernel.leg.run(raw[i] | turn | leg, mp.sqrt)
+        found = nothing | kernel.leg.run(raw[i] | turn | leg, mp.sqrt)
         D[i] = found["D"][0]
         c += mp.matrix([*found["c_force"], *found["c_moment"]])
         for j in range(3):

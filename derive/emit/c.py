@@ -119,12 +119,15 @@ def _typed(quantity: Quantity) -> str:
     return f"{quantity.name}{f'[{size(quantity)}]' if quantity.shape else ''} {quantity.unit}"
 
 
-def operations_table(with_friction: KernelOperations, frictionless: KernelOperations, prefix: str) -> str:
-    """Operation counts part by part, with and without the friction terms."""
+def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
+    """Operation counts part by part; with ``frictionless``, beside those without the friction terms."""
     rows = ["Operations of one pose of inverse dynamics, six legs, solve included"]
-    rows.append(f"{'':8s} {'with friction':41s} without friction")
-    plain = frictionless.parts()
-    rows += [f"{part:8s} {count!s:41s} {plain[part]}" for part, count in with_friction.parts().items()]
+    if frictionless is None:
+        rows += [f"{part:8s} {count}" for part, count in counts.parts().items()]
+    else:
+        rows.append(f"{'':8s} {'with friction':41s} without friction")
+        plain = frictionless.parts()
+        rows += [f"{part:8s} {count!s:41s} {plain[part]}" for part, count in counts.parts().items()]
     return "\n".join((prefix + row).rstrip() for row in rows)
 
 

@@ -69,10 +69,13 @@ def _power(expr: sp.Pow, sqrt: str) -> str:
     raise ValueError(f"cannot print the power {expr}: its base needs a name")
 
 
-def wrap(text: str, indent: str) -> str:
-    """Break a long sum before a ``+`` or ``-`` between terms; continuation lines get ``indent``."""
+def wrap(text: str, indent: str, before: str = "[+-]") -> str:
+    """Break a long sum before a ``+`` or ``-`` between terms; continuation lines get ``indent``.
+
+    before: pattern of the operators.
+    """
     lines, line = [], ""
-    for piece in re.split(r" (?=[+-] )", text):
+    for piece in re.split(rf" (?={before} )", text):
         if line and len(line) + 1 + len(piece) > WIDTH:
             lines.append(line)
             line = indent + piece

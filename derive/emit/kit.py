@@ -1,6 +1,6 @@
 """The C kit of one robot: its constants as C source, an example that checks itself, and a README.
 
-Takes plain numbers and hands back text; the committed kernel is put beside it by whoever writes the files.
+Takes plain numbers and hands back text; the kernel's own files are put beside it by whoever writes them.
 Knows the layout of stewart.h from the notation, and nothing of files or of how the sample was computed.
 """
 
@@ -33,20 +33,46 @@ class Sample:
     tolerance: float
 
 
-def kit(name: str, kernel_name: str, robot: Numbers, sample: Sample, version: str) -> dict[str, str]:
-    """``robot.h``, ``robot.c``, ``example.c`` and ``README.md``: file name -> text.
+@dataclass(frozen=True)
+class Target:
+    """Which kernel a kit is built around.
 
-    name: the robot's. kernel_name: as in ``stewart_<kernel_name>.h``. robot: fields of ``stewart_robot``,
-    those of the legs with six rows, inertias (3, 3). version: of the generator.
+    kernel: as in ``stewart_<kernel>.h``, or ``stewart_<kernel>_forces.h`` where forces_alone. baked: the
+    robot's numbers are in the kernel. precision: "double" or "float". says: lines of the README about it.
+    """
+
+    kernel: str
+    forces_alone: bool = False
+    baked: bool = False
+    precision: str = "double"
+    says: str = ""
+
+    @property
+    def file(self) -> str:
+        """Name of the kernel's files, without the ending."""
+        return f"stewart_{self.kernel}{'_forces' if self.forces_alone else ''}"
+
+    @property
+    def sources(self) -> str:
+        """What is compiled beside the example."""
+        return f"{self.file}.c" if self.baked else f"robot.c {self.file}.c"
+
+
+def kit(name: str, target: Target, robot: Numbers, sample: Sample, version: str) -> dict[str, str]:
+    """``robot.h``, ``robot.c``, unless baked, ``example.c`` and ``README.md``: file name -> text.
+
+    name: the robot's. robot: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3).
+    version: of the generator.
 
     Raises ValueError naming the field that is missing, has another shape or is not finite.
     """
     symbol = robot_symbol(name)
     constants = _robot_initialiser(robot)
     values = {
+        **_target_texts(target, symbol),
         "name": _in_comment(name),
         "title": re.sub(r"([\\`*_{}\[\]<>#|&])", r"\\\1", name),
-        "kernel": kernel_name,
+        "kernel": target.kernel,
         "symbol": symbol,
         "guard": f"{symbol.upper()}_H",
         "version": version,
@@ -58,10 +84,53 @@ def kit(name: str, kernel_name: str, robot: Numbers, sample: Sample, version: st
         "inputs": _table((q.name, _shape(q), q.unit, q.meaning) for q in n.MOTION),
         "forces": _table((q.name, dims, q.unit, q.meaning) for q, dims in FORCES),
         "reactions": _table((q.name, f"[6]{_shape(q)}", q.unit, q.meaning) for q in REACTIONS),
+        "robot_says": _ROBOT_SAYS[target.baked],
         "status": _table((f"STEWART_{code_name}", str(code), text) for code_name, code, text in STATUS),
     }
-    templates = {"robot.h": _ROBOT_H, "robot.c": _ROBOT_C, "example.c": _EXAMPLE, "README.md": _README}
+    for nested in ("files", "outputs", "robot_says", "says"):
+        values[nested] = _fill(values[nested], values)
+    own = {} if target.baked else {"robot.h": _ROBOT_H, "robot.c": _ROBOT_C}
+    templates = own | {"example.c": _EXAMPLE, "README.md": _README}
     return {file: _fill(text, values) for file, text in templates.items()}
+
+
+def float_by_default(stewart_h: str) -> str:
+    """``stewart.h`` of a kit in float: without another choice, STEWART_FLOAT is defined."""
+    mark = "#if defined(STEWART_REAL)\ntypedef"
+    assert mark in stewart_h
+    return stewart_h.replace(mark, f"{_FLOAT_BY_DEFAULT}{mark}")
+
+
+def _target_texts(target: Target, symbol: str) -> dict[str, str]:
+    """What differs between kits of whole kernels, of forces alone and of baked ones."""
+    call = f"stewart_{target.kernel}"
+    if target.baked:
+        declared, made = "stewart_real F[6];", ""
+        called = f"{call}_forces(&motion, F)"
+    elif target.forces_alone:
+        declared = f"static {call}_model model;\n    stewart_real F[6];"
+        made = f"{call}_prepare(&{symbol}, &model)"
+        called = f"{call}_forces(&model, &motion, F)"
+    else:
+        declared, made = "stewart_forces forces;\n    const stewart_real *const F = forces.F;", ""
+        called = f"{call}_inverse_dynamics(&{symbol}, &motion, &forces)"
+    if made:
+        called = f"{made};\n    if (status == STEWART_OK) {{\n        status = {called};\n    }}"
+    else:
+        called += ";"
+    rows = _FUNCTIONS["baked" if target.baked else "forces" if target.forces_alone else "whole"]
+    return {
+        "file": target.file,
+        "sources": target.sources,
+        "include": "" if target.baked else '#include "robot.h"\n',
+        "declared": declared,
+        "called": called,
+        "says": target.says,
+        "files": _table([row for row in _FILES if not (target.baked and row[0].startswith("robot"))]),
+        "functions": _fill(_table(rows), {"kernel": target.kernel}),
+        "outputs": "" if target.forces_alone else _OUTPUTS,
+        "arithmetic": _ARITHMETIC[target.precision],
+    }
 
 
 def robot_symbol(name: str) -> str:
@@ -191,18 +260,17 @@ const stewart_robot @symbol@ = {
 _EXAMPLE = """\
 /* example.c: inverse dynamics of "@name@" at one pose, checked.
  *
- *     gcc -std=c99 -O2 -o example example.c robot.c stewart_@kernel@.c -lm && ./example
+ *     gcc -std=c99 -O2 -o example example.c @sources@ -lm && ./example
  *
- * For float add -DSTEWART_FLOAT. Prints the six actuator forces beside those that this kernel gave when the
- * kit was generated. Returns 0 if they agree to rounding.
+ * Prints the six actuator forces beside those computed when the kit was generated. Returns 0 if they agree
+ * to rounding.
  *
  * Written by stewart-sym @version@; do not edit.
  */
 #include <float.h>
 #include <stdio.h>
 
-#include "robot.h"
-#include "stewart_@kernel@.h"
+@include@#include "@file@.h"
 
 #define REAL(value) ((stewart_real)(value))
 
@@ -227,18 +295,18 @@ static const stewart_real tolerance = @tolerance@ * STEWART_EPSILON;
 
 int main(void)
 {
-    stewart_forces forces;
+    @declared@
     int leg, wrong = 0;
-    const int status = stewart_@kernel@_inverse_dynamics(&@symbol@, &motion, &forces);
+    int status = @called@
     if (status != STEWART_OK) {
         printf("status %d, see stewart.h\\n", status);
         return 1;
     }
     for (leg = 0; leg < 6; ++leg) {
-        const stewart_real error = forces.F[leg] - expected[leg];
+        const stewart_real error = F[leg] - expected[leg];
         /* This way round a NaN is wrong. */
         const int good = error <= tolerance && -error <= tolerance;
-        printf("leg %d: %.9g N, expected %.9g N%s\\n", leg + 1, (double)forces.F[leg], (double)expected[leg],
+        printf("leg %d: %.9g N, expected %.9g N%s\\n", leg + 1, (double)F[leg], (double)expected[leg],
             good ? "" : ": WRONG");
         wrong += !good;
     }
@@ -247,45 +315,48 @@ int main(void)
 }
 """
 
-_README = """\
-# @title@: C kernel
+_FLOAT_BY_DEFAULT = """\
+/* This kit is for float; define STEWART_DOUBLE for double. */
+#if !defined(STEWART_DOUBLE) && !defined(STEWART_FLOAT)
+#define STEWART_FLOAT
+#endif
+"""
 
-Inverse dynamics and joint reactions of this Stewart platform, kernel `@kernel@`. C99, also valid C++; no
-heap, no global state, no I/O; needs only `sqrt` and `fabs`. Written by stewart-sym @version@; regenerate with
-`stewart-sym generate`, do not edit.
+_ARITHMETIC = {
+    "double": "Arithmetic is `double`; with `-DSTEWART_FLOAT`, given to every file, it is `float`.",
+    "float": "Arithmetic is `float`; with `-DSTEWART_DOUBLE`, given to every file, it is `double`.",
+}
 
-| file | what it is |
-|---|---|
-| `stewart.h` | types and status codes |
-| `stewart_@kernel@.h`, `stewart_@kernel@.c` | the kernel, the same for every robot; operation counts |
-| `robot.h`, `robot.c` | this robot's constants, `@symbol@` |
-| `example.c` | one pose, checked against the forces computed at generation |
+_FILES = (
+    ("stewart.h", "types and status codes"),
+    ("@file@.h`, `@file@.c", "the kernel; operation counts"),
+    ("robot.h`, `robot.c", "this robot's constants, `@symbol@`"),
+    ("example.c", "one pose, checked against the forces computed at generation"),
+)
 
-## Build
+_FUNCTIONS = {
+    "whole": (
+        ("stewart_@kernel@_inverse_dynamics", "robot, motion", "forces"),
+        ("stewart_@kernel@_joint_reactions", "robot, motion, bearing (m, may be null)", "forces, reactions"),
+        ("stewart_@kernel@_inverse_dynamics_batch", "robot, count, motions", "forces, status of each pose"),
+        (
+            "stewart_@kernel@_joint_reactions_batch",
+            "robot, count, motions, bearing",
+            "reactions, status of each pose",
+        ),
+    ),
+    "forces": (
+        ("stewart_@kernel@_prepare", "robot", "model: its constants, prepared once"),
+        ("stewart_@kernel@_forces", "model, motion", "forces F[6], N"),
+        ("stewart_@kernel@_forces_batch", "model, count, motions", "forces and status of each pose"),
+    ),
+    "baked": (
+        ("stewart_@kernel@_forces", "motion", "forces F[6], N"),
+        ("stewart_@kernel@_forces_batch", "count, motions", "forces and status of each pose"),
+    ),
+}
 
-    gcc -std=c99 -O2 -o example example.c robot.c stewart_@kernel@.c -lm && ./example
-
-The example returns 0 if the six forces are right. Arithmetic is `double`; with `-DSTEWART_FLOAT`, given to
-every file, it is `float`.
-
-## Functions
-
-| function | input | output |
-|---|---|---|
-| `stewart_@kernel@_inverse_dynamics` | robot, motion | forces |
-| `stewart_@kernel@_joint_reactions` | robot, motion, bearing (m, may be null) | forces, reactions |
-| `stewart_@kernel@_inverse_dynamics_batch` | robot, count, motions | forces, status of each pose |
-| `stewart_@kernel@_joint_reactions_batch` | robot, count, motions, bearing | reactions, status of each pose |
-
-All return a status. Any number of threads may call them at once. The batches take and fill arrays whose first
-axis is the pose.
-
-`stewart_motion`, input:
-
-| field | shape | unit | meaning |
-|---|---|---|---|
-@inputs@
-
+_OUTPUTS = """\
 `stewart_forces`, output:
 
 | field | shape | unit | meaning |
@@ -298,7 +369,47 @@ axis is the pose.
 |---|---|---|---|
 @reactions@
 
-Status; other than 0, the outputs of that pose are left as they were:
+"""
+
+_ROBOT_SAYS = {
+    False: "SHA-256 of name and constants: `@digest@`",
+    True: "The numbers are in the kernel. SHA-256 of name and constants: `@digest@`",
+}
+
+_README = """\
+# @title@: C kernel
+
+@says@
+
+C99, also valid C++; no heap, no global state, no I/O; needs only `sqrt` and `fabs`. Written by stewart-sym
+@version@; regenerate with `stewart-sym generate`, do not edit.
+
+| file | what it is |
+|---|---|
+@files@
+
+## Build
+
+    gcc -std=c99 -O2 -o example example.c @sources@ -lm && ./example
+
+The example returns 0 if the six forces are right. @arithmetic@
+
+## Functions
+
+| function | input | output |
+|---|---|---|
+@functions@
+
+All return a status. Any number of threads may call them at once. The batches take and fill arrays whose first
+axis is the pose.
+
+`stewart_motion`, input:
+
+| field | shape | unit | meaning |
+|---|---|---|---|
+@inputs@
+
+@outputs@Status; other than 0, the outputs of that pose are left as they were:
 
 | name | value | meaning |
 |---|---|---|
@@ -309,5 +420,5 @@ Mruthyunjaya, Mechanism and Machine Theory 33 (1998) 1135-1152.
 
 ## Robot
 
-SHA-256 of name and constants: `@digest@`
+@robot_says@
 """

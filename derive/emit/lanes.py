@@ -5,6 +5,8 @@ body of a loop over lanes, which compilers turn into vector instructions by them
 portable C where they don't. Knows layout and solving, no dynamics.
 """
 
+import re
+
 import sympy as sp
 
 from .. import notation as n
@@ -13,7 +15,7 @@ from ..operations import force_operations
 from ..prepared import ADDED, r, t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
-from .infix import infix
+from .infix import infix, wrap
 from .lane_text import (
     JUDGED,
     LANES,
@@ -33,40 +35,69 @@ from .lane_text import (
 _RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
-def header(kernel: ForceKernel, frictionless: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_forces.h``: the prepared model and the functions."""
-    name = kernel.formulation.kernel_name
-    counts = operations_table(force_operations(kernel), force_operations(frictionless), " * ")
+def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) -> str:
+    """``stewart_<kernel>_forces.h``: the prepared model and the functions.
+
+    frictionless: the same kernel without friction, for its count of operations.
+    """
+    name = kernel.name
+    plain = None if frictionless is None else force_operations(frictionless)
+    counts = operations_table(force_operations(kernel), plain, " * ")
     return _HEADER.format(
         name=name,
         guard=f"STEWART_{name.upper()}_FORCES_H",
         version=version,
+        model=_MODEL[kernel.fidelity == "general"].format(meaning=kernel.meaning),
         operations=counts,
         legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
         platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
     )
 
 
+def baked_header(kernel: ForceKernel, before: ForceKernel, version: str) -> str:
+    """The header of a kernel with a robot's numbers folded in; ``before`` is the kernel without them."""
+    return _BAKED_HEADER.format(
+        name=kernel.name,
+        guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
+        version=version,
+        meaning=kernel.meaning,
+        before=force_operations(before).total.total,
+        operations=operations_table(force_operations(kernel), None, " * "),
+    )
+
+
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
-    name = kernel.formulation.kernel_name
+    name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS,
         _structs(kernel),
-        _prepare_function(kernel.prepare_leg, "prepared_leg"),
-        _prepare_function(kernel.prepare_platform, "prepared_platform"),
-        _prepare(kernel),
-        _scalar_shared(kernel.shared),
+        *_model(kernel),
+        _scalar_shared(kernel),
         _legs_of_pose(kernel),
         _solve_pose(kernel.about_base_point),
-        _POSE,
-        _BLOCK,
-        _block_shared(kernel.shared),
+        _pose(kernel),
+        _only(_BLOCK, kernel),
+        _block_shared(kernel),
         _leg_of_block(kernel),
-        _solve_block(kernel.about_base_point),
-        _BATCH.replace("@LOADS@", _transposed()).replace("@ONE@", _copied()),
+        _solve_block(kernel),
+        _batch(kernel),
     ]
     return "\n".join(parts).replace("@NAME@", name)
+
+
+def _only(text: str, kernel: ForceKernel) -> str:
+    """The text, with what stands in <D: :D> if legs have a D, in <C: :C> if they add to c.
+
+    What stands in <M: :M> is of kernels with a prepared model, in <B: :B> of baked ones.
+    """
+    given = {out.quantity for out in kernel.leg.outputs}
+    bare = kernel.constants is not None
+    for mark, kept in (("D", n.D in given), ("C", n.c_force in given), ("M", not bare), ("B", bare)):
+        if not kept:
+            text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
+        text = re.sub(rf"<{mark}:|:{mark}>", "", text)
+    return text
 
 
 def model_numbers(kernel: ForceKernel) -> int:
@@ -82,7 +113,7 @@ def _member(quantity: Quantity, lanes: str) -> str:
 
 def _structs(kernel: ForceKernel) -> str:
     parts = {
-        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in n.MOTION],
+        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in kernel.used_motion()],
         "@SHARED@": [f"    stewart_real {q.name}[{size(q)}];" for q in _from_pose(kernel)],
         "@SHARED_LANES@": [
             f"    stewart_real {q.name}[{size(q)}][{LANES}];"
@@ -103,6 +134,30 @@ def _terms(leg: Block) -> list[Quantity]:
 
 
 # ---------------------------------------------------------------- preparation
+
+
+def _model(kernel: ForceKernel) -> list[str]:
+    """What prepares the constants, or the constants themselves."""
+    if kernel.constants is None:
+        return [
+            _prepare_function(kernel.prepare_leg, "prepared_leg"),
+            _prepare_function(kernel.prepare_platform, "prepared_platform"),
+            _prepare(kernel),
+        ]
+    tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
+    # The last two lanes repeat leg 6.
+    rows = [
+        (*(f"REAL({value!r})" for value in values), *(f"REAL({values[-1]!r})",) * 2)
+        for values in tables.values()
+    ]
+    parts = {
+        "@MEMBERS@": [_member(q, f"[{LANES}]") for q in tables],
+        "@ROWS@": [
+            f"    /* {q.name} */\n" + wrap_list(f"    {{{', '.join(row)}}},", " " * 5)
+            for q, row in zip(tables, rows, strict=True)
+        ],
+    }
+    return [filled(_NUMBERS, parts)]
 
 
 def _prepare_function(block: Block, struct: str) -> str:
@@ -154,19 +209,27 @@ def _prepare(kernel: ForceKernel) -> str:
 # ---------------------------------------------------------------- blocks
 
 
-def _scalar_shared(block: Block) -> str:
+def _scalar_shared(kernel: ForceKernel) -> str:
+    block = kernel.shared
     used = names_used(block)
     found = [
-        line for q in block.inputs for line in loads(q, "at" if q in n.MOTION else "model", "", used, "    ")
+        line
+        for q in block.inputs
+        for line in _loads(kernel, q, "at" if q in n.MOTION else "model", "", used, "    ")
     ]
     lines = [*found, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")]
-    return _SHARED_POSE.replace("@BODY@", "\n".join(lines)).replace("@COUNT@", str(block.operations()))
+    text = _SHARED_POSE.replace("@COUNT@", str(block.operations()))
+    return _used(text, found, "model").replace("@BODY@", "\n".join(lines))
 
 
-def _block_shared(block: Block) -> str:
+def _block_shared(kernel: ForceKernel) -> str:
+    block = kernel.shared
     used = names_used(block)
     outside = [
-        line for q in block.inputs if q not in n.MOTION for line in loads(q, "model", "", used, "    ")
+        line
+        for q in block.inputs
+        if q not in n.MOTION
+        for line in _loads(kernel, q, "model", "", used, "    ")
     ]
     inside = [line for q in block.inputs if q in n.MOTION for line in loads(q, "in", "[l]", used, " " * 8)]
     kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
@@ -177,7 +240,16 @@ def _block_shared(block: Block) -> str:
         *stores(kept, "[l]", " " * 8),
         *(assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
     ]
-    return filled(_SHARED_BLOCK, {"@OUTSIDE@": outside, "@BODY@": body})
+    text = _used(_SHARED_BLOCK, outside, "model")
+    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
+    """Loads of one input, or the literal that it is."""
+    literals = kernel.literals()
+    if q in literals:
+        return [f"{indent}const stewart_real {q.name} = REAL({literals[q]!r});"]
+    return loads(q, owner, lane, used, indent)
 
 
 def _legs_of_pose(kernel: ForceKernel) -> str:
@@ -197,7 +269,7 @@ def _legs_of_pose(kernel: ForceKernel) -> str:
         *fault_lines(length, sine, "0", "out->bad[l]"),
     ]
     text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
+    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
 def _leg_of_block(kernel: ForceKernel) -> str:
@@ -207,13 +279,14 @@ def _leg_of_block(kernel: ForceKernel) -> str:
     length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, more, over_legs=False)
     column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
-    right = [*exprs[n.c_force], *exprs[n.c_moment]]
+    right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
+    known = [assigned("known[l]", infix(e, "STEWART_SQRT")) for e in exprs.get(n.D, ())]
     body = [
         *inside,
         *step_lines(kernel.leg.steps, " " * 8),
         *(assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
         *(assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
-        assigned("known[l]", infix(exprs[n.D][0], "STEWART_SQRT")),
+        *known,
         *(
             f"        moment[l] = STEWART_LARGER(STEWART_FABS(column[{i}][l]), moment[l]);"
             for i in range(3, 6)
@@ -221,14 +294,14 @@ def _leg_of_block(kernel: ForceKernel) -> str:
         *reach_lines(terms),
         *fault_lines(length, sine, "bad[l]", "bad[l]"),
     ]
-    text = _LEG_OF_BLOCK.replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(_used_shared(text, outside + inside), {"@OUTSIDE@": outside, "@BODY@": body})
+    text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
+    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
 
 
-def _used_shared(text: str, lines: list[str]) -> str:
-    """The text without its mark for an unused argument where the pose's shared terms are read."""
-    used = any("shared->" in line for line in lines)
-    return text.replace("@UNUSED@\n", "" if used else "    (void)shared;\n")
+def _used(text: str, lines: list[str], argument: str) -> str:
+    """The text without its mark for an unused argument where the lines read it."""
+    used = any(f"{argument}->" in line for line in lines)
+    return text.replace(f"@UNUSED {argument}@\n", "" if used else f"    (void){argument};\n")
 
 
 def _added(expr: sp.Expr) -> str:
@@ -243,32 +316,37 @@ def _lane_loads(
 ) -> tuple[list[str], list[str]]:
     """Loads of what all lanes share, and of what differs from lane to lane."""
     used = names_used(kernel.leg) | {name for q in more for name in q.names}
+    shared_by_legs = {*kernel.platform_constants(), *kernel.literals()}
     outside, inside = [], []
     for q in dict.fromkeys((*kernel.leg.inputs, *more)):
         if q in n.MOTION or q in _from_pose(kernel):
             owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
             varies = not over_legs
         else:
-            owner, varies = "model", over_legs and q not in kernel.platform_constants()
+            owner, varies = "model", over_legs and q not in shared_by_legs
         if varies:
-            inside += loads(q, owner, "[l]", used, " " * 8)
+            inside += _loads(kernel, q, owner, "[l]", used, " " * 8)
         else:
-            lane = "[leg]" if owner == "model" and q not in kernel.platform_constants() else ""
-            outside += loads(q, owner, lane, used, "    ")
+            lane = "[leg]" if owner == "model" and q not in shared_by_legs else ""
+            outside += _loads(kernel, q, owner, lane, used, "    ")
     return outside, inside
 
 
 def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    tip = n.S_1 if kernel.about_base_point else n.q
-    inputs = (t_1, r) if kernel.about_base_point else (n.t, n.b)
-    q = n.q.symbols if kernel.about_base_point else exprs[tip]
-    return [
-        f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})"
-        for vector in (q, *(quantity.symbols for quantity in inputs))
-        for expr in vector
-    ], inputs
+    inputs: tuple[Quantity, ...] = (n.t, n.b)
+    q: tuple[sp.Expr, ...] = n.q.symbols
+    if not kernel.about_base_point:
+        q = exprs[n.q]
+    elif kernel.constants is None:
+        inputs = (t_1, r)
+    else:
+        named = {step.symbol for step in kernel.leg.steps}
+        q = tuple(symbol for symbol in q if symbol in named)
+        inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
+    terms = (*q, *(symbol for quantity in inputs for symbol in quantity.symbols))
+    return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 
 
 def _solve_pose(about_base_point: bool) -> str:
@@ -327,11 +405,12 @@ def _filled_body(text: str, body: list[str]) -> str:
     return text.replace("@BODY@", "\n".join(wrap_list(f"    {line}", " " * 8) for line in body))
 
 
-def _solve_block(about_base_point: bool) -> str:
+def _solve_block(kernel: ForceKernel) -> str:
     """Elimination with partial pivoting, unrolled: one loop over lanes that never branches.
 
     The row with the largest entry sinks to place k by exchanges that a lane makes or leaves.
     """
+    about_base_point = kernel.about_base_point
     rows, columns = range(6), range(7)
     entries = [[(i, j) for j in columns if not (about_base_point and i > 2 and j == 0)] for i in rows]
     body = [
@@ -354,12 +433,14 @@ def _solve_block(about_base_point: bool) -> str:
         body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
     for i in rows:
         body += [
-            f"const stewart_real F{i} = D[{i}][l] - a{i}6;",
+            f"const stewart_real F{i} = {_force(kernel, f'D[{i}][l]', f'a{i}6')};",
             f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : (stewart_real)1;",
             f"F[{i}][l] = F{i};",
         ]
     body.append("bad[l] = fault;")
-    return _SOLVE_BLOCK.replace("@BODY@", "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body))
+    lines = "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body)
+    text = _only(_SOLVE_BLOCK, kernel).replace("@FORCE@", _force(kernel, "D", "x"))
+    return text.replace("@BODY@", lines)
 
 
 def _sink(k: int, i: int) -> list[str]:
@@ -378,9 +459,37 @@ def _sink(k: int, i: int) -> list[str]:
     return lines
 
 
-def _transposed() -> str:
+def _pose(kernel: ForceKernel) -> str:
+    """One pose; without legs that add to c, the platform's part is all of it."""
+    adds = n.c_force in {out.quantity for out in kernel.leg.outputs}
+    text = _only(_POSE, kernel).replace("@FORCE@", _force(kernel, "legs.D[i]", "x[i]"))
+    return text.replace("@QUALIFIED@", "" if adds else "const ")
+
+
+def _force(kernel: ForceKernel, known: str, solved: str) -> str:
+    """F = D - x, (37), as text."""
+    return f"{known} - {solved}" if n.D in {out.quantity for out in kernel.leg.outputs} else f"-{solved}"
+
+
+def _batch(kernel: ForceKernel) -> str:
+    given = kernel.used_motion()
+    missing = ["!motions", "!F", *(f"!motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext))]
+    if kernel.constants is None:
+        missing.insert(0, "!model")
+    parts = {
+        "@LOADS@": _transposed(given),
+        "@ONE@": _copied(given),
+        "@MISSING@": wrap(f"    if ({' || '.join(missing)}) {{", " " * 8, before=r"\|\|"),
+    }
+    text = _only(_BATCH, kernel)
+    for mark, lines in parts.items():
+        text = text.replace(mark, lines)
+    return text
+
+
+def _transposed(motion: tuple[Quantity, ...]) -> str:
     lines = []
-    for q in n.MOTION:
+    for q in motion:
         call = f"spread_{'matrix' if q == n.R else 'vector'}"
         line = f"{call}(whole(motions->{q.name}, {size(q)}, first, count, padded), in->{q.name});"
         if q in (n.F_ext, n.M_ext):
@@ -396,9 +505,9 @@ def _transposed() -> str:
     return "\n".join(lines)
 
 
-def _copied() -> str:
+def _copied(motion: tuple[Quantity, ...]) -> str:
     lines = []
-    for q in n.MOTION[1:]:
+    for q in motion[1:]:
         value = f"motions->{q.name}[at]"
         if q in (n.F_ext, n.M_ext):
             value = f"motions->{q.name} ? {value} : 0"
@@ -415,7 +524,7 @@ _HEADER = """\
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
  * -ffp-contract=off one pose and a batch agree to the last bit).
  *
-{operations}
+{model}{operations}
  */
 #ifndef {guard}
 #define {guard}
@@ -451,6 +560,8 @@ int stewart_{name}_forces_batch(
 
 #endif
 """
+
+_MODEL = {True: "", False: " * Fidelity: {meaning}.\n *\n"}
 
 _TOP = """\
 /* stewart_{name}_forces.c: see stewart_{name}_forces.h.
@@ -496,6 +607,56 @@ static int leg_status(const leg_lanes *leg, int l)
 }
 """
 
+_NUMBERS = """\
+#define REAL(value) ((stewart_real)(value))
+
+/* What differs from leg to leg; the last two lanes repeat leg 6. */
+typedef struct {
+@MEMBERS@
+} stewart_@NAME@_model;
+
+static const stewart_@NAME@_model numbers = {
+@ROWS@
+};
+"""
+
+_BAKED_HEADER = """\
+/* stewart_{name}_forces.h: the actuator forces of one machine, its numbers folded in.
+ *
+ * Written by stewart-sym {version}; do not edit.
+ *
+ * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
+ *
+ * Fidelity: {meaning}. Before the numbers were folded in a pose took {before} operations.
+ *
+{operations}
+ */
+#ifndef {guard}
+#define {guard}
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
+int stewart_{name}_forces(const stewart_motion *motion, stewart_real F[6]);
+
+/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+ * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
+int stewart_{name}_forces_batch(
+    size_t count, const stewart_motions *motions, stewart_real *F, int *status);
+
+#ifdef __cplusplus
+}}
+#endif
+
+#endif
+"""
+
 _PREPARE = """\
 int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
 {
@@ -533,6 +694,7 @@ _SHARED_POSE = """\
 /* What one pose has for all legs: @COUNT@ operations. */
 static void shared_of_pose(const stewart_@NAME@_model *model, const stewart_motion *at, shared_terms *out)
 {
+@UNUSED model@
 @BODY@
 }
 """
@@ -541,7 +703,7 @@ _BLOCK = """\
 /* Eight poses on their way. */
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real <D:D[6][LANES], :D>F[6][LANES];
     stewart_real moment[LANES]; /* size of the moment rows */
     stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
 } block;
@@ -555,6 +717,7 @@ static void shared_of_block(
 {
     int l;
 @OUTSIDE@
+@UNUSED model@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -569,7 +732,7 @@ static void legs_of_pose(
 {
     int l;
 @OUTSIDE@
-@UNUSED@
+@UNUSED shared@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -577,16 +740,17 @@ static void legs_of_pose(
 """
 
 _LEG_OF_BLOCK = """\
-/* One leg of eight poses side by side, @COUNT@ operations each: its column of H, its D, its part of c. */
+/* One leg of eight poses side by side, @COUNT@ operations each:
+ * its column of H<D:, its D:D><C:, its part of c:C>. */
 static void leg_of_block(
     const stewart_@NAME@_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
+    <C:stewart_real (*STEWART_RESTRICT c)[LANES], :C><D:stewart_real *STEWART_RESTRICT known,:D>
     stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
 @OUTSIDE@
-@UNUSED@
+@UNUSED shared@
     for (l = 0; l < LANES; ++l) {
 @BODY@
     }
@@ -627,15 +791,17 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
 """
 
 _POSE = """\
-int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_@NAME@_forces(
+    <M:const stewart_@NAME@_model *model, :M>const stewart_motion *motion, stewart_real F[6])
 {
+    <B:const stewart_@NAME@_model *const model = &numbers;:B>
     shared_terms shared;
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
     stewart_real moment = 0;
     int i, j, status;
-    if (!model || !motion || !F) {
+    if (<M:!model || :M>!motion || !F) {
         return STEWART_BAD_ARGUMENT;
     }
     shared_of_pose(model, motion, &shared);
@@ -646,10 +812,10 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
         }
     }
     for (j = 0; j < 3; ++j) {
-        stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
+        @QUALIFIED@stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
         for (i = 0; i < 6; ++i) {
-            force = force + legs.c_force[j][i];
-            turn = turn + legs.c_moment[j][i];
+            <C:force = force + legs.c_force[j][i];:C>
+            <C:turn = turn + legs.c_moment[j][i];:C>
             moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
         }
         for (i = 0; i < LANES; ++i) {
@@ -666,7 +832,7 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        found[i] = legs.D[i] - x[i];
+        found[i] = @FORCE@;
         if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -679,10 +845,10 @@ int stewart_@NAME@_forces(const stewart_@NAME@_model *model, const stewart_motio
 """
 
 _SOLVE_BLOCK = """\
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D - x,
- * (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
+ * F = @FORCE@, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
 STEWART_APART static void solve_block(
-    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    stewart_real (*STEWART_RESTRICT column)[6][LANES],<D: stewart_real (*STEWART_RESTRICT D)[LANES],:D>
     const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
     stewart_real *STEWART_RESTRICT bad)
 {
@@ -761,14 +927,15 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
         leg_of_block(
-            model, i, in, &shared, out->column[i], out->column[6], out->D[i], out->moment, out->bad);
+            model, i, in, &shared, out->column[i],
+            <C:out->column[6], :C><D:out->D[i], :D>out->moment, out->bad);
     }
-    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+    solve_block(out->column, <D:out->D, :D>out->moment, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */
 static int forces_of(
-    const stewart_@NAME@_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+    <M:const stewart_@NAME@_model *model, :M>const stewart_motions *motions, size_t pose, stewart_real *F)
 {
     stewart_motion one;
     int i;
@@ -779,20 +946,20 @@ static int forces_of(
         const size_t at = pose * 3 + (size_t)i;
 @ONE@
     }
-    return stewart_@NAME@_forces(model, &one, F);
+    return stewart_@NAME@_forces(<M:model, :M>&one, F);
 }
 
 int stewart_@NAME@_forces_batch(
-    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    <M:const stewart_@NAME@_model *model, :M>size_t count, const stewart_motions *motions, stewart_real *F,
     int *status)
 {
+    <B:const stewart_@NAME@_model *const model = &numbers;:B>
     motion_lanes in;
     block done;
     size_t first;
     int result = STEWART_OK;
     int i, l;
-    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !motions->alpha || !motions->a) {
+@MISSING@
         return STEWART_BAD_ARGUMENT;
     }
     for (first = 0; first < count; first += LANES) {
@@ -802,7 +969,7 @@ int stewart_@NAME@_forces_batch(
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
             if (done.bad[l] > 0) {
-                code = forces_of(model, motions, pose, F + pose * 6);
+                code = forces_of(<M:model, :M>motions, pose, F + pose * 6);
             } else {
                 for (i = 0; i < 6; ++i) {
                     F[pose * 6 + (size_t)i] = done.F[i][l];

@@ -858,7 +858,8 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     return STEWART_OK;
 }
 
-int stewart_exact_forces(const stewart_exact_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_exact_forces(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real F[6])
 {
     shared_terms shared;
     leg_lanes legs;
@@ -1025,7 +1026,8 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 287 (169 mul, 114 add, 2 div, 2 sqrt) operations each: its column of H, its D, its part of c. */
+/* One leg of eight poses side by side, 287 (169 mul, 114 add, 2 div, 2 sqrt) operations each:
+ * its column of H, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
@@ -1202,8 +1204,8 @@ static void leg_of_block(
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D - x,
- * (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
+ * F = D - x, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
     const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
@@ -1680,7 +1682,8 @@ static void forces_of_block(const stewart_exact_model *model, const motion_lanes
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
         leg_of_block(
-            model, i, in, &shared, out->column[i], out->column[6], out->D[i], out->moment, out->bad);
+            model, i, in, &shared, out->column[i],
+            out->column[6], out->D[i], out->moment, out->bad);
     }
     solve_block(out->column, out->D, out->moment, out->F, out->bad);
 }

@@ -1,0 +1,59 @@
+/* stewart_exact_general_static_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ *
+ * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
+ *
+ * Fidelity: at rest.
+ *
+ * Operations of one pose of inverse dynamics, six legs, solve included
+ * leg      106 (65 mul, 37 add, 2 div, 2 sqrt)
+ * platform 78 (42 mul, 36 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    913 (516 mul, 367 add, 18 div, 12 sqrt)
+ */
+#ifndef STEWART_EXACT_GENERAL_STATIC_FORCES_H
+#define STEWART_EXACT_GENERAL_STATIC_FORCES_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+typedef struct {
+    stewart_real p[3][8]; /* m: platform point, platform frame */
+    stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real w[3][8]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
+    stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
+    stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
+    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
+    stewart_real M_P; /* kg: mass of the platform with the upper parts */
+    stewart_real h_P[3]; /* kg m: its first moment, platform frame */
+    stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    stewart_real b_1[3]; /* m: base point 1, base frame */
+} stewart_exact_general_static_model;
+
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
+ * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exact_general_static_model *model);
+
+/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
+int stewart_exact_general_static_forces(const stewart_exact_general_static_model *model, const stewart_motion *motion, stewart_real F[6]);
+
+/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+ * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
+int stewart_exact_general_static_forces_batch(
+    const stewart_exact_general_static_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,1520 @@
+/* stewart_exact_massless_friction_forces.c: see stewart_exact_massless_friction_forces.h.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ */
+#include "stewart_exact_massless_friction_forces.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+
+#if defined(__cplusplus)
+#define STEWART_RESTRICT __restrict
+#else
+#define STEWART_RESTRICT restrict
+#endif
+
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
+#define LANES 8
+
+/* Motions of eight poses, component by component. */
+typedef struct {
+    stewart_real R[9][8];
+    stewart_real t[3][8];
+    stewart_real omega[3][8];
+    stewart_real v[3][8];
+    stewart_real alpha[3][8];
+    stewart_real a[3][8];
+    stewart_real F_ext[3][8];
+    stewart_real M_ext[3][8];
+} motion_lanes;
+
+/* What a pose has for all legs. */
+typedef struct {
+    stewart_real t_1[3];
+    stewart_real c_force[3];
+    stewart_real c_moment[3];
+} shared_terms;
+
+typedef struct {
+    stewart_real t_1[3][8];
+} shared_lanes;
+
+/* The legs of one pose. */
+typedef struct {
+    stewart_real D[8];
+    stewart_real H_force[3][8];
+    stewart_real H_moment[3][8];
+    stewart_real c_force[3][8];
+    stewart_real c_moment[3][8];
+    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
+} leg_lanes;
+
+/* Status of the leg in one lane. */
+static int leg_status(const leg_lanes *leg, int l)
+{
+    if (!(leg->L[l] <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
+        return STEWART_SHORT_LEG;
+    }
+    return leg->k3[l] > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+}
+
+typedef struct {
+    stewart_real p[3];
+    stewart_real k[3];
+    stewart_real C_p;
+    stewart_real C_s;
+    stewart_real C_us;
+    stewart_real r[3];
+    stewart_real M_add;
+    stewart_real h_add[3];
+    stewart_real J_add[6];
+    stewart_real C_add;
+} prepared_leg;
+
+/* Constants of one leg, and what it adds to the platform. */
+static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
+{
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
+    const stewart_real C_u = leg->C_u;
+    const stewart_real C_p = leg->C_p;
+    const stewart_real C_s = leg->C_s;
+    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
+        b_1_z = robot->leg[0].b[2];
+    const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
+    const stewart_real inv_k_size = 1/k_size;
+    /* fixed axis, of length one */
+    const stewart_real k_unit_x = inv_k_size*k_x;
+    const stewart_real k_unit_y = inv_k_size*k_y;
+    const stewart_real k_unit_z = inv_k_size*k_z;
+    out->p[0] = p_x;
+    out->p[1] = p_y;
+    out->p[2] = p_z;
+    out->k[0] = k_unit_x;
+    out->k[1] = k_unit_y;
+    out->k[2] = k_unit_z;
+    out->C_p = C_p;
+    out->C_s = C_s;
+    out->C_us = C_s + C_u;
+    out->r[0] = b_x - b_1_x;
+    out->r[1] = b_y - b_1_y;
+    out->r[2] = b_z - b_1_z;
+    out->M_add = 0;
+    out->h_add[0] = 0;
+    out->h_add[1] = 0;
+    out->h_add[2] = 0;
+    out->J_add[0] = 0;
+    out->J_add[1] = 0;
+    out->J_add[2] = 0;
+    out->J_add[3] = 0;
+    out->J_add[4] = 0;
+    out->J_add[5] = 0;
+    out->C_add = C_s;
+}
+
+typedef struct {
+    stewart_real M_P;
+    stewart_real h_P[3];
+    stewart_real J_P[6];
+    stewart_real dJ_P[3];
+    stewart_real C_P;
+    stewart_real g[3];
+    stewart_real b_1[3];
+} prepared_platform;
+
+/* Constants of the platform. */
+static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum, prepared_platform *out)
+{
+    const stewart_real M = robot->M;
+    const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
+        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
+        b_1_z = robot->leg[0].b[2];
+    const stewart_real M_add = sum->M_add;
+    const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
+    const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
+        J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
+    const stewart_real C_add = sum->C_add;
+    const stewart_real c1 = R_0_y*R_0_y;
+    const stewart_real c2 = R_0_z*R_0_z;
+    const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
+    const stewart_real c3 = M*R_0_x;
+    const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
+    const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
+    const stewart_real c4 = R_0_x*R_0_x;
+    const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
+    const stewart_real c5 = M*R_0_y;
+    const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
+    const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
+    out->M_P = M + M_add;
+    out->h_P[0] = c3 + h_add_x;
+    out->h_P[1] = c5 + h_add_y;
+    out->h_P[2] = M*R_0_z + h_add_z;
+    out->J_P[0] = J_P_xx;
+    out->J_P[1] = J_P_xy;
+    out->J_P[2] = J_P_xz;
+    out->J_P[3] = J_P_yy;
+    out->J_P[4] = J_P_yz;
+    out->J_P[5] = J_P_zz;
+    out->dJ_P[0] = J_P_zz - J_P_yy;
+    out->dJ_P[1] = J_P_xx - J_P_zz;
+    out->dJ_P[2] = J_P_yy - J_P_xx;
+    out->C_P = C_add;
+    out->g[0] = g_x;
+    out->g[1] = g_y;
+    out->g[2] = g_z;
+    out->b_1[0] = b_1_x;
+    out->b_1[1] = b_1_y;
+    out->b_1[2] = b_1_z;
+}
+
+int stewart_exact_massless_friction_prepare(const stewart_robot *robot, stewart_exact_massless_friction_model *model)
+{
+    stewart_exact_massless_friction_model made;
+    prepared_leg found, sum;
+    prepared_platform platform;
+    const stewart_real *numbers = (const stewart_real *)&made;
+    size_t number;
+    int i;
+    if (!robot || !model) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    sum.M_add = 0;
+    sum.h_add[0] = 0;
+    sum.h_add[1] = 0;
+    sum.h_add[2] = 0;
+    sum.J_add[0] = 0;
+    sum.J_add[1] = 0;
+    sum.J_add[2] = 0;
+    sum.J_add[3] = 0;
+    sum.J_add[4] = 0;
+    sum.J_add[5] = 0;
+    sum.C_add = 0;
+    for (i = 0; i < LANES; ++i) {
+        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
+        made.p[0][i] = found.p[0];
+        made.p[1][i] = found.p[1];
+        made.p[2][i] = found.p[2];
+        made.k[0][i] = found.k[0];
+        made.k[1][i] = found.k[1];
+        made.k[2][i] = found.k[2];
+        made.C_p[i] = found.C_p;
+        made.C_s[i] = found.C_s;
+        made.C_us[i] = found.C_us;
+        made.r[0][i] = found.r[0];
+        made.r[1][i] = found.r[1];
+        made.r[2][i] = found.r[2];
+        if (i >= 6) {
+            continue;
+        }
+        sum.M_add = sum.M_add + found.M_add;
+        sum.h_add[0] = sum.h_add[0] + found.h_add[0];
+        sum.h_add[1] = sum.h_add[1] + found.h_add[1];
+        sum.h_add[2] = sum.h_add[2] + found.h_add[2];
+        sum.J_add[0] = sum.J_add[0] + found.J_add[0];
+        sum.J_add[1] = sum.J_add[1] + found.J_add[1];
+        sum.J_add[2] = sum.J_add[2] + found.J_add[2];
+        sum.J_add[3] = sum.J_add[3] + found.J_add[3];
+        sum.J_add[4] = sum.J_add[4] + found.J_add[4];
+        sum.J_add[5] = sum.J_add[5] + found.J_add[5];
+        sum.C_add = sum.C_add + found.C_add;
+    }
+    prepare_platform(robot, &sum, &platform);
+    made.M_P = platform.M_P;
+    made.h_P[0] = platform.h_P[0];
+    made.h_P[1] = platform.h_P[1];
+    made.h_P[2] = platform.h_P[2];
+    made.J_P[0] = platform.J_P[0];
+    made.J_P[1] = platform.J_P[1];
+    made.J_P[2] = platform.J_P[2];
+    made.J_P[3] = platform.J_P[3];
+    made.J_P[4] = platform.J_P[4];
+    made.J_P[5] = platform.J_P[5];
+    made.dJ_P[0] = platform.dJ_P[0];
+    made.dJ_P[1] = platform.dJ_P[1];
+    made.dJ_P[2] = platform.dJ_P[2];
+    made.C_P = platform.C_P;
+    made.g[0] = platform.g[0];
+    made.g[1] = platform.g[1];
+    made.g[2] = platform.g[2];
+    made.b_1[0] = platform.b_1[0];
+    made.b_1[1] = platform.b_1[1];
+    made.b_1[2] = platform.b_1[2];
+    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
+    return STEWART_OK;
+}
+
+/* What one pose has for all legs: 189 (93 mul, 96 add, 0 div, 0 sqrt) operations. */
+static void shared_of_pose(const stewart_exact_massless_friction_model *model, const stewart_motion *at, shared_terms *out)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
+    /* angular velocity, platform frame */
+    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
+    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
+    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    /* angular acceleration, platform frame */
+    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
+    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
+    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    /* (33) g - a */
+    const stewart_real fall_x = g_x - a_x;
+    const stewart_real fall_y = g_y - a_y;
+    const stewart_real fall_z = g_z - a_z;
+    /* (33) g - a in the platform frame */
+    const stewart_real fall_P_x = R_xx*fall_x + R_yx*fall_y + R_zx*fall_z;
+    const stewart_real fall_P_y = R_xy*fall_x + R_yy*fall_y + R_zy*fall_z;
+    const stewart_real fall_P_z = R_xz*fall_x + R_yz*fall_y + R_zz*fall_z;
+    const stewart_real c1 = omega_P_x*omega_P_x;
+    const stewart_real c2 = omega_P_x*omega_P_y;
+    const stewart_real c3 = omega_P_x*omega_P_z;
+    const stewart_real c4 = omega_P_y*omega_P_y;
+    const stewart_real c5 = omega_P_y*omega_P_z;
+    const stewart_real c6 = omega_P_z*omega_P_z;
+    /* products of omega */
+    const stewart_real omega_xx = c1;
+    const stewart_real omega_xy = c2;
+    const stewart_real omega_xz = c3;
+    const stewart_real omega_yy = c4;
+    const stewart_real omega_yz = c5;
+    const stewart_real omega_zz = c6;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_xy = omega_xy - alpha_P_z;
+    const stewart_real B_xz = alpha_P_y + omega_xz;
+    const stewart_real B_yx = alpha_P_z + omega_xy;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_yz = omega_yz - alpha_P_x;
+    const stewart_real B_zx = omega_xz - alpha_P_y;
+    const stewart_real B_zy = alpha_P_x + omega_yz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    /* (33) external force less inertia, in the platform frame */
+    const stewart_real F_P_load_x = F_ext_x + M_P*fall_P_x - B_xx*h_P_x - B_xy*h_P_y - B_xz*h_P_z;
+    const stewart_real F_P_load_y = F_ext_y + M_P*fall_P_y - B_yx*h_P_x - B_yy*h_P_y - B_yz*h_P_z;
+    const stewart_real F_P_load_z = F_ext_z + M_P*fall_P_z - B_zx*h_P_x - B_zy*h_P_y - B_zz*h_P_z;
+    const stewart_real P_xy = c2;
+    const stewart_real P_xz = c3;
+    const stewart_real P_yz = c5;
+    const stewart_real P_xx = c1;
+    const stewart_real P_yy = c4;
+    const stewart_real P_zz = c6;
+    /* (34) external moment less I alpha + omega x I omega, in the platform frame */
+    const stewart_real M_P_load_x = M_ext_x + fall_P_z*h_P_y - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz)
+        - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x - fall_P_y*h_P_z;
+    const stewart_real M_P_load_y = M_ext_y + fall_P_x*h_P_z - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+        - P_xx) - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y - fall_P_z*h_P_x;
+    const stewart_real M_P_load_z = M_ext_z + fall_P_y*h_P_x - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x
+        - P_yz) - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z - fall_P_x*h_P_y;
+    /* reference point from base point 1, base frame */
+    const stewart_real t_1_x = t_x - b_1_x;
+    const stewart_real t_1_y = t_y - b_1_y;
+    const stewart_real t_1_z = t_z - b_1_z;
+    /* (33) the platform's part of c, force and moment */
+    const stewart_real load_x = F_P_load_x*R_xx + F_P_load_y*R_xy + F_P_load_z*R_xz;
+    const stewart_real load_y = F_P_load_x*R_yx + F_P_load_y*R_yy + F_P_load_z*R_yz;
+    const stewart_real load_z = F_P_load_x*R_zx + F_P_load_y*R_zy + F_P_load_z*R_zz;
+    out->t_1[0] = t_1_x;
+    out->t_1[1] = t_1_y;
+    out->t_1[2] = t_1_z;
+    out->c_force[0] = load_x;
+    out->c_force[1] = load_y;
+    out->c_force[2] = load_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + load_z*t_1_y - C_P*omega_x
+        - load_y*t_1_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + load_x*t_1_z - C_P*omega_y
+        - load_z*t_1_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + load_y*t_1_x - C_P*omega_z
+        - load_x*t_1_y;
+}
+
+/* The legs of one pose side by side: 148 (89 mul, 55 add, 2 div, 2 sqrt) operations each. */
+static void legs_of_pose(
+    const stewart_exact_massless_friction_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
+            + k_cross_S_z*k_cross_S_z;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real inv_L = 1/L;
+        const stewart_real inv_rho = 1/rho;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_rho*k_cross_S_x;
+        const stewart_real y_y = inv_rho*k_cross_S_y;
+        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z);
+        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real Q_y = inv_rho*tau_k;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
+        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
+        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = C_p*L_dot - Q_k*k1;
+        out->D[l] = D;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = r_y*s_z - r_z*s_y;
+        out->H_moment[1][l] = r_z*s_x - r_x*s_z;
+        out->H_moment[2][l] = r_x*s_y - r_y*s_x;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
+        out->c_moment[1][l] = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
+        out->c_moment[2][l] = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
+        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        out->bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+    }
+}
+
+static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        const stewart_real moved = upper[j];
+        upper[j] = lower[j];
+        lower[j] = moved;
+    }
+}
+
+static void subtract_row(
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        to[j] = to[j] - factor * from[j];
+    }
+}
+
+/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
+ * updated, so that a row is one vector. `moment` is the size of the moment rows.
+ * The first column has no moment rows. */
+static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
+{
+    stewart_real scale[6];
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int pivot;
+    scale[0] = 1;
+    scale[1] = 1;
+    scale[2] = 1;
+    scale[3] = moment;
+    scale[4] = moment;
+    scale[5] = moment;
+    a0 = A[0][0];
+    a1 = A[1][0];
+    a2 = A[2][0];
+    /* Column 1. */
+    size = STEWART_FABS(a0);
+    pivot = 0;
+    if (STEWART_FABS(a1) > size) {
+        size = STEWART_FABS(a1);
+        pivot = 1;
+    }
+    if (STEWART_FABS(a2) > size) {
+        size = STEWART_FABS(a2);
+        pivot = 2;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 0) {
+        const stewart_real moved = a0;
+        exchange_rows(A[0], A[pivot]);
+        scale[pivot] = scale[0];
+        a0 = pivot == 2 ? a2 : pivot == 1 ? a1 : a0;
+        a1 = pivot == 1 ? moved : a1;
+        a2 = pivot == 2 ? moved : a2;
+    }
+    inverse0 = 1 / a0;
+    factor1 = a1 * inverse0;
+    factor2 = a2 * inverse0;
+    a1 = A[1][1] - factor1 * A[0][1];
+    a2 = A[2][1] - factor2 * A[0][1];
+    a3 = A[3][1];
+    a4 = A[4][1];
+    a5 = A[5][1];
+    subtract_row(A[1], factor1, A[0]);
+    subtract_row(A[2], factor2, A[0]);
+    /* Column 2. */
+    size = STEWART_FABS(a1);
+    pivot = 1;
+    if (STEWART_FABS(a2) > size) {
+        size = STEWART_FABS(a2);
+        pivot = 2;
+    }
+    if (STEWART_FABS(a3) > size) {
+        size = STEWART_FABS(a3);
+        pivot = 3;
+    }
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 1) {
+        const stewart_real moved = a1;
+        exchange_rows(A[1], A[pivot]);
+        scale[pivot] = scale[1];
+        a1 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : pivot == 2 ? a2 : a1;
+        a2 = pivot == 2 ? moved : a2;
+        a3 = pivot == 3 ? moved : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse1 = 1 / a1;
+    factor2 = a2 * inverse1;
+    factor3 = a3 * inverse1;
+    factor4 = a4 * inverse1;
+    factor5 = a5 * inverse1;
+    a2 = A[2][2] - factor2 * A[1][2];
+    a3 = A[3][2] - factor3 * A[1][2];
+    a4 = A[4][2] - factor4 * A[1][2];
+    a5 = A[5][2] - factor5 * A[1][2];
+    subtract_row(A[2], factor2, A[1]);
+    subtract_row(A[3], factor3, A[1]);
+    subtract_row(A[4], factor4, A[1]);
+    subtract_row(A[5], factor5, A[1]);
+    /* Column 3. */
+    size = STEWART_FABS(a2);
+    pivot = 2;
+    if (STEWART_FABS(a3) > size) {
+        size = STEWART_FABS(a3);
+        pivot = 3;
+    }
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 2) {
+        const stewart_real moved = a2;
+        exchange_rows(A[2], A[pivot]);
+        scale[pivot] = scale[2];
+        a2 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : a2;
+        a3 = pivot == 3 ? moved : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse2 = 1 / a2;
+    factor3 = a3 * inverse2;
+    factor4 = a4 * inverse2;
+    factor5 = a5 * inverse2;
+    a3 = A[3][3] - factor3 * A[2][3];
+    a4 = A[4][3] - factor4 * A[2][3];
+    a5 = A[5][3] - factor5 * A[2][3];
+    subtract_row(A[3], factor3, A[2]);
+    subtract_row(A[4], factor4, A[2]);
+    subtract_row(A[5], factor5, A[2]);
+    /* Column 4. */
+    size = STEWART_FABS(a3);
+    pivot = 3;
+    if (STEWART_FABS(a4) > size) {
+        size = STEWART_FABS(a4);
+        pivot = 4;
+    }
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 3) {
+        const stewart_real moved = a3;
+        exchange_rows(A[3], A[pivot]);
+        scale[pivot] = scale[3];
+        a3 = pivot == 5 ? a5 : pivot == 4 ? a4 : a3;
+        a4 = pivot == 4 ? moved : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse3 = 1 / a3;
+    factor4 = a4 * inverse3;
+    factor5 = a5 * inverse3;
+    a4 = A[4][4] - factor4 * A[3][4];
+    a5 = A[5][4] - factor5 * A[3][4];
+    subtract_row(A[4], factor4, A[3]);
+    subtract_row(A[5], factor5, A[3]);
+    /* Column 5. */
+    size = STEWART_FABS(a4);
+    pivot = 4;
+    if (STEWART_FABS(a5) > size) {
+        size = STEWART_FABS(a5);
+        pivot = 5;
+    }
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    if (pivot != 4) {
+        const stewart_real moved = a4;
+        exchange_rows(A[4], A[pivot]);
+        scale[pivot] = scale[4];
+        a4 = pivot == 5 ? a5 : a4;
+        a5 = pivot == 5 ? moved : a5;
+    }
+    inverse4 = 1 / a4;
+    factor5 = a5 * inverse4;
+    a5 = A[5][5] - factor5 * A[4][5];
+    subtract_row(A[5], factor5, A[4]);
+    /* Column 6. */
+    size = STEWART_FABS(a5);
+    pivot = 5;
+    if (!(size > STEWART_ROUNDING * scale[pivot])) {
+        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+    }
+    x[5] = A[5][6] / a5;
+    x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
+    x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
+    x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
+    x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
+    x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
+    return STEWART_OK;
+}
+
+int stewart_exact_massless_friction_forces(
+    const stewart_exact_massless_friction_model *model, const stewart_motion *motion, stewart_real F[6])
+{
+    shared_terms shared;
+    leg_lanes legs;
+    stewart_real A[6][LANES];
+    stewart_real x[6], found[6];
+    stewart_real moment = 0;
+    int i, j, status;
+    if (!model || !motion || !F) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    shared_of_pose(model, motion, &shared);
+    legs_of_pose(model, motion, &shared, &legs);
+    for (i = 0; i < 6; ++i) {
+        if (legs.bad[i] > 0) {
+            return leg_status(&legs, i);
+        }
+    }
+    for (j = 0; j < 3; ++j) {
+        stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
+        for (i = 0; i < 6; ++i) {
+            force = force + legs.c_force[j][i];
+            turn = turn + legs.c_moment[j][i];
+            moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
+        }
+        for (i = 0; i < LANES; ++i) {
+            A[j][i] = legs.H_force[j][i];
+            A[j + 3][i] = legs.H_moment[j][i];
+        }
+        A[j][6] = force;
+        A[j + 3][6] = turn;
+        A[j][7] = 0;
+        A[j + 3][7] = 0;
+    }
+    status = solve_pose(A, moment, x);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        found[i] = legs.D[i] - x[i];
+        if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        F[i] = found[i];
+    }
+    return STEWART_OK;
+}
+
+/* Eight poses on their way. */
+typedef struct {
+    stewart_real column[7][6][LANES]; /* [H | c], column by column */
+    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real moment[LANES]; /* size of the moment rows */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
+} block;
+
+/* What each of eight poses has for all legs, and the platform's part of c. */
+static void shared_of_block(
+    const stewart_exact_massless_friction_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
+    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
+{
+    int l;
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
+            alpha_z = in->alpha[2][l];
+        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
+        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
+            F_ext_z = in->F_ext[2][l];
+        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
+            M_ext_z = in->M_ext[2][l];
+        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
+        /* angular velocity, platform frame */
+        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
+        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
+        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        /* angular acceleration, platform frame */
+        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
+        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
+        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        /* (33) g - a */
+        const stewart_real fall_x = g_x - a_x;
+        const stewart_real fall_y = g_y - a_y;
+        const stewart_real fall_z = g_z - a_z;
+        /* (33) g - a in the platform frame */
+        const stewart_real fall_P_x = R_xx*fall_x + R_yx*fall_y + R_zx*fall_z;
+        const stewart_real fall_P_y = R_xy*fall_x + R_yy*fall_y + R_zy*fall_z;
+        const stewart_real fall_P_z = R_xz*fall_x + R_yz*fall_y + R_zz*fall_z;
+        const stewart_real c1 = omega_P_x*omega_P_x;
+        const stewart_real c2 = omega_P_x*omega_P_y;
+        const stewart_real c3 = omega_P_x*omega_P_z;
+        const stewart_real c4 = omega_P_y*omega_P_y;
+        const stewart_real c5 = omega_P_y*omega_P_z;
+        const stewart_real c6 = omega_P_z*omega_P_z;
+        /* products of omega */
+        const stewart_real omega_xx = c1;
+        const stewart_real omega_xy = c2;
+        const stewart_real omega_xz = c3;
+        const stewart_real omega_yy = c4;
+        const stewart_real omega_yz = c5;
+        const stewart_real omega_zz = c6;
+        /* (7) S_ddot = B q + a */
+        const stewart_real B_xx = -omega_yy - omega_zz;
+        const stewart_real B_xy = omega_xy - alpha_P_z;
+        const stewart_real B_xz = alpha_P_y + omega_xz;
+        const stewart_real B_yx = alpha_P_z + omega_xy;
+        const stewart_real B_yy = -omega_xx - omega_zz;
+        const stewart_real B_yz = omega_yz - alpha_P_x;
+        const stewart_real B_zx = omega_xz - alpha_P_y;
+        const stewart_real B_zy = alpha_P_x + omega_yz;
+        const stewart_real B_zz = -omega_xx - omega_yy;
+        /* (33) external force less inertia, in the platform frame */
+        const stewart_real F_P_load_x = F_ext_x + M_P*fall_P_x - B_xx*h_P_x - B_xy*h_P_y - B_xz*h_P_z;
+        const stewart_real F_P_load_y = F_ext_y + M_P*fall_P_y - B_yx*h_P_x - B_yy*h_P_y - B_yz*h_P_z;
+        const stewart_real F_P_load_z = F_ext_z + M_P*fall_P_z - B_zx*h_P_x - B_zy*h_P_y - B_zz*h_P_z;
+        const stewart_real P_xy = c2;
+        const stewart_real P_xz = c3;
+        const stewart_real P_yz = c5;
+        const stewart_real P_xx = c1;
+        const stewart_real P_yy = c4;
+        const stewart_real P_zz = c6;
+        /* (34) external moment less I alpha + omega x I omega, in the platform frame */
+        const stewart_real M_P_load_x = M_ext_x + fall_P_z*h_P_y - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y
+            - P_xz) - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x - fall_P_y*h_P_z;
+        const stewart_real M_P_load_y = M_ext_y + fall_P_x*h_P_z - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+            - P_xx) - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y - fall_P_z*h_P_x;
+        const stewart_real M_P_load_z = M_ext_z + fall_P_y*h_P_x - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x
+            - P_yz) - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z - fall_P_x*h_P_y;
+        /* reference point from base point 1, base frame */
+        const stewart_real t_1_x = t_x - b_1_x;
+        const stewart_real t_1_y = t_y - b_1_y;
+        const stewart_real t_1_z = t_z - b_1_z;
+        /* (33) the platform's part of c, force and moment */
+        const stewart_real load_x = F_P_load_x*R_xx + F_P_load_y*R_xy + F_P_load_z*R_xz;
+        const stewart_real load_y = F_P_load_x*R_yx + F_P_load_y*R_yy + F_P_load_z*R_yz;
+        const stewart_real load_z = F_P_load_x*R_zx + F_P_load_y*R_zy + F_P_load_z*R_zz;
+        out->t_1[0][l] = t_1_x;
+        out->t_1[1][l] = t_1_y;
+        out->t_1[2][l] = t_1_z;
+        c[0][l] = load_x;
+        c[1][l] = load_y;
+        c[2][l] = load_z;
+        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + load_z*t_1_y - C_P*omega_x
+            - load_y*t_1_z;
+        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + load_x*t_1_z - C_P*omega_y
+            - load_z*t_1_x;
+        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + load_y*t_1_x - C_P*omega_z
+            - load_x*t_1_y;
+    }
+}
+
+/* One leg of eight poses side by side, 148 (89 mul, 55 add, 2 div, 2 sqrt) operations each:
+ * its column of H, its D, its part of c. */
+static void leg_of_block(
+    const stewart_exact_massless_friction_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
+    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
+    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+    const stewart_real C_p = model->C_p[leg];
+    const stewart_real C_s = model->C_s[leg];
+    const stewart_real C_us = model->C_us[leg];
+    const stewart_real r_x = model->r[0][leg], r_y = model->r[1][leg], r_z = model->r[2][leg];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
+            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
+            R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
+            omega_z = in->omega[2][l];
+        const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
+        const stewart_real t_1_x = shared->t_1[0][l], t_1_y = shared->t_1[1][l],
+            t_1_z = shared->t_1[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
+            + k_cross_S_z*k_cross_S_z;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real inv_L = 1/L;
+        const stewart_real inv_rho = 1/rho;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_rho*k_cross_S_x;
+        const stewart_real y_y = inv_rho*k_cross_S_y;
+        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z);
+        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real Q_y = inv_rho*tau_k;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
+        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
+        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = C_p*L_dot - Q_k*k1;
+        column[0][l] = s_x;
+        column[1][l] = s_y;
+        column[2][l] = s_z;
+        column[3][l] = r_y*s_z - r_z*s_y;
+        column[4][l] = r_z*s_x - r_x*s_z;
+        column[5][l] = r_x*s_y - r_y*s_x;
+        c[0][l] = c[0][l] - K_x;
+        c[1][l] = c[1][l] - K_y;
+        c[2][l] = c[2][l] - K_z;
+        c[3][l] = c[3][l] + (C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y);
+        c[4][l] = c[4][l] + (C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z);
+        c[5][l] = c[5][l] + (C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x);
+        known[l] = D;
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[3][l]), moment[l]);
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[4][l]), moment[l]);
+        moment[l] = STEWART_LARGER(STEWART_FABS(column[5][l]), moment[l]);
+        stewart_real fault;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        fault = L <= STEWART_MAX ? bad[l] : (stewart_real)1;
+        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+    }
+}
+
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
+ * F = D - x, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+STEWART_APART static void solve_block(
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
+    stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        stewart_real a00 = column[0][0][l], a01 = column[1][0][l], a02 = column[2][0][l],
+            a03 = column[3][0][l], a04 = column[4][0][l], a05 = column[5][0][l],
+            a06 = column[6][0][l];
+        stewart_real a10 = column[0][1][l], a11 = column[1][1][l], a12 = column[2][1][l],
+            a13 = column[3][1][l], a14 = column[4][1][l], a15 = column[5][1][l],
+            a16 = column[6][1][l];
+        stewart_real a20 = column[0][2][l], a21 = column[1][2][l], a22 = column[2][2][l],
+            a23 = column[3][2][l], a24 = column[4][2][l], a25 = column[5][2][l],
+            a26 = column[6][2][l];
+        stewart_real a31 = column[1][3][l], a32 = column[2][3][l], a33 = column[3][3][l],
+            a34 = column[4][3][l], a35 = column[5][3][l], a36 = column[6][3][l];
+        stewart_real a41 = column[1][4][l], a42 = column[2][4][l], a43 = column[3][4][l],
+            a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
+        stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
+            a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
+        stewart_real s0 = 1, s1 = 1, s2 = 1, s3 = moment[l], s4 = moment[l], s5 = moment[l];
+        stewart_real fault = bad[l];
+        const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_1 = below10 > 0 ? s1 : s0;
+        s1 = below10 > 0 ? s0 : s1;
+        s0 = s0_1;
+        const stewart_real a00_1 = below10 > 0 ? a10 : a00;
+        a10 = below10 > 0 ? a00 : a10;
+        a00 = a00_1;
+        const stewart_real a01_1 = below10 > 0 ? a11 : a01;
+        a11 = below10 > 0 ? a01 : a11;
+        a01 = a01_1;
+        const stewart_real a02_1 = below10 > 0 ? a12 : a02;
+        a12 = below10 > 0 ? a02 : a12;
+        a02 = a02_1;
+        const stewart_real a03_1 = below10 > 0 ? a13 : a03;
+        a13 = below10 > 0 ? a03 : a13;
+        a03 = a03_1;
+        const stewart_real a04_1 = below10 > 0 ? a14 : a04;
+        a14 = below10 > 0 ? a04 : a14;
+        a04 = a04_1;
+        const stewart_real a05_1 = below10 > 0 ? a15 : a05;
+        a15 = below10 > 0 ? a05 : a15;
+        a05 = a05_1;
+        const stewart_real a06_1 = below10 > 0 ? a16 : a06;
+        a16 = below10 > 0 ? a06 : a16;
+        a06 = a06_1;
+        const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s0_2 = below20 > 0 ? s2 : s0;
+        s2 = below20 > 0 ? s0 : s2;
+        s0 = s0_2;
+        const stewart_real a00_2 = below20 > 0 ? a20 : a00;
+        a20 = below20 > 0 ? a00 : a20;
+        a00 = a00_2;
+        const stewart_real a01_2 = below20 > 0 ? a21 : a01;
+        a21 = below20 > 0 ? a01 : a21;
+        a01 = a01_2;
+        const stewart_real a02_2 = below20 > 0 ? a22 : a02;
+        a22 = below20 > 0 ? a02 : a22;
+        a02 = a02_2;
+        const stewart_real a03_2 = below20 > 0 ? a23 : a03;
+        a23 = below20 > 0 ? a03 : a23;
+        a03 = a03_2;
+        const stewart_real a04_2 = below20 > 0 ? a24 : a04;
+        a24 = below20 > 0 ? a04 : a24;
+        a04 = a04_2;
+        const stewart_real a05_2 = below20 > 0 ? a25 : a05;
+        a25 = below20 > 0 ? a05 : a25;
+        a05 = a05_2;
+        const stewart_real a06_2 = below20 > 0 ? a26 : a06;
+        a26 = below20 > 0 ? a06 : a26;
+        a06 = a06_2;
+        const stewart_real inverse0 = 1 / a00;
+        const stewart_real factor10 = a10 * inverse0;
+        a11 = a11 - factor10 * a01;
+        a12 = a12 - factor10 * a02;
+        a13 = a13 - factor10 * a03;
+        a14 = a14 - factor10 * a04;
+        a15 = a15 - factor10 * a05;
+        a16 = a16 - factor10 * a06;
+        const stewart_real factor20 = a20 * inverse0;
+        a21 = a21 - factor20 * a01;
+        a22 = a22 - factor20 * a02;
+        a23 = a23 - factor20 * a03;
+        a24 = a24 - factor20 * a04;
+        a25 = a25 - factor20 * a05;
+        a26 = a26 - factor20 * a06;
+        fault = STEWART_FABS(a00) > STEWART_ROUNDING * s0 ? fault : (stewart_real)1;
+        const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_2 = below21 > 0 ? s2 : s1;
+        s2 = below21 > 0 ? s1 : s2;
+        s1 = s1_2;
+        const stewart_real a11_2 = below21 > 0 ? a21 : a11;
+        a21 = below21 > 0 ? a11 : a21;
+        a11 = a11_2;
+        const stewart_real a12_2 = below21 > 0 ? a22 : a12;
+        a22 = below21 > 0 ? a12 : a22;
+        a12 = a12_2;
+        const stewart_real a13_2 = below21 > 0 ? a23 : a13;
+        a23 = below21 > 0 ? a13 : a23;
+        a13 = a13_2;
+        const stewart_real a14_2 = below21 > 0 ? a24 : a14;
+        a24 = below21 > 0 ? a14 : a24;
+        a14 = a14_2;
+        const stewart_real a15_2 = below21 > 0 ? a25 : a15;
+        a25 = below21 > 0 ? a15 : a25;
+        a15 = a15_2;
+        const stewart_real a16_2 = below21 > 0 ? a26 : a16;
+        a26 = below21 > 0 ? a16 : a26;
+        a16 = a16_2;
+        const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_3 = below31 > 0 ? s3 : s1;
+        s3 = below31 > 0 ? s1 : s3;
+        s1 = s1_3;
+        const stewart_real a11_3 = below31 > 0 ? a31 : a11;
+        a31 = below31 > 0 ? a11 : a31;
+        a11 = a11_3;
+        const stewart_real a12_3 = below31 > 0 ? a32 : a12;
+        a32 = below31 > 0 ? a12 : a32;
+        a12 = a12_3;
+        const stewart_real a13_3 = below31 > 0 ? a33 : a13;
+        a33 = below31 > 0 ? a13 : a33;
+        a13 = a13_3;
+        const stewart_real a14_3 = below31 > 0 ? a34 : a14;
+        a34 = below31 > 0 ? a14 : a34;
+        a14 = a14_3;
+        const stewart_real a15_3 = below31 > 0 ? a35 : a15;
+        a35 = below31 > 0 ? a15 : a35;
+        a15 = a15_3;
+        const stewart_real a16_3 = below31 > 0 ? a36 : a16;
+        a36 = below31 > 0 ? a16 : a36;
+        a16 = a16_3;
+        const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_4 = below41 > 0 ? s4 : s1;
+        s4 = below41 > 0 ? s1 : s4;
+        s1 = s1_4;
+        const stewart_real a11_4 = below41 > 0 ? a41 : a11;
+        a41 = below41 > 0 ? a11 : a41;
+        a11 = a11_4;
+        const stewart_real a12_4 = below41 > 0 ? a42 : a12;
+        a42 = below41 > 0 ? a12 : a42;
+        a12 = a12_4;
+        const stewart_real a13_4 = below41 > 0 ? a43 : a13;
+        a43 = below41 > 0 ? a13 : a43;
+        a13 = a13_4;
+        const stewart_real a14_4 = below41 > 0 ? a44 : a14;
+        a44 = below41 > 0 ? a14 : a44;
+        a14 = a14_4;
+        const stewart_real a15_4 = below41 > 0 ? a45 : a15;
+        a45 = below41 > 0 ? a15 : a45;
+        a15 = a15_4;
+        const stewart_real a16_4 = below41 > 0 ? a46 : a16;
+        a46 = below41 > 0 ? a16 : a46;
+        a16 = a16_4;
+        const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s1_5 = below51 > 0 ? s5 : s1;
+        s5 = below51 > 0 ? s1 : s5;
+        s1 = s1_5;
+        const stewart_real a11_5 = below51 > 0 ? a51 : a11;
+        a51 = below51 > 0 ? a11 : a51;
+        a11 = a11_5;
+        const stewart_real a12_5 = below51 > 0 ? a52 : a12;
+        a52 = below51 > 0 ? a12 : a52;
+        a12 = a12_5;
+        const stewart_real a13_5 = below51 > 0 ? a53 : a13;
+        a53 = below51 > 0 ? a13 : a53;
+        a13 = a13_5;
+        const stewart_real a14_5 = below51 > 0 ? a54 : a14;
+        a54 = below51 > 0 ? a14 : a54;
+        a14 = a14_5;
+        const stewart_real a15_5 = below51 > 0 ? a55 : a15;
+        a55 = below51 > 0 ? a15 : a55;
+        a15 = a15_5;
+        const stewart_real a16_5 = below51 > 0 ? a56 : a16;
+        a56 = below51 > 0 ? a16 : a56;
+        a16 = a16_5;
+        const stewart_real inverse1 = 1 / a11;
+        const stewart_real factor21 = a21 * inverse1;
+        a22 = a22 - factor21 * a12;
+        a23 = a23 - factor21 * a13;
+        a24 = a24 - factor21 * a14;
+        a25 = a25 - factor21 * a15;
+        a26 = a26 - factor21 * a16;
+        const stewart_real factor31 = a31 * inverse1;
+        a32 = a32 - factor31 * a12;
+        a33 = a33 - factor31 * a13;
+        a34 = a34 - factor31 * a14;
+        a35 = a35 - factor31 * a15;
+        a36 = a36 - factor31 * a16;
+        const stewart_real factor41 = a41 * inverse1;
+        a42 = a42 - factor41 * a12;
+        a43 = a43 - factor41 * a13;
+        a44 = a44 - factor41 * a14;
+        a45 = a45 - factor41 * a15;
+        a46 = a46 - factor41 * a16;
+        const stewart_real factor51 = a51 * inverse1;
+        a52 = a52 - factor51 * a12;
+        a53 = a53 - factor51 * a13;
+        a54 = a54 - factor51 * a14;
+        a55 = a55 - factor51 * a15;
+        a56 = a56 - factor51 * a16;
+        fault = STEWART_FABS(a11) > STEWART_ROUNDING * s1 ? fault : (stewart_real)1;
+        const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_3 = below32 > 0 ? s3 : s2;
+        s3 = below32 > 0 ? s2 : s3;
+        s2 = s2_3;
+        const stewart_real a22_3 = below32 > 0 ? a32 : a22;
+        a32 = below32 > 0 ? a22 : a32;
+        a22 = a22_3;
+        const stewart_real a23_3 = below32 > 0 ? a33 : a23;
+        a33 = below32 > 0 ? a23 : a33;
+        a23 = a23_3;
+        const stewart_real a24_3 = below32 > 0 ? a34 : a24;
+        a34 = below32 > 0 ? a24 : a34;
+        a24 = a24_3;
+        const stewart_real a25_3 = below32 > 0 ? a35 : a25;
+        a35 = below32 > 0 ? a25 : a35;
+        a25 = a25_3;
+        const stewart_real a26_3 = below32 > 0 ? a36 : a26;
+        a36 = below32 > 0 ? a26 : a36;
+        a26 = a26_3;
+        const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_4 = below42 > 0 ? s4 : s2;
+        s4 = below42 > 0 ? s2 : s4;
+        s2 = s2_4;
+        const stewart_real a22_4 = below42 > 0 ? a42 : a22;
+        a42 = below42 > 0 ? a22 : a42;
+        a22 = a22_4;
+        const stewart_real a23_4 = below42 > 0 ? a43 : a23;
+        a43 = below42 > 0 ? a23 : a43;
+        a23 = a23_4;
+        const stewart_real a24_4 = below42 > 0 ? a44 : a24;
+        a44 = below42 > 0 ? a24 : a44;
+        a24 = a24_4;
+        const stewart_real a25_4 = below42 > 0 ? a45 : a25;
+        a45 = below42 > 0 ? a25 : a45;
+        a25 = a25_4;
+        const stewart_real a26_4 = below42 > 0 ? a46 : a26;
+        a46 = below42 > 0 ? a26 : a46;
+        a26 = a26_4;
+        const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s2_5 = below52 > 0 ? s5 : s2;
+        s5 = below52 > 0 ? s2 : s5;
+        s2 = s2_5;
+        const stewart_real a22_5 = below52 > 0 ? a52 : a22;
+        a52 = below52 > 0 ? a22 : a52;
+        a22 = a22_5;
+        const stewart_real a23_5 = below52 > 0 ? a53 : a23;
+        a53 = below52 > 0 ? a23 : a53;
+        a23 = a23_5;
+        const stewart_real a24_5 = below52 > 0 ? a54 : a24;
+        a54 = below52 > 0 ? a24 : a54;
+        a24 = a24_5;
+        const stewart_real a25_5 = below52 > 0 ? a55 : a25;
+        a55 = below52 > 0 ? a25 : a55;
+        a25 = a25_5;
+        const stewart_real a26_5 = below52 > 0 ? a56 : a26;
+        a56 = below52 > 0 ? a26 : a56;
+        a26 = a26_5;
+        const stewart_real inverse2 = 1 / a22;
+        const stewart_real factor32 = a32 * inverse2;
+        a33 = a33 - factor32 * a23;
+        a34 = a34 - factor32 * a24;
+        a35 = a35 - factor32 * a25;
+        a36 = a36 - factor32 * a26;
+        const stewart_real factor42 = a42 * inverse2;
+        a43 = a43 - factor42 * a23;
+        a44 = a44 - factor42 * a24;
+        a45 = a45 - factor42 * a25;
+        a46 = a46 - factor42 * a26;
+        const stewart_real factor52 = a52 * inverse2;
+        a53 = a53 - factor52 * a23;
+        a54 = a54 - factor52 * a24;
+        a55 = a55 - factor52 * a25;
+        a56 = a56 - factor52 * a26;
+        fault = STEWART_FABS(a22) > STEWART_ROUNDING * s2 ? fault : (stewart_real)1;
+        const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s3_4 = below43 > 0 ? s4 : s3;
+        s4 = below43 > 0 ? s3 : s4;
+        s3 = s3_4;
+        const stewart_real a33_4 = below43 > 0 ? a43 : a33;
+        a43 = below43 > 0 ? a33 : a43;
+        a33 = a33_4;
+        const stewart_real a34_4 = below43 > 0 ? a44 : a34;
+        a44 = below43 > 0 ? a34 : a44;
+        a34 = a34_4;
+        const stewart_real a35_4 = below43 > 0 ? a45 : a35;
+        a45 = below43 > 0 ? a35 : a45;
+        a35 = a35_4;
+        const stewart_real a36_4 = below43 > 0 ? a46 : a36;
+        a46 = below43 > 0 ? a36 : a46;
+        a36 = a36_4;
+        const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s3_5 = below53 > 0 ? s5 : s3;
+        s5 = below53 > 0 ? s3 : s5;
+        s3 = s3_5;
+        const stewart_real a33_5 = below53 > 0 ? a53 : a33;
+        a53 = below53 > 0 ? a33 : a53;
+        a33 = a33_5;
+        const stewart_real a34_5 = below53 > 0 ? a54 : a34;
+        a54 = below53 > 0 ? a34 : a54;
+        a34 = a34_5;
+        const stewart_real a35_5 = below53 > 0 ? a55 : a35;
+        a55 = below53 > 0 ? a35 : a55;
+        a35 = a35_5;
+        const stewart_real a36_5 = below53 > 0 ? a56 : a36;
+        a56 = below53 > 0 ? a36 : a56;
+        a36 = a36_5;
+        const stewart_real inverse3 = 1 / a33;
+        const stewart_real factor43 = a43 * inverse3;
+        a44 = a44 - factor43 * a34;
+        a45 = a45 - factor43 * a35;
+        a46 = a46 - factor43 * a36;
+        const stewart_real factor53 = a53 * inverse3;
+        a54 = a54 - factor53 * a34;
+        a55 = a55 - factor53 * a35;
+        a56 = a56 - factor53 * a36;
+        fault = STEWART_FABS(a33) > STEWART_ROUNDING * s3 ? fault : (stewart_real)1;
+        const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
+            ? (stewart_real)1 : (stewart_real)0;
+        const stewart_real s4_5 = below54 > 0 ? s5 : s4;
+        s5 = below54 > 0 ? s4 : s5;
+        s4 = s4_5;
+        const stewart_real a44_5 = below54 > 0 ? a54 : a44;
+        a54 = below54 > 0 ? a44 : a54;
+        a44 = a44_5;
+        const stewart_real a45_5 = below54 > 0 ? a55 : a45;
+        a55 = below54 > 0 ? a45 : a55;
+        a45 = a45_5;
+        const stewart_real a46_5 = below54 > 0 ? a56 : a46;
+        a56 = below54 > 0 ? a46 : a56;
+        a46 = a46_5;
+        const stewart_real inverse4 = 1 / a44;
+        const stewart_real factor54 = a54 * inverse4;
+        a55 = a55 - factor54 * a45;
+        a56 = a56 - factor54 * a46;
+        fault = STEWART_FABS(a44) > STEWART_ROUNDING * s4 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a55) > STEWART_ROUNDING * s5 ? fault : (stewart_real)1;
+        a56 = a56 / a55;
+        a46 = a46 - a45 * a56;
+        a46 = a46 * inverse4;
+        a36 = a36 - a34 * a46;
+        a36 = a36 - a35 * a56;
+        a36 = a36 * inverse3;
+        a26 = a26 - a23 * a36;
+        a26 = a26 - a24 * a46;
+        a26 = a26 - a25 * a56;
+        a26 = a26 * inverse2;
+        a16 = a16 - a12 * a26;
+        a16 = a16 - a13 * a36;
+        a16 = a16 - a14 * a46;
+        a16 = a16 - a15 * a56;
+        a16 = a16 * inverse1;
+        a06 = a06 - a01 * a16;
+        a06 = a06 - a02 * a26;
+        a06 = a06 - a03 * a36;
+        a06 = a06 - a04 * a46;
+        a06 = a06 - a05 * a56;
+        a06 = a06 * inverse0;
+        const stewart_real F0 = D[0][l] - a06;
+        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[0][l] = F0;
+        const stewart_real F1 = D[1][l] - a16;
+        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[1][l] = F1;
+        const stewart_real F2 = D[2][l] - a26;
+        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[2][l] = F2;
+        const stewart_real F3 = D[3][l] - a36;
+        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[3][l] = F3;
+        const stewart_real F4 = D[4][l] - a46;
+        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[4][l] = F4;
+        const stewart_real F5 = D[5][l] - a56;
+        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : (stewart_real)1;
+        F[5][l] = F5;
+        bad[l] = fault;
+    }
+}
+
+/* `width` numbers of each of eight poses; past the end, the last pose again. */
+static const stewart_real *whole(
+    const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
+{
+    size_t l, i;
+    if (first + LANES <= count) {
+        return from + first * width;
+    }
+    for (l = 0; l < LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1;
+        for (i = 0; i < width; ++i) {
+            padded[l * width + i] = from[pose * width + i];
+        }
+    }
+    return padded;
+}
+
+/* Eight vectors, eight matrices, eight zeros: component by component. */
+static void spread_vector(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        to[0][l] = from[3 * l];
+        to[1][l] = from[3 * l + 1];
+        to[2][l] = from[3 * l + 2];
+    }
+}
+
+static void spread_matrix(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 9; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = from[9 * l + i];
+        }
+    }
+}
+
+static void clear(stewart_real (*to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 3; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = 0;
+        }
+    }
+}
+
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+{
+    stewart_real padded[9 * LANES];
+    spread_matrix(whole(motions->R, 9, first, count, padded), in->R);
+    spread_vector(whole(motions->t, 3, first, count, padded), in->t);
+    spread_vector(whole(motions->omega, 3, first, count, padded), in->omega);
+    spread_vector(whole(motions->v, 3, first, count, padded), in->v);
+    spread_vector(whole(motions->alpha, 3, first, count, padded), in->alpha);
+    spread_vector(whole(motions->a, 3, first, count, padded), in->a);
+    if (motions->F_ext) {
+        spread_vector(whole(motions->F_ext, 3, first, count, padded), in->F_ext);
+    } else {
+        clear(in->F_ext);
+    }
+    if (motions->M_ext) {
+        spread_vector(whole(motions->M_ext, 3, first, count, padded), in->M_ext);
+    } else {
+        clear(in->M_ext);
+    }
+}
+
+static void forces_of_block(const stewart_exact_massless_friction_model *model, const motion_lanes *in, block *out)
+{
+    shared_lanes shared;
+    int i, l;
+    for (l = 0; l < LANES; ++l) {
+        out->moment[l] = 0;
+        out->bad[l] = 0;
+    }
+    shared_of_block(model, in, &shared, out->column[6]);
+    for (i = 0; i < 6; ++i) {
+        leg_of_block(
+            model, i, in, &shared, out->column[i],
+            out->column[6], out->D[i], out->moment, out->bad);
+    }
+    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+}
+
+/* Forces and status of one pose of a batch. */
+static int forces_of(
+    const stewart_exact_massless_friction_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+{
+    stewart_motion one;
+    int i;
+    for (i = 0; i < 9; ++i) {
+        one.R[i] = motions->R[pose * 9 + (size_t)i];
+    }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose * 3 + (size_t)i;
+        one.t[i] = motions->t[at];
+        one.omega[i] = motions->omega[at];
+        one.v[i] = motions->v[at];
+        one.alpha[i] = motions->alpha[at];
+        one.a[i] = motions->a[at];
+        one.F_ext[i] = motions->F_ext ? motions->F_ext[at] : 0;
+        one.M_ext[i] = motions->M_ext ? motions->M_ext[at] : 0;
+    }
+    return stewart_exact_massless_friction_forces(model, &one, F);
+}
+
+int stewart_exact_massless_friction_forces_batch(
+    const stewart_exact_massless_friction_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    int *status)
+{
+    motion_lanes in;
+    block done;
+    size_t first;
+    int result = STEWART_OK;
+    int i, l;
+    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !motions->alpha || !motions->a) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (first = 0; first < count; first += LANES) {
+        load_block(motions, first, count, &in);
+        forces_of_block(model, &in, &done);
+        for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
+            const size_t pose = first + (size_t)l;
+            int code = STEWART_OK;
+            if (done.bad[l] > 0) {
+                code = forces_of(model, motions, pose, F + pose * 6);
+            } else {
+                for (i = 0; i < 6; ++i) {
+                    F[pose * 6 + (size_t)i] = done.F[i][l];
+                }
+            }
+            if (status) {
+                status[pose] = code;
+            }
+            result = result == STEWART_OK ? code : result;
+        }
+    }
+    return result;
+}

@@ -1,0 +1,60 @@
+/* stewart_exact_point_masses_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ *
+ * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
+ * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
+ * -ffp-contract=off one pose and a batch agree to the last bit).
+ *
+ * Fidelity: parts of the legs as points.
+ *
+ * Operations of one pose of inverse dynamics, six legs, solve included
+ * leg      125 (72 mul, 51 add, 1 div, 1 sqrt)
+ * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1138 (612 mul, 508 add, 12 div, 6 sqrt)
+ */
+#ifndef STEWART_EXACT_POINT_MASSES_FORCES_H
+#define STEWART_EXACT_POINT_MASSES_FORCES_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+typedef struct {
+    stewart_real p[3][8]; /* m: platform point, platform frame */
+    stewart_real h_s[8]; /* kg m: first moment of the upper part about the platform point, along the leg */
+    stewart_real w_s[8]; /* kg m: first moments of both parts, along the leg */
+    stewart_real J_m[8]; /* kg m^2: inertias about base and platform point of the masses as points */
+    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
+    stewart_real M_P; /* kg: mass of the platform with the upper parts */
+    stewart_real h_P[3]; /* kg m: its first moment, platform frame */
+    stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
+    stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
+    stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    stewart_real b_1[3]; /* m: base point 1, base frame */
+} stewart_exact_point_masses_model;
+
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
+ * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+int stewart_exact_point_masses_prepare(const stewart_robot *robot, stewart_exact_point_masses_model *model);
+
+/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
+int stewart_exact_point_masses_forces(const stewart_exact_point_masses_model *model, const stewart_motion *motion, stewart_real F[6]);
+
+/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+ * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
+int stewart_exact_point_masses_forces_batch(
+    const stewart_exact_point_masses_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

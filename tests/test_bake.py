@@ -1,0 +1,128 @@
+"""Kernels with a robot's numbers folded in compute the same forces from fewer operations."""
+
+import ctypes
+import dataclasses
+import functools
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym import fidelity, native
+from stewart_sym.derive.emit.kit import robot_symbol
+from stewart_sym.kernel import MOTION, address
+from stewart_sym.kit import Choice, Kit, kit
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+EPSILON = np.finfo(np.float64).eps
+Array = NDArray[np.float64]
+
+
+def compiled(robot: Robot, made: Kit, level: str) -> Any:
+    """The batch of a baked kernel."""
+    own = {name: text for name, text in made.files.items() if name.startswith("stewart")}
+    suffix = "" if level == "general" else f"_{level}"
+    return getattr(native.load("baked", own), f"{robot_symbol(robot.name)}{suffix}_forces_batch")
+
+
+def baked_forces(robot: Robot, motion: Motion, level: str) -> Array:
+    count = motion.t.shape[0]
+    F, status = np.full((count, 6), np.nan), np.zeros(count, dtype=np.int32)
+    arrays = [np.ascontiguousarray(getattr(motion, name)) for name in MOTION]
+    pointers = (ctypes.c_void_p * len(arrays))(*map(address, arrays))
+    call = compiled(robot, kit(robot, Choice(fidelity=level, bake=True)), level)
+    call(ctypes.c_size_t(count), pointers, address(F), address(status))
+    assert (status == 0).all()
+    return F
+
+
+def motions(robot: Robot, count: int = 9) -> Motion:
+    rng = np.random.default_rng(8)
+    poses = [random_motion(rng, robot) for _ in range(count)]
+    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+
+
+def simple_robot() -> Robot:
+    """Planar base and platform, gravity straight down, identical slim legs, no friction."""
+    robot = random_robot(np.random.default_rng(1), friction=False)
+    flat = np.array([1.0, 1.0, 0.0])
+    alike = {
+        name: np.tile(getattr(robot, name)[:1], (6,) + (1,) * (getattr(robot, name).ndim - 1))
+        for name in ("m_d", "m_u", "r_d0", "r_u0", "I_d0", "I_u0")
+    }
+    across = np.array([0.0, 1.0, 1.0])
+    for name in ("r_d0", "r_u0"):
+        alike[name] = alike[name] * np.array([1.0, 0.0, 0.0])
+    for name in ("I_d0", "I_u0"):
+        alike[name] = np.tile(np.diag(across * alike[name][0, 1, 1]), (6, 1, 1))
+    return dataclasses.replace(
+        robot,
+        b=robot.b * flat,
+        p=robot.p * flat,
+        g=np.array([0.0, 0.0, -9.81]),
+        R_0=np.zeros(3),
+        I_p=np.diag(np.diag(robot.I_p)),
+        **alike,
+    )
+
+
+@pytest.mark.parametrize("level", fidelity.FIDELITIES)
+def test_baked_forces_are_those_of_the_prepared_kernel(level: str) -> None:
+    for robot in (dasgupta(), random_robot(np.random.default_rng(3))):
+        motion = motions(robot)
+        found = baked_forces(robot, motion, level)
+        expected = ss.prepare(robot, fidelity=level).forces(motion)
+        whole = ss.inverse_dynamics(robot, motion)
+        size = np.abs([whole.F, whole.D, whole.x]).max(axis=(0, 2))
+        bound = 100 * EPSILON * ss.condition_number(whole.H) * size
+        assert (np.abs(found - expected).max(axis=1) <= bound).all()
+
+
+@pytest.mark.parametrize("level", fidelity.FIDELITIES)
+def test_baking_the_papers_machine_saves_operations(level: str) -> None:
+    made = kit(dasgupta(), Choice(fidelity=level, bake=True))
+    print(level, made.operations, made.baked_operations)
+    assert made.baked_operations is not None
+    assert made.baked_operations < made.operations
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
+    robot = simple_robot()
+    cost = functools.partial(_baked_operations, robot)
+    general, slim = cost("general"), cost("axisymmetric")
+    # Friction, offsets and products of inertia are gone by themselves.
+    assert general <= cost("frictionless") <= fidelity.operations(robot, fidelity="axisymmetric")
+    assert general <= slim + 5
+    motion = motions(robot)
+    found, expected = baked_forces(robot, motion, "general"), ss.inverse_dynamics(robot, motion).F
+    assert np.abs(found - expected).max() <= 1e-11 * np.abs(expected).max()
+
+
+def _baked_operations(robot: Robot, level: str) -> int:
+    count = kit(robot, Choice(fidelity=level, bake=True)).baked_operations
+    assert count is not None
+    return count
+
+
+@pytest.mark.parametrize("term", ["friction", "gravity", "flat base", "flat platform", "centred platform"])
+def test_each_zero_saves_operations(term: str) -> None:
+    robot = random_robot(np.random.default_rng(5))
+    flat, nothing = np.array([1.0, 1.0, 0.0]), np.zeros(6)
+    change: dict[str, dict[str, Array]] = {
+        "friction": {"C_u": nothing, "C_p": nothing, "C_s": nothing},
+        "gravity": {"g": np.array([0.0, 0.0, -9.81])},
+        "flat base": {"b": robot.b * flat},
+        "flat platform": {"p": robot.p * flat},
+        "centred platform": {"R_0": np.zeros(3)},
+    }
+    simpler = dataclasses.replace(robot, **change[term])
+    # With the legs' masses on it, only a platform with massless legs has its centre of mass at R_0.
+    level = "massless" if term == "centred platform" else "general"
+    before, after = (_baked_operations(each, level) for each in (robot, simpler))
+    print(term, before, after)
+    assert after < before
