@@ -7,6 +7,7 @@ forces = ss.inverse_dynamics(robot, motion).F
 """
 
 from . import results, robots
+from .bounds import ForceBounds, forces_with_bounds
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import (
     dynamic_fraction,
@@ -46,6 +47,7 @@ __all__ = [
     "Estimate",
     "Excitation",
     "Experiment",
+    "ForceBounds",
     "ForceDerivatives",
     "ForceKernel",
     "Forces",
@@ -72,6 +74,7 @@ __all__ = [
     "dynamic_fraction",
     "equations_of_motion",
     "force_derivatives",
+    "forces_with_bounds",
     "forward_acceleration",
     "forward_dynamics",
     "forward_kinematics",

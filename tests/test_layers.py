@@ -19,7 +19,7 @@ FLOORS = (
     {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
     {"forward", "joint_space", "fidelity", "units"},
     {"dynamics", "forces"},
-    {"closed_form"},
+    {"closed_form", "bounds"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},
     {"scene"},
