@@ -14,6 +14,8 @@ In the order of the flow, each knowing only what stands before it:
     joint_leg       the `exact` leg in the coordinates of its joints
     printed_leg     the `paper` leg with prepared constants
     regroup         the actuator forces alone, from fewer operations
+    adjoint         slopes of a block's outputs along all its steps, by reverse differentiation
+    rounding        what every step of a block rounds away
     tip             one leg at its tip: inertia, Coriolis matrix, derivatives
     motion          the closed form: M, C, g, forward dynamics, derivatives
     operations      what a whole kernel costs

@@ -6,6 +6,7 @@ all legs share becomes a literal; the others stay a table over the legs. Constan
 sum become one. Knows numbers by the names of the blocks' inputs, and nothing of printing.
 """
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -43,6 +44,7 @@ class _Constants:
 
 def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
+    kernel = replace(kernel, per_length=_per_length(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
     blocks = []
@@ -60,6 +62,13 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
         if q in used
     }
     return replace(kernel, shared=shared, leg=leg, constants=numbers, baked_name=name)
+
+
+def _per_length(robot: Numbers) -> float:
+    """One over the least power of two that no coordinate of a platform point exceeds; 1 if all are zero."""
+    largest = max(abs(float(x)) for point in robot[n.p.name] for x in point)
+    fraction, exponent = math.frexp(largest)
+    return math.ldexp(1.0, (fraction == 0.5) - exponent) if largest else 1.0
 
 
 def _kept(block: Block) -> list[Output]:

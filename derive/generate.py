@@ -11,7 +11,7 @@ from importlib.metadata import version as installed_version
 import sympy as sp
 
 from . import motion
-from .emit import c, fidelity_table, lanes, numpy, numpy_motion
+from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
@@ -78,11 +78,22 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{form.kernel_name}.py"] = numpy.module(
             built, counts, force_counts, lanes.model_numbers(forces), version
         )
+    progress("bounding the rounding errors of exact_forces")
+    files |= _error_bounds(version)
     files |= _fidelities(version, progress)
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
     return files | _closed_form(version)
+
+
+def _error_bounds(version: str) -> dict[str, str]:
+    name, built = EXACT.kernel_name, reduced_forces(EXACT)
+    return {
+        f"{name}_bounds.py": bounds.python_module(built, version),
+        f"c/stewart_{name}_bounds.h": bounds.header(built, version),
+        f"c/stewart_{name}_bounds.c": bounds.source(built, version),
+    }
 
 
 def reduced_fidelity(level: Fidelity) -> ForceKernel:

@@ -38,7 +38,8 @@ class ForceKernel:
 
     prepare_leg, prepare_platform: constants, once per robot; shared: what the pose has for all legs, with the
     platform's part of c; leg: D, a column of H and a part of c of one leg. about_base_point: moments are
-    about base point 1 and leg 1 has none; otherwise they are about the reference point.
+    about base point 1 and leg 1 has none; otherwise they are about the reference point. per_length: 1/m, of
+    a baked kernel, one over the length by which float takes its moments.
     """
 
     formulation: Formulation
@@ -52,6 +53,7 @@ class ForceKernel:
     meaning: str = ""
     constants: Mapping[Quantity, tuple[float, ...]] | None = None
     baked_name: str = ""
+    per_length: float | None = None
 
     @property
     def name(self) -> str:

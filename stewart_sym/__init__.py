@@ -7,6 +7,7 @@ forces = ss.inverse_dynamics(robot, motion).F
 """
 
 from . import results, robots
+from .bounds import ForceBounds, forces_with_bounds
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import (
     dynamic_fraction,
@@ -36,6 +37,7 @@ from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation,
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .trajectory import PATHS, StraightLinePath
+from .units import Units
 
 __all__ = [
     "PATHS",
@@ -45,6 +47,7 @@ __all__ = [
     "Estimate",
     "Excitation",
     "Experiment",
+    "ForceBounds",
     "ForceDerivatives",
     "ForceKernel",
     "Forces",
@@ -63,6 +66,7 @@ __all__ = [
     "StraightLinePath",
     "Thresholds",
     "Trace",
+    "Units",
     "base_parameters",
     "characteristic_length",
     "choose_excitation",
@@ -70,6 +74,7 @@ __all__ = [
     "dynamic_fraction",
     "equations_of_motion",
     "force_derivatives",
+    "forces_with_bounds",
     "forward_acceleration",
     "forward_dynamics",
     "forward_kinematics",

@@ -49,6 +49,10 @@ class ForceKernel:
 
     Safe to share between threads.
 
+    In float the solve takes its moments over a length, a power of two near the size of the platform, so that
+    pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
+    units.
+
     model: the numbers of the C's ``stewart_<kernel>_model``.
     """
 
@@ -65,7 +69,8 @@ class ForceKernel:
         option(self.precision, ("double", "float"), "precision")
         with np.errstate(over="ignore"):
             numbers = robot_numbers(self.robot).astype(self.dtype)
-        size = model_numbers(self.robot, self.formulation, self.fidelity)
+        more = self.precision == "float"  # the length that its solve takes moments over
+        size = model_numbers(self.robot, self.formulation, self.fidelity) + more
         model = np.zeros(size, dtype=self.dtype)
         if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")

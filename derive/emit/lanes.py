@@ -16,6 +16,8 @@ from ..prepared import ADDED, r, t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
 from .infix import infix, wrap
+from .lane_scale import MEMBER, SWITCH, UNIT_OF_LENGTH
+from .lane_scale import macros as scale_macros
 from .lane_text import (
     JUDGED,
     LANES,
@@ -51,6 +53,8 @@ def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) 
         operations=counts,
         legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
         platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
+        switch=SWITCH,
+        scale=MEMBER,
     )
 
 
@@ -70,7 +74,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
     name = kernel.name
     parts = [
-        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS,
+        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + scale_macros(kernel.per_length),
         _structs(kernel),
         *_model(kernel),
         _scalar_shared(kernel),
@@ -142,6 +146,7 @@ def _model(kernel: ForceKernel) -> list[str]:
         return [
             _prepare_function(kernel.prepare_leg, "prepared_leg"),
             _prepare_function(kernel.prepare_platform, "prepared_platform"),
+            UNIT_OF_LENGTH,
             _prepare(kernel),
         ]
     tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
@@ -531,6 +536,7 @@ _HEADER = """\
 
 #include "stewart.h"
 
+{switch}
 #ifdef __cplusplus
 extern "C" {{
 #endif
@@ -539,6 +545,7 @@ extern "C" {{
 typedef struct {{
 {legs}
 {platform}
+{scale}
 }} stewart_{name}_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
@@ -680,6 +687,7 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     }
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
+    STEWART_CHOOSE_LENGTH(&made);
     for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -820,14 +828,14 @@ int stewart_@NAME@_forces(
         }
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
+            A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
         }
         A[j][6] = force;
-        A[j + 3][6] = turn;
+        A[j + 3][6] = STEWART_OVER_LENGTH(turn);
         A[j][7] = 0;
         A[j + 3][7] = 0;
     }
-    status = solve_pose(A, moment, x);
+    status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
     if (status != STEWART_OK) {
         return status;
     }
@@ -930,6 +938,17 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
             model, i, in, &shared, out->column[i],
             <C:out->column[6], :C><D:out->D[i], :D>out->moment, out->bad);
     }
+#if defined(STEWART_SCALED)
+    for (l = 0; l < LANES; ++l) {
+        for (i = 0; i < 7; ++i) {
+            int j;
+            for (j = 3; j < 6; ++j) {
+                out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
+            }
+        }
+        out->moment[l] = STEWART_OVER_LENGTH(out->moment[l]);
+    }
+#endif
     solve_block(out->column, <D:out->D, :D>out->moment, out->F, out->bad);
 }
 

@@ -41,6 +41,14 @@
 
 #define LANES 8
 
+#if defined(STEWART_SCALED)
+#define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
+#define STEWART_CHOOSE_LENGTH(made) (made)->per_length = 1 / unit_of_length(made)
+#else
+#define STEWART_OVER_LENGTH(value) (value)
+#define STEWART_CHOOSE_LENGTH(made) (void)(made)
+#endif
+
 /* Motions of eight poses, component by component. */
 typedef struct {
     stewart_real R[9][8];
@@ -222,6 +230,28 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->b_1[2] = b_1_z;
 }
 
+#if defined(STEWART_SCALED)
+/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
+ * 1 if all of them are zero. */
+static stewart_real unit_of_length(const stewart_paper_spherical_model *model)
+{
+    stewart_real largest = 0, unit = 1;
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i]), largest);
+        }
+    }
+    for (i = 0; i < 100 && unit < largest; ++i) {
+        unit = 2 * unit;
+    }
+    for (i = 0; i < 100 && largest > 0 && STEWART_HALF * unit >= largest; ++i) {
+        unit = STEWART_HALF * unit;
+    }
+    return unit;
+}
+#endif
+
 int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_spherical_model *model)
 {
     stewart_paper_spherical_model made;
@@ -310,6 +340,7 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     made.b_1[0] = platform.b_1[0];
     made.b_1[1] = platform.b_1[1];
     made.b_1[2] = platform.b_1[2];
+    STEWART_CHOOSE_LENGTH(&made);
     for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -809,14 +840,14 @@ int stewart_paper_spherical_forces(
         }
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
+            A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
         }
         A[j][6] = force;
-        A[j + 3][6] = turn;
+        A[j + 3][6] = STEWART_OVER_LENGTH(turn);
         A[j][7] = 0;
         A[j + 3][7] = 0;
     }
-    status = solve_pose(A, moment, x);
+    status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
     if (status != STEWART_OK) {
         return status;
     }
@@ -1583,6 +1614,17 @@ static void forces_of_block(const stewart_paper_spherical_model *model, const mo
             model, i, in, &shared, out->column[i],
             out->column[6], out->D[i], out->moment, out->bad);
     }
+#if defined(STEWART_SCALED)
+    for (l = 0; l < LANES; ++l) {
+        for (i = 0; i < 7; ++i) {
+            int j;
+            for (j = 3; j < 6; ++j) {
+                out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
+            }
+        }
+        out->moment[l] = STEWART_OVER_LENGTH(out->moment[l]);
+    }
+#endif
     solve_block(out->column, out->D, out->moment, out->F, out->bad);
 }
 

@@ -1,0 +1,1036 @@
+"""C99: the actuator forces with a bound of their rounding error and the reciprocal condition of H.
+
+Prints the blocks of the force kernel three times: plain, in the order of operations of ``lanes``, so that the
+forces agree to the last bit; with the error of every step (``rounding``); and backward, with the slope of a
+force along every step (``adjoint``), which tells what that error does. Around them stand the elimination and
+what bounds its error. Knows layout and solving, no dynamics.
+"""
+
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from .. import notation as n
+from ..adjoint import Adjoint, adjoint
+from ..block import Output, Quantity
+from ..prepared import ADDED, B, t_1
+from ..regroup import ForceKernel
+from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
+from .infix import infix, wrap
+from .lane_text import JUDGED, dims, entries, filled, loads, names_used, stores
+
+_SQRT = "STEWART_SQRT"
+_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment)
+
+
+def header(kernel: ForceKernel, version: str) -> str:
+    """``stewart_<kernel>_bounds.h``: the prepared model with its errors, and the functions."""
+    name = kernel.formulation.kernel_name
+    blocks = _Blocks(kernel)
+    parts = {
+        "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
+        "@PLATFORM@": _members(blocks.prepare_platform, kernel.platform_constants(), comment=True),
+    }
+    text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
+    return filled(text, parts).replace("@NAME@", name)
+
+
+def source(kernel: ForceKernel, version: str) -> str:
+    """``stewart_<kernel>_bounds.c``: preparation, blocks with their errors, the solution and its bound."""
+    blocks = _Blocks(kernel)
+    prepared = blocks.prepare_leg, blocks.prepare_platform
+    parts = [
+        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + "\n" + IS_FINITE,
+        _ERRORS,
+        filled(_STRUCTS, blocks.structs()),
+        *(
+            _function(
+                text, [*_inputs(block, _raw_owner), *_steps(block), *_stores(block, block.block.outputs)]
+            )
+            for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
+        ),
+        filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
+        _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
+        _function(_LEG, _values(blocks.leg, blocks.pose_owner)),
+        _SOLVE,
+        _BOUND,
+        _CONDITION,
+        _function(_SHARED_ERRORS, *blocks.shared_errors()),
+        _function(_LEG_ERRORS, *blocks.leg_errors()),
+        _POSE,
+        _PUBLIC,
+    ]
+    return "\n".join(parts).replace("@NAME@", kernel.formulation.kernel_name)
+
+
+def model_numbers(kernel: ForceKernel) -> int:
+    """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
+    blocks = _Blocks(kernel)
+    leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
+    return 6 * leg + _numbers(blocks.prepare_platform, kernel.platform_constants()) + 1
+
+
+def python_module(kernel: ForceKernel, version: str) -> str:
+    """``<kernel>_bounds.py``: what Python must know of the C's layout."""
+    name = kernel.formulation.kernel_name
+    return _PYTHON.format(name=name, version=version, numbers=model_numbers(kernel))
+
+
+# ---------------------------------------------------------------- the blocks
+
+
+class _Blocks:
+    """The kernel's blocks with their errors: exact are the robot's and the motion's numbers but R."""
+
+    def __init__(self, kernel: ForceKernel) -> None:
+        if not kernel.about_base_point:
+            raise ValueError("kernel: expected one with moments about base point 1")
+        self.kernel = kernel
+        # R stands for the rotation nearest to it; one bound for all its entries.
+        R = dict.fromkeys(n.R.names, error_symbol(n.R.name))
+        self.prepare_leg = rounded(kernel.prepare_leg, {})
+        self.prepare_platform = rounded(kernel.prepare_platform, component_errors(ADDED))
+        constants = component_errors(
+            out.quantity
+            for block in (self.prepare_leg, self.prepare_platform)
+            for out in block.block.outputs
+            if block.inexact(out.quantity)
+        )
+        self.shared = rounded(kernel.shared, R | constants)
+        self.leg = rounded(kernel.leg, R | constants | component_errors((B, t_1)))
+
+    def structs(self) -> dict[str, list[str]]:
+        """Members of the structs."""
+        return {
+            "@ADDED@": [f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in ADDED],
+            "@SHARED@": _members(self.shared, [out.quantity for out in self.kernel.shared.outputs]),
+            "@TERMS@": _members(self.leg, _ERRING),
+            "@SLOPES@": [
+                f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in _LEGS_SLOPES.values()
+            ],
+        }
+
+    def pose_owner(self, quantity: Quantity) -> str:
+        """Pointer through which the functions of a pose read an input."""
+        if quantity in n.MOTION:
+            return "at"
+        if quantity in (out.quantity for out in self.kernel.shared.outputs):
+            return "shared"
+        return "platform" if quantity in self.kernel.platform_constants() else "leg"
+
+    def leg_errors(self) -> tuple[list[str], list[str]]:
+        """The leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+        force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
+        weights = {
+            n.D: D,
+            n.c_force: -force,
+            n.c_moment: -moment,
+            n.H_force: x * force,
+            n.H_moment: x * moment,
+        }
+        given = (_Y_FORCE, _Y_MOMENT, _D_WEIGHT, n.x)
+        found = adjoint(self.leg.block, weights, given, _inexact_inputs(self.leg))
+        outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
+        handed = [
+            f"        add(&slopes[i].{to.name}[{j}], &slopes[i].{to.name}_err[{j}], "
+            f"{infix(outside[name], _SQRT)}, {_only_name(outside[name])}_err);"
+            for q, to in _LEGS_SLOPES.items()
+            for j, name in enumerate(q.names)
+        ]
+        return self._with_errors(self.leg, found, {}, outside, handed)
+
+    def shared_errors(self) -> tuple[list[str], list[str]]:
+        """The same of what a pose has for all legs; slopes of the legs are taken up."""
+        given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
+        weights = {n.c_force: -_Y_FORCE.value, n.c_moment: -_Y_MOMENT.value}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1)}
+        more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
+        found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
+        return self._with_errors(self.shared, found, component_errors(_LEGS_SLOPES.values()), {}, [])
+
+    def _with_errors(
+        self,
+        block: RoundedBlock,
+        found: Adjoint,
+        errors: Mapping[str, sp.Expr],
+        outside: Container[str],
+        more: list[str],
+    ) -> tuple[list[str], list[str]]:
+        """Lines that run a block with its errors, and lines that weigh these by their slopes.
+
+        errors: of what the slopes are weighed with. outside: inputs whose errors are weighed elsewhere, which
+        ``more`` sees to.
+        """
+        slopes = rounded(found.block, {**block.errors, **errors})
+        weighed = {name: slope for name, slope in found.slopes.items() if name not in outside}
+        inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
+        whole = replace(block, limits=block.limits | inner.limits)
+        once = [
+            *_inputs(whole, self.pose_owner),
+            *_steps(whole, weighed, _unread(whole, inner)),
+            *_stores(block, _erring(block)),
+        ]
+        terms = [
+            f"{_only_name(weighed[name])}_max*{source}" for name, source in _sources(block) if name in weighed
+        ]
+        ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
+        each = [
+            *_inputs(inner, _seed_owner, ready),
+            *("    " + line.replace("\n", "\n    ") for line in _steps(inner)),
+            wrap(f"        error[i] = error[i] + {' + '.join(terms)};", " " * 12),
+            *more,
+        ]
+        return once, each
+
+
+_Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
+_Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
+_D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1)}
+"""What the legs add to the slope of a force along what the pose has for all of them."""
+
+
+def _raw_owner(quantity: Quantity) -> str:
+    if quantity in n.LEG:
+        return "leg"
+    return "sum" if quantity in ADDED else "robot"
+
+
+def _seed_owner(quantity: Quantity) -> str:
+    """What the loads of a row of Y, of the legs' slopes and of a leg's own numbers read."""
+    return "of_legs" if quantity in _LEGS_SLOPES.values() else "row"
+
+
+def _inexact_inputs(block: RoundedBlock) -> list[str]:
+    return [name for q in block.block.inputs for name in q.names if block.errors[name] != 0]
+
+
+def _sources(block: RoundedBlock) -> list[tuple[str, str]]:
+    """Everything that brings an error of its own: its name, and the text of that error."""
+    inputs = [(name, str(block.errors[name])) for name in _inexact_inputs(block)]
+    return inputs + [(each.step.name, f"{each.step.name}_own") for each in block.steps if each.rounds]
+
+
+def _unread(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
+    """Steps whose error neither another step, nor a slope, nor a limit, nor anything outside asks for."""
+    read = {symbol for each in (*block.steps, *slopes.steps) for symbol in each.carried.free_symbols}
+    read |= {block.output_error(expr) for out in _erring(block) for expr in out.exprs}
+    names = {each.step.name for each in block.steps if error_symbol(each.step.name) not in read}
+    return names - block.limits
+
+
+def _only_name(slope: sp.Expr) -> str:
+    """Name of a slope, which is a symbol or a negated one."""
+    (symbol,) = slope.free_symbols
+    return str(symbol.name)
+
+
+def _kept(block: RoundedBlock) -> tuple[Output, ...]:
+    return tuple(out for out in block.block.outputs if out.quantity not in JUDGED)
+
+
+def _erring(block: RoundedBlock) -> tuple[Output, ...]:
+    """Outputs whose errors are handed out; that of D is weighed at once."""
+    return tuple(out for out in _kept(block) if out.quantity != n.D)
+
+
+# ---------------------------------------------------------------- layout
+
+
+def _members(block: RoundedBlock, quantities: Sequence[Quantity], comment: bool = False) -> list[str]:
+    """Declarations of values, and of errors where there are any."""
+    lines = []
+    for q in quantities:
+        error = f", {q.name}_err{dims(q)}" if block.inexact(q) else ""
+        said = f" /* {q.unit}: {q.meaning} */" if comment else ""
+        lines.append(f"    stewart_real {q.name}{dims(q)}{error};{said}")
+    return lines
+
+
+def _numbers(block: RoundedBlock, quantities: tuple[Quantity, ...]) -> int:
+    return sum(size(q) * (2 if block.inexact(q) else 1) for q in quantities)
+
+
+def _zero() -> list[str]:
+    return [f"    sum.{name} = 0;" for q in ADDED for part in (q, _error_of(q)) for name in entries([part])]
+
+
+def _add() -> list[str]:
+    pairs = zip(entries(ADDED), entries(map(_error_of, ADDED)), strict=True)
+    return [
+        f"        add(&sum.{value}, &sum.{error}, found.{value}, found.{error});" for value, error in pairs
+    ]
+
+
+def _error_of(quantity: Quantity) -> Quantity:
+    return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
+
+
+# ---------------------------------------------------------------- text of blocks
+
+
+def _function(text: str, body: list[str], each: Sequence[str] = ()) -> str:
+    """The text with its body, arguments that go unused said to be so."""
+    unused = [
+        f"    (void){name};"
+        for name in ("robot", "leg", "sum", "platform", "at", "shared")
+        if f" *{name}," in text and not any(f" {name}->" in line for line in body)
+    ]
+    return filled(text, {"@BODY@": [*unused, *body], "@EACH@": list(each)})
+
+
+def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
+    """The block without its errors."""
+    used = names_used(block.block)
+    inputs = [line for q in block.block.inputs for line in loads(q, owner(q), "", used, "    ")]
+    return [*inputs, *step_lines(block.block.steps, "    "), *stores(_kept(block), "", "    ")]
+
+
+def _inputs(block: RoundedBlock, owner: Callable[[Quantity], str], ready: Container[str] = ()) -> list[str]:
+    """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
+    used = names_used(block.block) | block.limits
+    fresh = [q for q in block.block.inputs if q.name not in ready]
+    lines = [line for q in fresh for line in _loads(block, q, owner(q), used)]
+    for quantity in fresh:
+        parts = [f"{name}_max = {_limit(block, name)}" for name in quantity.names if name in block.limits]
+        lines += [wrap_list(f"    const stewart_real {', '.join(parts)};")] if parts else []
+    return lines if not ready else ["    " + line.replace("\n", "\n    ") for line in lines]
+
+
+def _loads(block: RoundedBlock, quantity: Quantity, owner: str, used: Container[str]) -> list[str]:
+    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
+    values, errors = [], []
+    for i, name in enumerate(quantity.names):
+        index = f"[{i}]" if quantity.shape else ""
+        if name in used:
+            values.append(f"{name} = {owner}->{member}{index}")
+            if block.errors[name] == error_symbol(name):
+                errors.append(f"{name}_err = {owner}->{member}_err{index}")
+    return [wrap_list(f"    const stewart_real {', '.join(parts)};") for parts in (values, errors) if parts]
+
+
+def _limit(block: RoundedBlock, name: str) -> str:
+    error = block.errors[name]
+    return f"STEWART_FABS({name})" + (f" + {error}" if error != 0 else "")
+
+
+def _steps(block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()) -> list[str]:
+    """Each step: its value, the bound of its error, and its largest size where that is needed.
+
+    apart: steps whose own rounding gets a name. unread: steps whose whole error nobody asks for.
+    """
+    lines, before = [], None
+    for each in block.steps:
+        step = each.step
+        said = (step.equation, step.meaning)
+        if any(said) and said != before:
+            lines.append(f"    /* {' '.join(part for part in said if part)} */")
+        before = said
+        lines.append(_constant(step.name, infix(step.expr, _SQRT)))
+        own = _own_error(each)
+        if each.rounds and step.name in apart:
+            lines.append(_constant(f"{step.name}_own", own))
+            own = f"{step.name}_own"
+        if not each.exact and step.name not in unread:
+            lines.append(_constant(f"{step.name}_err", _error(each, own)))
+        if step.name in block.limits:
+            lines.append(_constant(f"{step.name}_max", _limit(block, step.name)))
+    return lines
+
+
+def _constant(name: str, text: str) -> str:
+    return wrap(f"    const stewart_real {name} = {text};", " " * 8)
+
+
+def _own_error(each: RoundedStep) -> str:
+    """What the step's own operations round away."""
+    name = each.step.name
+    sizes = [infix(each.rounded, _SQRT)] if each.rounded != 0 else []
+    if each.kind == ROOT:
+        return f"root_error({name}, {_units(sizes)})"
+    return _units([*sizes, f"STEWART_FABS({name})"] if each.own else sizes)
+
+
+def _units(sizes: list[str]) -> str:
+    total = " + ".join(sizes)
+    return f"STEWART_UNIT*({total})" if "+" in total else f"STEWART_UNIT*{total}" if total else "0"
+
+
+def _error(each: RoundedStep, own: str) -> str:
+    """The bound as text: errors of what goes in, and the step's own."""
+    name, carried = each.step.name, infix(each.carried, _SQRT)
+    if each.kind == RECIPROCAL:
+        return f"reciprocal_error({name}, {each.step.expr.base}, {carried})"
+    if each.kind == ROOT:
+        argument = [carried, _units([infix(each.rounded, _SQRT)])] if each.rounded != 0 else [carried]
+        return f"root_error({name}, {' + '.join(argument)})"
+    parts = [carried] if each.carried != 0 else []
+    return " + ".join([*parts, own] if each.rounds else parts)
+
+
+def _stores(block: RoundedBlock, outputs: Sequence[Output]) -> list[str]:
+    """Values and errors handed out."""
+    lines = []
+    for out in outputs:
+        target = "sum" if out.quantity in ADDED else "out"
+        for i, expr in enumerate(out.exprs):
+            index = f"[{i}]" if out.quantity.shape else ""
+            lines.append(f"    {target}->{out.quantity.name}{index} = {infix(expr, _SQRT)};")
+            if block.inexact(out.quantity) or out.quantity in ADDED:
+                error = infix(block.output_error(expr), _SQRT)
+                lines.append(f"    {target}->{out.quantity.name}_err{index} = {error};")
+    return lines
+
+
+_HEADER = """\
+/* stewart_@NAME@_bounds.h: the actuator forces with a bound of their rounding error.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ *
+ * The forces are those of stewart_@NAME@_forces.h, operation for operation: the same to the last bit with
+ * -ffp-contract=off. The bound is rigorous: the rounding of every operation is counted, in all orders, and so
+ * are the bound's own. It holds for arithmetic that rounds to nearest, or fuses products into sums, short of
+ * overflow and underflow; not with -ffast-math. It takes far longer than the forces.
+ *
+ * What is bounded is the distance of F from the exact forces of the given numbers, where R stands for the
+ * rotation nearest to it: how far R is from being one counts, no other doubt about the inputs does.
+ */
+#ifndef @GUARD@
+#define @GUARD@
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Constants of one leg; `_err`: bound of the error of what stands before it. */
+typedef struct {
+@LEG@
+} stewart_@NAME@_bounds_leg;
+
+/* Constants of the platform. */
+typedef struct {
+@PLATFORM@
+} stewart_@NAME@_bounds_platform;
+
+/* A robot's constants, prepared once. */
+typedef struct {
+    stewart_@NAME@_bounds_leg leg[6];
+    stewart_@NAME@_bounds_platform platform;
+    stewart_real length; /* m: root mean square distance of the platform points from the reference point */
+} stewart_@NAME@_bounds_model;
+
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
+ * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bounds_model *model);
+
+/* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound
+ * is infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
+ * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over
+ * the model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may
+ * be null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
+int stewart_@NAME@_forces_bounded(
+    const stewart_@NAME@_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
+    stewart_real bound[6], stewart_real *rcond);
+
+/* The same for `count` poses: F[count][6], bound[count][6], rcond[count]. `status` takes one code for each
+ * pose; null: not wanted. Returns the first code other than STEWART_OK, or STEWART_OK. */
+int stewart_@NAME@_forces_bounded_batch(
+    const stewart_@NAME@_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    stewart_real *bound, stewart_real *rcond, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+
+_TOP = """\
+/* stewart_@NAME@_bounds.c: see stewart_@NAME@_bounds.h.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ *
+ * Of each quantity x the code below may keep
+ *     x_err, which bounds its error;
+ *     x_own, which bounds what of it comes from computing x, the errors of what x is made of apart;
+ *     x_max = |x| + x_err, which bounds the size of x and of its true value;
+ *     x_bar, the slope of an actuator force along x, with all that is made of x.
+ * Forward goes x_err, which has to be taken for the worst at every step; it is coarse, and it serves to bound
+ * the slopes. Backward go these, and the force errs by no more than all x_own, each times its slope at its
+ * largest: the mean value theorem, over the segment from the computed to the exact values.
+ */
+#include "stewart_@NAME@_bounds.h"
+
+#include <math.h>
+
+"""
+
+_MACROS = """
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_INFINITY ((stewart_real)INFINITY)
+
+/* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
+ * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
+#define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
+#define STEWART_SLACK ((stewart_real)1.015625)
+"""
+
+_ERRORS = """\
+/* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be wrong. */
+static stewart_real least(stewart_real value, stewart_real error)
+{
+    const stewart_real positive = STEWART_FABS(value);
+    return error <= STEWART_HALF * positive ? positive - error : 0;
+}
+
+/* Of a square root whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r), r = root. */
+static stewart_real root_error(stewart_real root, stewart_real error)
+{
+    return error / least(2 * root, error / root) + STEWART_UNIT * root;
+}
+
+/* Of inverse = 1 / of, where `of` errs by `error`. */
+static stewart_real reciprocal_error(stewart_real inverse, stewart_real of, stewart_real error)
+{
+    const stewart_real positive = STEWART_FABS(inverse);
+    return positive * (error / least(of, error)) + STEWART_UNIT * positive;
+}
+
+/* Adds a term that errs to a sum that errs. */
+static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, stewart_real term_err)
+{
+    *sum = *sum + term;
+    *sum_err = *sum_err + term_err + STEWART_UNIT * STEWART_FABS(*sum);
+}
+
+/* Bounds the entries of R less the rotation nearest to it, by the largest distance of a singular value from
+ * 1: half of |R^T R - 1| in the norm of row sums, with a 64th more for the terms of higher order. */
+static stewart_real rotation_error(const stewart_real R[9])
+{
+    stewart_real worst = 0;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        stewart_real row = 0;
+        for (j = 0; j < 3; ++j) {
+            stewart_real sum = 0, sizes = 0;
+            for (k = 0; k < 3; ++k) {
+                const stewart_real product = R[3 * k + i] * R[3 * k + j];
+                sum = sum + product;
+                sizes = sizes + STEWART_FABS(product) + STEWART_FABS(sum);
+            }
+            sum = i == j ? sum - 1 : sum;
+            row = row + STEWART_FABS(sum) + STEWART_UNIT * (sizes + STEWART_FABS(sum));
+        }
+        worst = row > worst ? row : worst;
+    }
+    return worst <= (stewart_real)0.0078125 ? STEWART_HALF * STEWART_SLACK * worst : STEWART_INFINITY;
+}
+"""
+
+_STRUCTS = """\
+/* What a leg adds to the platform, and the sum of it. */
+typedef struct {
+@ADDED@
+} added_terms;
+
+/* What a pose has for all legs. */
+typedef struct {
+@SHARED@
+} shared_terms;
+
+/* What a leg gives to the platform's equations. */
+typedef struct {
+    stewart_real D;
+@TERMS@
+    int status;
+} leg_terms;
+
+/* The platform's equations H x = c, moments about base point 1; c_own: what the sums in c round away. */
+typedef struct {
+    stewart_real H[6][6], H_err[6][6];
+    stewart_real c[6], c_err[6], c_own[6];
+} platform_equations;
+
+/* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
+typedef struct {
+    stewart_real Y_force[3], Y_moment[3]; /* its row of the inverse of H */
+    stewart_real D_weight, x;
+} force_row;
+
+/* Slope of a force along what the pose has for all legs, as far as it goes through the legs. */
+typedef struct {
+@SLOPES@
+} slopes_of_legs;
+"""
+
+_PREPARE_LEG = """\
+/* Constants of one leg, and what it adds to the platform. */
+static void prepare_leg(
+    const stewart_robot *robot, const stewart_leg *leg, stewart_@NAME@_bounds_leg *out, added_terms *sum)
+{
+@BODY@
+}
+"""
+
+_PREPARE_PLATFORM = """\
+/* Constants of the platform. */
+static void prepare_platform(
+    const stewart_robot *robot, const added_terms *sum, stewart_@NAME@_bounds_platform *out)
+{
+@BODY@
+}
+"""
+
+_PREPARE = """\
+int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bounds_model *model)
+{
+    stewart_@NAME@_bounds_model made;
+    added_terms found, sum;
+    stewart_real squares = 0;
+    int i, j;
+    if (!robot || !model) {
+        return STEWART_BAD_ARGUMENT;
+    }
+@ZERO@
+    for (i = 0; i < 6; ++i) {
+        prepare_leg(robot, &robot->leg[i], &made.leg[i], &found);
+@ADD@
+        for (j = 0; j < 3; ++j) {
+            squares = squares + robot->leg[i].p[j] * robot->leg[i].p[j];
+        }
+    }
+    prepare_platform(robot, &sum, &made.platform);
+    made.length = STEWART_SQRT(squares / 6);
+    if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
+        return STEWART_NOT_FINITE;
+    }
+    *model = made;
+    return STEWART_OK;
+}
+"""
+
+_SHARED = """\
+/* What one pose has for all legs. */
+static void shared_of_pose(
+    const stewart_@NAME@_bounds_platform *platform, const stewart_motions *at, shared_terms *out)
+{
+@BODY@
+}
+"""
+
+_LEG = """\
+/* S = S_1 - r is known to within rounding of its largest term. */
+static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
+{
+    stewart_real reach = 0;
+    int i;
+    for (i = 0; i < 9; ++i) {
+        reach = STEWART_FABS(terms[i]) > reach ? STEWART_FABS(terms[i]) : reach;
+    }
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING * reach)) {
+        return STEWART_SHORT_LEG;
+    }
+    return k3 > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+}
+
+/* One leg in joint coordinates: D, its column of H and its part of c. */
+static void leg_of_pose(
+    const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
+    const stewart_motions *at, const shared_terms *shared, leg_terms *out)
+{
+@BODY@
+    {
+        const stewart_real reach[9] = {q_x, q_y, q_z, t_1_x, t_1_y, t_1_z, r_x, r_y, r_z};
+        out->status = leg_status(L, k3, reach);
+    }
+}
+"""
+
+_SOLVE = """\
+/* Solves the augmented rows [H | c | 1] by elimination with partial pivoting, (36); column 6 becomes x, those
+ * after it the inverse Y of H. `moment` is the size of the moment rows; a pivot that is rounding error beside
+ * its row means that H is singular. */
+static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], stewart_real Y[6][6])
+{
+    stewart_real scale[6], inverse[6];
+    int i, j, k;
+    for (i = 0; i < 6; ++i) {
+        scale[i] = i < 3 ? 1 : moment;
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real row_scale;
+        for (i = k + 1; i < 6; ++i) {
+            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
+                pivot = i;
+            }
+        }
+        row_scale = scale[pivot];
+        scale[pivot] = scale[k];
+        for (j = 0; j < 13; ++j) {
+            const stewart_real moved = A[k][j];
+            A[k][j] = A[pivot][j];
+            A[pivot][j] = moved;
+        }
+        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
+            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+        }
+        inverse[k] = 1 / A[k][k];
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real factor = A[i][k] * inverse[k];
+            for (j = k + 1; j < 13; ++j) {
+                A[i][j] = A[i][j] - factor * A[k][j];
+            }
+        }
+    }
+    for (i = 5; i >= 0; --i) {
+        for (j = 6; j < 13; ++j) {
+            for (k = i + 1; k < 6; ++k) {
+                A[i][j] = A[i][j] - A[i][k] * A[k][j];
+            }
+            A[i][j] = i < 5 ? A[i][j] * inverse[i] : A[i][j] / A[i][i];
+        }
+        x[i] = A[i][6];
+        for (j = 0; j < 6; ++j) {
+            Y[i][j] = A[i][j + 7];
+        }
+    }
+    return STEWART_OK;
+}
+"""
+
+_SHARED_ERRORS = """\
+/* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where there are slopes of
+ * the legs, adds to the error of each force what these errors do to it: each by the slope of the force along
+ * it, at its largest. */
+static void shared_errors(
+    const stewart_@NAME@_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
+    const force_row rows[6], const slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
+{
+    int i;
+@BODY@
+    for (i = 0; slopes && i < 6; ++i) {
+        const force_row *row = &rows[i];
+        const slopes_of_legs *of_legs = &slopes[i];
+@EACH@
+    }
+}
+"""
+
+_LEG_ERRORS = """\
+/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along what
+ * the pose has for all legs. */
+static void leg_errors(
+    const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
+    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_row rows[6],
+    slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
+{
+    int i;
+@BODY@
+    for (i = 0; i < 6; ++i) {
+        const force_row *row = &rows[i];
+@EACH@
+    }
+}
+"""
+
+_BOUND = """\
+/* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
+ * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,
+ *     d <= b + G d,    b = |Y| (|c - H x| + E_H |x| + e_c),    G = |1 - Y H| + |Y| E_H,
+ * and where G b <= beta b with beta < 1, H is regular and d <= b / (1 - beta) (Rump, Verification methods,
+ * Acta Numerica 19 (2010), 10); what is left is |Y| |c - H x| + G d. Where there is no such beta, it is
+ * infinite. Sums of seven terms round seven times at most. */
+static void solution_error(
+    const platform_equations *of, const stewart_real x[6], stewart_real Y[6][6], stewart_real error[6])
+{
+    stewart_real rest[6], doubt[6], b[6], G[6][6], worst = 0;
+    int i, j, k;
+    for (i = 0; i < 6; ++i) {
+        stewart_real sum = of->c[i], sizes = STEWART_FABS(of->c[i]);
+        doubt[i] = of->c_err[i];
+        for (j = 0; j < 6; ++j) {
+            const stewart_real product = of->H[i][j] * x[j];
+            sum = sum - product;
+            sizes = sizes + STEWART_FABS(product);
+            doubt[i] = doubt[i] + of->H_err[i][j] * STEWART_FABS(x[j]);
+        }
+        rest[i] = STEWART_FABS(sum) + 7 * STEWART_UNIT * sizes + of->c_own[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        b[i] = 4 / STEWART_MAX; /* so that no entry is zero */
+        for (j = 0; j < 6; ++j) {
+            b[i] = b[i] + STEWART_FABS(Y[i][j]) * (rest[j] + doubt[j]);
+            error[i] = error[i] + STEWART_FABS(Y[i][j]) * rest[j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        stewart_real grown = 0;
+        for (k = 0; k < 6; ++k) {
+            stewart_real sum = i == k ? 1 : 0, sizes = sum, carried = 0;
+            for (j = 0; j < 6; ++j) {
+                const stewart_real product = Y[i][j] * of->H[j][k];
+                sum = sum - product;
+                sizes = sizes + STEWART_FABS(product);
+                carried = carried + STEWART_FABS(Y[i][j]) * of->H_err[j][k];
+            }
+            G[i][k] = STEWART_FABS(sum) + carried + 7 * STEWART_UNIT * sizes;
+            grown = grown + G[i][k] * b[k];
+        }
+        worst = grown / b[i] <= worst ? worst : grown / b[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        for (k = 0; k < 6; ++k) {
+            error[i] = error[i] + G[i][k] * (b[k] / (1 - worst));
+        }
+        if (!(worst <= (stewart_real)0.875)) {
+            error[i] = STEWART_INFINITY;
+        }
+    }
+}
+"""
+
+_CONDITION = """\
+/* Largest sum of a column in sizes. */
+static stewart_real norm(stewart_real A[6][6])
+{
+    stewart_real worst = 0;
+    int i, j;
+    for (j = 0; j < 6; ++j) {
+        stewart_real sum = 0;
+        for (i = 0; i < 6; ++i) {
+            sum = sum + STEWART_FABS(A[i][j]);
+        }
+        worst = sum > worst ? sum : worst;
+    }
+    return worst;
+}
+
+/* 1/(|H| |Y|), moments moved from base point 1 to the reference point, t away, and measured by `length`. */
+static stewart_real reciprocal_condition(
+    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real t[3], stewart_real length)
+{
+    stewart_real A[6][6], B[6][6];
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        const int next = (j + 1) % 3, last = (j + 2) % 3;
+        for (i = 0; i < 6; ++i) {
+            A[j][i] = H[j][i];
+            A[j + 3][i] = (H[j + 3][i] - (t[next] * H[last][i] - t[last] * H[next][i])) / length;
+            B[i][j] = Y[i][j] + (Y[i][3 + next] * t[last] - Y[i][3 + last] * t[next]);
+            B[i][j + 3] = Y[i][j + 3] * length;
+        }
+    }
+    return 1 / norm(A) / norm(B);
+}
+"""
+
+_POSE = """\
+/* The legs and the platform of one pose: D and the platform's equations. */
+static int equations_of_pose(
+    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
+    stewart_real D[6], platform_equations *out)
+{
+    leg_terms leg;
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        out->c[j] = shared->c_force[j];
+        out->c[j + 3] = shared->c_moment[j];
+        out->c_own[j] = 0;
+        out->c_own[j + 3] = 0;
+    }
+    for (i = 0; i < 6; ++i) {
+        leg_of_pose(&model->platform, &model->leg[i], at, shared, &leg);
+        if (leg.status != STEWART_OK) {
+            return leg.status;
+        }
+        D[i] = leg.D;
+        for (j = 0; j < 3; ++j) {
+            out->H[j][i] = leg.H_force[j];
+            out->H[j + 3][i] = leg.H_moment[j];
+            add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
+            add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+        }
+    }
+    return STEWART_OK;
+}
+
+/* Largest size of a moment entry of H. */
+static stewart_real moment_size(stewart_real H[6][6])
+{
+    stewart_real worst = 0;
+    int i, j;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            worst = STEWART_FABS(H[i][j]) > worst ? STEWART_FABS(H[i][j]) : worst;
+        }
+    }
+    return worst;
+}
+
+/* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
+ * and that of the difference. Completes the errors of the platform's equations. */
+static void bound_of_pose(
+    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
+    stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])
+{
+    shared_terms shared;
+    leg_terms leg;
+    force_row rows[6];
+    slopes_of_legs slopes[6];
+    stewart_real *numbers = (stewart_real *)slopes;
+    const stewart_real R_err = rotation_error(at->R);
+    size_t number;
+    int i, j;
+    for (number = 0; number < 6 * (sizeof(slopes_of_legs) / sizeof(stewart_real)); ++number) {
+        numbers[number] = 0;
+    }
+    for (i = 0; i < 6; ++i) {
+        bound[i] = 0;
+        for (j = 0; j < 3; ++j) {
+            rows[i].Y_force[j] = Y[i][j];
+            rows[i].Y_moment[j] = Y[i][j + 3];
+        }
+    }
+    shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
+    for (j = 0; j < 3; ++j) {
+        of->c_err[j] = shared.c_force_err[j];
+        of->c_err[j + 3] = shared.c_moment_err[j];
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            rows[j].D_weight = i == j ? 1 : 0;
+            rows[j].x = x[i];
+        }
+        leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
+        for (j = 0; j < 3; ++j) {
+            of->H_err[j][i] = leg.H_force_err[j];
+            of->H_err[j + 3][i] = leg.H_moment_err[j];
+            of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j];
+        }
+    }
+    shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
+    solution_error(of, x, Y, bound);
+    for (i = 0; i < 6; ++i) {
+        bound[i] = STEWART_SLACK * (bound[i] + STEWART_UNIT * STEWART_FABS(F[i]));
+        if (!(bound[i] <= STEWART_MAX)) {
+            bound[i] = STEWART_INFINITY;
+        }
+    }
+}
+
+/* Forces, bound and reciprocal condition of one pose; the last two may be null. */
+static int forces_of_pose(
+    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, stewart_real F[6],
+    stewart_real *bound, stewart_real *rcond)
+{
+    shared_terms shared;
+    platform_equations equations;
+    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6];
+    int i, j, status;
+    shared_of_pose(&model->platform, at, &shared);
+    status = equations_of_pose(model, at, &shared, D, &equations);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[i][j] = equations.H[i][j];
+            A[i][j + 7] = i == j ? 1 : 0;
+        }
+        A[i][6] = equations.c[i];
+    }
+    status = solve(A, moment_size(equations.H), x, Y);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        found[i] = D[i] - x[i];
+    }
+    if (!is_finite(found, 6)) {
+        return STEWART_NOT_FINITE;
+    }
+    for (i = 0; i < 6; ++i) {
+        F[i] = found[i];
+    }
+    if (bound) {
+        bound_of_pose(model, at, x, Y, F, &equations, bound);
+    }
+    if (rcond) {
+        *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
+    }
+    return STEWART_OK;
+}
+"""
+
+_PUBLIC = """\
+int stewart_@NAME@_forces_bounded(
+    const stewart_@NAME@_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
+    stewart_real bound[6], stewart_real *rcond)
+{
+    stewart_motions at;
+    if (!model || !motion || !F) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    at.R = motion->R;
+    at.t = motion->t;
+    at.omega = motion->omega;
+    at.v = motion->v;
+    at.alpha = motion->alpha;
+    at.a = motion->a;
+    at.F_ext = motion->F_ext;
+    at.M_ext = motion->M_ext;
+    return forces_of_pose(model, &at, F, bound, rcond);
+}
+
+static const stewart_real no_load[3] = {0, 0, 0};
+
+int stewart_@NAME@_forces_bounded_batch(
+    const stewart_@NAME@_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    stewart_real *bound, stewart_real *rcond, int *status)
+{
+    size_t pose;
+    int result = STEWART_OK;
+    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
+        || !motions->alpha || !motions->a) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        stewart_motions at;
+        int code;
+        at.R = motions->R + 9 * pose;
+        at.t = motions->t + 3 * pose;
+        at.omega = motions->omega + 3 * pose;
+        at.v = motions->v + 3 * pose;
+        at.alpha = motions->alpha + 3 * pose;
+        at.a = motions->a + 3 * pose;
+        at.F_ext = motions->F_ext ? motions->F_ext + 3 * pose : no_load;
+        at.M_ext = motions->M_ext ? motions->M_ext + 3 * pose : no_load;
+        code = forces_of_pose(
+            model, &at, F + 6 * pose, bound ? bound + 6 * pose : NULL, rcond ? rcond + pose : NULL);
+        if (status) {
+            status[pose] = code;
+        }
+        result = result == STEWART_OK ? code : result;
+    }
+    return result;
+}
+"""
+
+_PYTHON = '''\
+"""Layout of the C that bounds the rounding error of the forces, formulation and joint `{name}`.
+
+Written by stewart-sym {version}; do not edit.
+"""
+
+# Numbers of ``stewart_{name}_bounds_model``.
+MODEL_NUMBERS = {numbers}
+'''

@@ -1,0 +1,83 @@
+/* stewart_exact_bounds.h: the actuator forces with a bound of their rounding error.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ *
+ * The forces are those of stewart_exact_forces.h, operation for operation: the same to the last bit with
+ * -ffp-contract=off. The bound is rigorous: the rounding of every operation is counted, in all orders, and so
+ * are the bound's own. It holds for arithmetic that rounds to nearest, or fuses products into sums, short of
+ * overflow and underflow; not with -ffast-math. It takes far longer than the forces.
+ *
+ * What is bounded is the distance of F from the exact forces of the given numbers, where R stands for the
+ * rotation nearest to it: how far R is from being one counts, no other doubt about the inputs does.
+ */
+#ifndef STEWART_EXACT_BOUNDS_H
+#define STEWART_EXACT_BOUNDS_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Constants of one leg; `_err`: bound of the error of what stands before it. */
+typedef struct {
+    stewart_real p[3]; /* m: platform point, platform frame */
+    stewart_real k[3], k_err[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
+    stewart_real C_s; /* N m s: viscous friction of the spherical joint */
+    stewart_real h[3], h_err[3]; /* kg m: first moment of the upper part about the platform point, leg frame */
+    stewart_real h2_x, h2_x_err; /* kg m: 2 h_x */
+    stewart_real h2_y, h2_y_err; /* kg m: 2 h_y */
+    stewart_real h2_z, h2_z_err; /* kg m: 2 h_z */
+    stewart_real w[3], w_err[3]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
+    stewart_real J[6], J_err[6]; /* kg m^2: inertias of the parts about base and platform point, leg frame */
+    stewart_real J2_xz, J2_xz_err; /* kg m^2: 2 J_xz */
+    stewart_real dJ_zx, dJ_zx_err; /* kg m^2: J_zz - J_xx */
+    stewart_real g_k, g_k_err; /* m/s^2: gravity along the fixed axis */
+    stewart_real g_x_k[3], g_x_k_err[3]; /* m/s^2: g x k, base frame */
+    stewart_real C_us, C_us_err; /* N m s: C_u + C_s */
+    stewart_real r[3], r_err[3]; /* m: base point from base point 1, base frame */
+} stewart_exact_bounds_leg;
+
+/* Constants of the platform. */
+typedef struct {
+    stewart_real M_P, M_P_err; /* kg: mass of the platform with the upper parts */
+    stewart_real h_P[3], h_P_err[3]; /* kg m: its first moment, platform frame */
+    stewart_real J_P[6], J_P_err[6]; /* kg m^2: its inertia about the reference point, platform frame */
+    stewart_real dJ_P[3], dJ_P_err[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
+    stewart_real C_P, C_P_err; /* N m s: friction of all spherical joints */
+    stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    stewart_real b_1[3]; /* m: base point 1, base frame */
+} stewart_exact_bounds_platform;
+
+/* A robot's constants, prepared once. */
+typedef struct {
+    stewart_exact_bounds_leg leg[6];
+    stewart_exact_bounds_platform platform;
+    stewart_real length; /* m: root mean square distance of the platform points from the reference point */
+} stewart_exact_bounds_model;
+
+/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
+ * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model);
+
+/* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound
+ * is infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
+ * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over
+ * the model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may
+ * be null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
+int stewart_exact_forces_bounded(
+    const stewart_exact_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
+    stewart_real bound[6], stewart_real *rcond);
+
+/* The same for `count` poses: F[count][6], bound[count][6], rcond[count]. `status` takes one code for each
+ * pose; null: not wanted. Returns the first code other than STEWART_OK, or STEWART_OK. */
+int stewart_exact_forces_bounded_batch(
+    const stewart_exact_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
+    stewart_real *bound, stewart_real *rcond, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

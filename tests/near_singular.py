@@ -1,0 +1,69 @@
+"""Motions near a singular pose, for tests of what rounding does there.
+
+Stands beside ``machines``; knows the direction of the legs and the determinant of H only.
+"""
+
+import functools
+from collections.abc import Callable
+
+import numpy as np
+from machines import MIN_SIN_POLE, Array, machine_size, random_motion, rotation
+
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+NEAREST = 1e-4
+"""Share of the way back from the singular pose, at least."""
+
+
+def near_singular_motion(rng: np.random.Generator, robot: Robot) -> Motion:
+    """A motion on the way to a singular pose, 1e-4 to 0.3 of the way before it; no leg is near its pole."""
+    for _ in range(1000):
+        start = random_motion(rng, robot)
+        turn, shift = 1.5 * rng.normal(size=3), 0.3 * machine_size(robot) * rng.normal(size=3)
+
+        pose = functools.partial(_on_the_way, start, turn, shift)
+        singular = _first_sign_change(lambda way, pose=pose: _determinant(robot, *pose(way)))
+        if singular is None:
+            continue
+        R, t = pose(singular * (1 - 10 ** rng.uniform(np.log10(NEAREST), np.log10(0.3))))
+        if _clear_of_poles(robot, R, t):
+            return Motion(
+                R, t, start.omega, start.v, start.alpha, start.a, F_ext=start.F_ext, M_ext=start.M_ext
+            )
+    raise RuntimeError("no motion towards a singular pose found in 1000 draws")
+
+
+def _on_the_way(start: Motion, turn: Array, shift: Array, way: float) -> tuple[Array, Array]:
+    return rotation((way + 1e-9) * turn) @ start.R, start.t + way * shift
+
+
+def _first_sign_change(value: Callable[[float], float]) -> float | None:
+    """Where a function of 0 to 1 changes its sign for the first time, by bisection; None if it does not."""
+    ways = np.linspace(0.0, 1.0, 21)
+    signs = np.sign([value(way) for way in ways])
+    change = np.flatnonzero(signs != signs[0])
+    if change.size == 0:
+        return None
+    low, high = ways[change[0] - 1], ways[change[0]]
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.sign(value(middle)) == signs[0] else (low, middle)
+    return float(low)
+
+
+def _legs(robot: Robot, R: Array, t: Array) -> tuple[Array, Array]:
+    """q and s, (6, 3)."""
+    q = robot.p @ R.T
+    S = q + t - robot.b
+    return q, S / np.linalg.norm(S, axis=-1, keepdims=True)
+
+
+def _determinant(robot: Robot, R: Array, t: Array) -> float:
+    q, s = _legs(robot, R, t)
+    return float(np.linalg.det(np.vstack([s.T, np.cross(q, s).T])))
+
+
+def _clear_of_poles(robot: Robot, R: Array, t: Array) -> bool:
+    _, s = _legs(robot, R, t)
+    return bool(np.all(np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_SIN_POLE))
