@@ -322,7 +322,7 @@ def _chart(arguments: argparse.Namespace) -> int:
         text = table(found)
         figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
         texts = {"chart.txt": text + "\n", "chart.json": json.dumps(figures, indent=1) + "\n"}
-        every = charts(found)
+        every = list(charts(found, robot, progress))
         texts |= {f"{chart.name}.csv": chart.rows for chart in every}
         for name, content in texts.items():
             (folder / name).write_text(content, encoding="utf-8", newline="\n")
@@ -644,10 +644,11 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "chart",
         _chart,
-        "draw time a pose over error, of the model and of rounding: PNG, SVG, CSV, JSON, table",
+        "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
         "stewart-sym chart legs.toml -o chart",
-        "Every fidelity and implementation is a point. The scene is one of `advise`; without it: the paper's "
-        "machine on its Paths I, II and III. Takes about half a minute.",
+        "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
+        "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
+        "one of `advise`; without it: the paper's machine on its Paths I, II and III. Takes about a minute.",
     )
     verb.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
     _output(verb, "DIR", "folder to write to", Path("chart"))

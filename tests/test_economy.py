@@ -32,9 +32,10 @@ from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
+from stewart_sym.studies import bound_plot, scales, timing
 from stewart_sym.studies import economy as study
-from stewart_sym.studies import timing
 from stewart_sym.studies.advice import TERMS, Advice, advice, answer, as_json, excess, report, terms
+from stewart_sym.studies.charts import charts
 from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, economy
 from stewart_sym.studies.output import csv_lines
 from stewart_sym.studies.truth import Truth, deviation
@@ -568,6 +569,34 @@ def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Economy) -> None:
     monkeypatch.setattr(study, "economy", measured)
 
 
+TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
+
+
+def few(patch: pytest.MonkeyPatch) -> None:
+    """Few machines and poses in the studies beside the chart."""
+    scales_study, bounds_study = scales.scales_study, bound_plot.bounds_study
+
+    def some_scales(progress: Any, robot: Robot) -> scales.Scales:
+        return scales_study(progress, robot, "exact", (1.0,), (1.0,), 1, 4)
+
+    def some_bounds(progress: Any, robot: Robot) -> bound_plot.Bounds:
+        return bounds_study(progress, 20, robot)
+
+    patch.setattr(scales, "scales_study", some_scales)
+    patch.setattr(bound_plot, "bounds_study", some_bounds)
+
+
+def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
+    found: Economy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few(monkeypatch)
+    robot = random_robot(np.random.default_rng(12), "spherical")
+    with pytest.warns(UserWarning, match="^bounds: left out: "):
+        made = [chart.name for chart in charts(found, robot)]
+    assert made[0] == "chart"
+    assert "bounds" not in made
+
+
 @pytest.mark.usefixtures("quick")
 def test_advise_prints_and_writes_its_answer(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = scene.parent / "advice.json"
@@ -625,6 +654,7 @@ def test_advise_does_not_write_over_its_scene(scene: Path, capsys: pytest.Captur
 def test_chart_writes_tables_without_matplotlib(
     scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    few(monkeypatch)
     monkeypatch.delitem(sys.modules, "stewart_sym.studies.plots", raising=False)
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
@@ -633,7 +663,7 @@ def test_chart_writes_tables_without_matplotlib(
     assert "pip install matplotlib" in fails_in_one_line(capsys, "chart", scene, "-o", output)
     assert folder_state(scene.parent) == before
     assert main(["chart", str(scene), "-o", str(output), "--no-pictures"]) == 0
-    assert sorted(path.name for path in output.iterdir()) == ["chart.csv", "chart.json", "chart.txt"]
+    assert sorted(path.name for path in output.iterdir()) == TABLES
     assert (output / "chart.txt").read_text() in capsys.readouterr().out
 
 
@@ -646,11 +676,16 @@ def test_chart_of_the_papers_machine_needs_no_scene(
         asked.append(list(motions))
         return found
 
+    few(monkeypatch)
     monkeypatch.setattr(study, "economy", measured)
     assert main(["chart", "-o", str(tmp_path / "out")]) == 0
     assert asked == [["I", "II", "III"]]
-    names = {path.name for path in (tmp_path / "out").iterdir()}
-    assert names >= {f"chart.{kind}" for kind in ("csv", "json", "png", "svg", "txt")}
+    pictures = [f"{name}.{kind}" for name in ("chart", "scales", "bounds") for kind in ("png", "svg")]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted([*TABLES, *pictures])
+    header, *rows_of_scales = (tmp_path / "out" / "scales.csv").read_text().splitlines()
+    assert header.startswith("size_m,platform_mass_kg")
+    assert len(rows_of_scales) == 1
+    assert len((tmp_path / "out" / "bounds.csv").read_text().splitlines()) > 10
     rows = list(csv.DictReader(io.StringIO((tmp_path / "out" / "chart.csv").read_text())))
     assert {row["motion"] for row in rows} == {"I", "II", "III"}
     written = json.loads((tmp_path / "out" / "chart.json").read_text())

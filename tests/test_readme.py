@@ -35,7 +35,7 @@ from stewart_sym.studies.reproduce import work_energy
 PUBLISHED = (
     *("bench.json", "bench.png", "bench_motion.png"),
     *("control.json", "control.png"),
-    *("chart.json", "chart.png"),
+    *("chart.json", "chart.png", "scales.png", "bounds.png"),
 )
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")

@@ -3,8 +3,6 @@
 Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
 
-import csv
-import io
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .economy import Economy
+from .output import csv_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -98,13 +97,12 @@ def csv_rows(found: Economy) -> str:
     """Every point of the picture and motion as CSV, all digits."""
     every = points(found)
     best = [point for panel in (MODEL, ROUNDING) for point in front(_of(every, panel))]
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(_COLUMNS)
-    for point in every:
-        for motion, error in point.errors.items():
-            writer.writerow([point.panel, point.name, point.ns, motion, error, int(point in best)])
-    return stream.getvalue()
+    rows = [
+        (point.panel, point.name, point.ns, motion, error, int(point in best))
+        for point in every
+        for motion, error in point.errors.items()
+    ]
+    return csv_text([_COLUMNS, *rows])
 
 
 def _of(every: Sequence[Point], panel: str) -> list[Point]:

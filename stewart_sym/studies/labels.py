@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Place = tuple[float, float]
 
-MARKER, ROOM, SIDES = 3.0, 2.0, 5.0
+MARKER, ROOM, SIDES = 3.0, 2.0, 9.0
 """Points (1/72 inch) from the middle of a marker to its edge; around markers and labels that stay free; and
 that stay free at both sides of a label."""
 
@@ -76,7 +76,7 @@ def place(
     placing = _Placing(
         at=axes.transData.transform([(label.x, label.y) for label in labels]),
         sizes=np.array([_size(axes, label, size, renderer) for label in labels]),
-        frame=_grown(np.array([room.x0, room.y0, room.x1, room.y1]), -2.0 * SIDES * unit),
+        frame=_grown(np.array([room.x0, room.y0, room.x1, room.y1]), -SIDES * unit),
         taken=_grown(np.hstack([points, points]), (MARKER + ROOM) * unit),
         bars=axes.transData.transform(np.reshape(bars, (-1, 2))).reshape(-1, 4),
         unit=unit,
