@@ -268,6 +268,74 @@ def _control(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _advise(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .budget import read_budget
+    from .kit import Choice, write_kit
+    from .publish import replaced_file
+    from .studies import advice
+    from .studies.economy import economy
+
+    if arguments.json is not None:
+        _refuse_overwrite(arguments.json, arguments.scene)
+    budget = read_budget(arguments.scene)
+    with contextlib.ExitStack() as opened, _progress() as progress:
+        stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
+        found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
+        if stream is not None:
+            stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
+        written: list[Path] = []
+        if arguments.generate is not None and found.chosen is not None:
+            progress("generating")
+            it = found.chosen.candidate
+            choice = Choice(it.formulation, it.fidelity, arguments.bake, it.precision)
+            _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force)
+    print(advice.report(found))
+    for path in written:
+        print(path)
+    if found.chosen is None:
+        raise ValueError(f"{arguments.scene}: nothing keeps the budget; closest: {advice.closest(found)}")
+    return 0
+
+
+def _chart(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .budget import papers_motions, read_budget
+    from .publish import staged_folder
+    from .studies import host
+    from .studies.advice import table
+    from .studies.charts import charts
+    from .studies.economy import ROUNDS, economy
+    from .studies.economy_plot import save
+    from .studies.reproduce import paper_machine
+
+    if arguments.pictures:
+        _plots()
+    robot, motions = paper_machine(), papers_motions()
+    if arguments.scene is not None:
+        scene = read_budget(arguments.scene)
+        robot, motions = scene.robot, dict(scene.motions)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        found = economy(robot, motions, True, ROUNDS, progress)
+        text = table(found)
+        figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
+        texts = {"chart.txt": text + "\n", "chart.json": json.dumps(figures, indent=1) + "\n"}
+        every = list(charts(found, robot, progress))
+        texts |= {f"{chart.name}.csv": chart.rows for chart in every}
+        for name, content in texts.items():
+            (folder / name).write_text(content, encoding="utf-8", newline="\n")
+        if arguments.pictures:
+            progress("drawing")
+            for chart in every:
+                save(chart.draw(), folder / chart.name)
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
+    return 0
+
+
 # Their parts
 
 
@@ -547,6 +615,43 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--rate", metavar="HZ", type=_positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+    )
+
+    verb = _verb(
+        verbs,
+        "advise",
+        _advise,
+        "the cheapest kernel that is good enough for a machine's motions, and what physics it needs",
+        "stewart-sym advise legs.toml --generate kernel",
+        'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
+        "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), if "
+        "you like margin (default 3: errors times this must be within the tolerance) and rate (Hz: a pose "
+        "alone must not take longer). Runs the motions at every fidelity, formulation and precision; the "
+        "cheapest is the one with the fewest operations, float before double. Exit code 2 where nothing is "
+        "good enough. Takes half a minute, less when the kernels are compiled.",
+    )
+    verb.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
+    verb.add_argument("--json", metavar="FILE", type=Path, help="write all figures and the answer to a file")
+    verb.add_argument(
+        "--generate", metavar="DIR", type=Path, help="write the chosen kernel for this robot, as generate"
+    )
+    verb.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")
+    verb.add_argument("--force", action="store_true", help="replace files that --generate finds there")
+
+    verb = _verb(
+        verbs,
+        "chart",
+        _chart,
+        "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
+        "stewart-sym chart legs.toml -o chart",
+        "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
+        "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
+        "one of `advise`; without it: the paper's machine on its Paths I, II and III. Takes about a minute.",
+    )
+    verb.add_argument("scene", metavar="SCENE.toml", type=Path, nargs="?", help="scene file, schema 1")
+    _output(verb, "DIR", "folder to write to", Path("chart"))
     verb.add_argument(
         "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
     )

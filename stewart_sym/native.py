@@ -50,6 +50,7 @@ _PROCESSOR_LINES = frozenset(
 )
 
 _loaded: dict[str, ctypes.CDLL] = {}
+_turns: dict[str, threading.Lock] = {}
 _lock = threading.Lock()
 
 
@@ -105,6 +106,9 @@ def load(
     recipe = _recipe(name, sources, flags, defines)
     key = recipe.key()
     with _lock:
+        # One compiler for each library, so that threads can have several compiled side by side.
+        turn = _turns.setdefault(key, threading.Lock())
+    with turn:
         if key not in _loaded:
             _loaded[key] = _open(recipe, key)
         return _loaded[key]

@@ -217,8 +217,7 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     """Check the tables of a robot file; ``source: `` begins every message."""
     file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
-    if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
-        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
+    tables.check_schema(top, SCHEMA, file)
     joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     platform = _body(top["platform"], f"{file}platform.")
     tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")

@@ -97,8 +97,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     top = tables.checked_table(
         tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
     )
-    if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
-        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
+    tables.check_schema(top, SCHEMA, file)
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")

@@ -57,6 +57,12 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
             raise ValueError(f"{prefix}{key}: {reason}")
 
 
+def check_schema(table: Mapping[str, Any], schema: int, prefix: str) -> None:
+    """Refuse a table whose key ``schema`` is another number."""
+    if isinstance(table["schema"], bool) or table["schema"] != schema:
+        raise ValueError(f"{prefix}schema: expected {schema}, got {shown(table['schema'])}")
+
+
 # Single values
 
 

@@ -25,7 +25,7 @@ from stewart_sym import forces
 from stewart_sym.cli import main
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
-from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes
+from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, timing
 from stewart_sym.studies.bench_figures import FORWARD, MOST
 from stewart_sym.studies.bench_plot import motion_picture, picture, report
 from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
@@ -78,7 +78,7 @@ def shorten(patch: pytest.MonkeyPatch) -> None:
     derived.passes = some_passes  # type: ignore[attr-defined]
     patch.setitem(sys.modules, derived.__name__, derived)
     patch.setattr(bench, "QUICK_COMPILATIONS", 1)
-    patch.setattr(bench, "SHORTEST", 1e-5)
+    patch.setattr(timing, "SHORTEST", 1e-5)
     patch.setattr(bench, "time_source", lambda: {})
     patch.setattr(bench, "QUICK_ROUNDS", 3)
     patch.setattr(bench, "QUICK_SIZES", (8, 64))
@@ -513,18 +513,18 @@ class Clock:
         self.calls: list[tuple[str, int]] = []
         monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
 
-    def task(self, name: str, units: int, ns: int) -> bench.Task:
+    def task(self, name: str, units: int, ns: int) -> timing.Task:
         def run(repeats: int) -> None:
             self.calls.append((name, repeats))
             self.now += repeats * units * ns
 
-        return bench.Task(run, units)
+        return timing.Task(run, units)
 
 
 def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock(monkeypatch)
     tasks = {"short": clock.task("short", 64, 100), "long": clock.task("long", 10**6, 750)}
-    raw = bench.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
+    raw = timing.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
     assert raw["short"] == pytest.approx(5 * (100.0,))
     assert raw["long"] == pytest.approx(3 * (750.0,))
 
@@ -533,10 +533,10 @@ def test_contestants_take_turns_and_every_sample_is_long_enough(monkeypatch: pyt
     clock = Clock(monkeypatch)
     names = ("a", "b", "c")
     tasks = {name: clock.task(name, 64, 100) for name in names}
-    bench.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
+    timing.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
     samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
     assert len(samples) == 3 * 4
-    assert all(repeats * 64 * 100 >= 1e9 * bench.SHORTEST for _, repeats in samples)
+    assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
     rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
     assert [sorted(turn) for turn in rounds] == 4 * [[*names]]
     assert len(set(rounds)) == 3
@@ -547,10 +547,10 @@ def test_every_sample_but_an_enormous_one_comes_after_a_run_that_is_not_timed(
 ) -> None:
     clock = Clock(monkeypatch)
     tasks = {
-        "large": clock.task("large", bench.ENORMOUS - 1, 100),
-        "enormous": clock.task("enormous", bench.ENORMOUS, 100),
+        "large": clock.task("large", timing.ENORMOUS - 1, 100),
+        "enormous": clock.task("enormous", timing.ENORMOUS, 100),
     }
-    bench.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
+    timing.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
     turns = [name for name, _ in clock.calls[-3 * 3 :]]
     one, other = ["large", "large"], ["enormous"]
     assert turns == [*one, *other, *other, *one, *one, *other]
@@ -565,8 +565,8 @@ def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.Monkey
         taken.append(repeats * 64 * next(speeds))
         clock.now += taken[-1]
 
-    raw = bench.measured({"task": bench.Task(run, 64)}, {"task": 3}, lambda _: None)
-    assert taken[-1] >= 1e9 * bench.SHORTEST
+    raw = timing.measured({"task": timing.Task(run, 64)}, {"task": 3}, lambda _: None)
+    assert taken[-1] >= 1e9 * timing.SHORTEST
     assert raw["task"] == pytest.approx(3 * (1.0,))
 
 
@@ -574,7 +574,7 @@ def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     ticks = itertools.count(0, 50_000)
     monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
     with pytest.raises(ValueError, match="clock is too coarse"):
-        bench.time_source()
+        timing.time_source()
 
 
 @pytest.mark.usefixtures("small")

@@ -22,7 +22,7 @@ FLOORS = (
     {"closed_form", "bounds"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},
-    {"scene"},
+    {"scene", "budget"},
     {"parameters", "home"},
     {"identifiable"},
     {"excitation"},

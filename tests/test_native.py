@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -134,6 +135,25 @@ def test_threads_share_one_compilation(cache: Path, compiler: LoggedCompiler) ->
     assert len(libraries) == 8
     assert len(set(map(id, libraries))) == 1
     assert len(compiler.calls) == 1
+
+
+def test_threads_compile_different_libraries_side_by_side(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Each compiler waits until the other has started, and fails if that one never does.
+    here = shlex.quote(str(tmp_path))
+    wait = f"""case "$*" in *--version*) ;; *)
+    mktemp {here}/started.XXXXXX > /dev/null
+    n=0
+    while [ $(ls {here} | grep -c started) -lt 2 ]; do
+        n=$((n + 1)); [ $n -gt 600 ] && exit 1; sleep 0.05
+    done;;
+esac"""
+    waiting = LoggedCompiler(tmp_path, wait)
+    monkeypatch.setenv("CC", shlex.quote(str(waiting.path)))
+    with ThreadPoolExecutor(2) as pool:
+        made = [pool.submit(native.load, name, ADD) for name in ("adder", "other")]
+        assert [library.result().add(2, 3) for library in made] == [5, 5]
 
 
 def test_compiling_anew_passes_by_the_cache(cache: Path, compiler: LoggedCompiler, tmp_path: Path) -> None:

@@ -1,8 +1,8 @@
 """The figures in the README are those that the code computes.
 
-``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR`` or ``stewart-sym control -o DIR``
-wrote for the README's figures: it copies JSON and pictures into ``.docs`` and writes the README's tables
-anew; without DIR it only writes the tables.
+``python tests/test_readme.py DIR`` takes what ``stewart-sym bench -o DIR``, ``stewart-sym control -o DIR`` or
+``stewart-sym chart -o DIR`` wrote for the README's figures: it copies JSON and pictures into ``.docs`` and
+writes the README's tables anew; without DIR it only writes the tables.
 """
 
 import copy
@@ -16,13 +16,15 @@ from typing import Any
 import numpy as np
 import pytest
 import readme_bench
+import readme_chart
 import readme_control
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym import reference
+from stewart_sym import fidelity, reference
+from stewart_sym.budget import papers_motions
 from stewart_sym.kernel import module
 from stewart_sym.scene import Scene, read_scene
 from stewart_sym.studies import control, control_report, energy_drift
@@ -30,7 +32,11 @@ from stewart_sym.studies.bench_figures import Figure, MotionFigures
 from stewart_sym.studies.bench_plot import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
-PUBLISHED = ("bench.json", "bench.png", "bench_motion.png", "control.json", "control.png")
+PUBLISHED = (
+    *("bench.json", "bench.png", "bench_motion.png"),
+    *("control.json", "control.png"),
+    *("chart.json", "chart.png", "scales.png", "bounds.png"),
+)
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
 REWRITE = "run `python tests/test_readme.py` and look at the README"
@@ -236,6 +242,49 @@ def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
     recomputed(control.TRACKED)
 
 
+def test_the_chart_in_the_readme_is_that_of_the_study() -> None:
+    assert readme_chart.replaced(README, figures("chart")) == README, REWRITE
+
+
+def test_every_figure_of_the_chart_that_the_readme_shows_changes_it() -> None:
+    found = figures("chart")
+    texts = {readme_chart.text(found)}
+    double = next(i for i, each in enumerate(found["candidates"]) if each["precision"] == "double")
+    general = len(found["candidates"]) - 1
+    places: list[tuple[Any, ...]] = [
+        ("machine", "processor"),
+        ("software", "compiler"),
+        ("motions", "II", "peak_force_N"),
+        *(("candidates", double, name) for name in ("operations", "one_pose_ns", "text_bytes")),
+        ("candidates", double - 1, "one_pose_ns"),
+        *(("candidates", double, "errors", path, "model") for path in ("I", "II", "III")),
+        ("candidates", general, "errors", "III", "rounding"),
+        ("implementations", -1, "rounding", "III"),
+    ]
+    for place in places:
+        changed = copy.deepcopy(found)
+        *way, last = place
+        inner: Any = changed
+        for step in way:
+            inner = inner[step]
+        inner[last] = "another" if isinstance(inner[last], str) else 7 * inner[last]
+        texts.add(readme_chart.text(changed))
+    assert len(texts) == 1 + len(places)
+
+
+def test_the_committed_chart_is_what_the_code_computes() -> None:
+    robot, motions = dasgupta(), papers_motions()
+    for each in figures("chart")["candidates"]:
+        how = each["formulation"], each["fidelity"]
+        assert each["operations"] == fidelity.operations(robot, *how)
+        for path, motion in motions.items():
+            true = reference.inverse_dynamics(robot, motion).F
+            off = np.abs(ss.prepare(robot, how[0], "double", how[1]).forces(motion) - true).max()
+            assert off / np.abs(true).max() == pytest.approx(
+                each["errors"][path]["model"], rel=1e-6, abs=1e-12
+            )
+
+
 def test_python_example_runs_as_printed() -> None:
     blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     names: dict[str, Any] = {}
@@ -292,6 +341,7 @@ def _rewrite(run: Path | None) -> None:
                 shutil.copyfile(path, README_FOLDER / ".docs" / path.name)
     text = readme_bench.replaced(README, figures("bench"))
     text = readme_control.replaced(text, figures("control"))
+    text = readme_chart.replaced(text, figures("chart"))
     (README_FOLDER / "README.md").write_text(text, encoding="utf-8", newline="\n")
 
 

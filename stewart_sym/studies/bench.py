@@ -9,17 +9,12 @@ nothing. Needs CasADi, MuJoCo and Pinocchio, the extra ``bench``.
 
 import contextlib
 import functools
-import gc
 import os
-import platform
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
-from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +24,7 @@ from ..dynamics import inverse_dynamics
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
-from . import bench_compile, bench_motion, bench_passes
+from . import bench_compile, bench_motion, bench_passes, host, timing
 from .bench_figures import Benchmark, Figure, PassFigures, Speedup
 from .peers import (
     AGREEMENT,
@@ -51,18 +46,11 @@ from .peers import (
 )
 from .peers_pinocchio import PinocchioMachine
 from .reproduce import paper_machine
+from .timing import Progress, Task, measured, time_source
 
 Array = NDArray[np.float64]
-Progress = Callable[[str], None]
-Key = TypeVar("Key")
 
 ROUNDS, QUICK_ROUNDS = 41, 9
-SHORTEST = 2e-3
-"""Seconds that one sample lasts at least."""
-
-ENORMOUS = 10**6
-"""Units of work from which on a run is its own warming up."""
-
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3
 
 SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
@@ -199,7 +187,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
     contestant's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
     """
-    clock, machine = time_source(), _machine()
+    clock, machine = time_source(), host.machine()
     progress("preparing the poses")
     poses = bench_poses(robot, MANY)
     few = poses.resized(FEW)
@@ -232,7 +220,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     return Benchmark(
         robot=poses.robot.name,
         rounds=rounds,
-        shortest_sample=SHORTEST,
+        shortest_sample=timing.SHORTEST,
         ours=tuple(_figure(each, raw) for each in OURS),
         peers=(*(_figure(each, raw) for each in PEERS), _pinocchio_figure(raw)),
         cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
@@ -252,7 +240,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         lanes=processor.lanes,
         differences=differences,
         machine=machine,
-        software=_software(),
+        software=host.software("casadi", "pin", "mujoco"),
         clock=clock,
     )
 
@@ -390,115 +378,7 @@ def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tupl
     return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
-# --- timing -----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, eq=False)
-class Task:
-    """What is timed: ``run(n)`` does ``units`` of work n times."""
-
-    run: Callable[[int], object]
-    units: int
-
-
-def measured(
-    tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
-) -> dict[Key, tuple[float, ...]]:
-    """Ns a unit of every task in every round; each round begins with another task."""
-    progress("warming up")
-    repeats = {key: _enough(task) for key, task in tasks.items()}
-    raw: dict[Key, list[float]] = {key: [] for key in tasks}
-    keys = list(tasks)
-    with _no_collection():
-        for number in range(max(rounds.values())):
-            progress(f"round {number + 1} of {max(rounds.values())}")
-            first = number % len(keys)
-            for key in keys[first:] + keys[:first]:
-                if number < rounds[key]:
-                    raw[key].append(_sample(tasks[key], repeats, key))
-    return {key: tuple(values) for key, values in raw.items()}
-
-
-def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
-    """Ns a unit, from a sample that lasted long enough.
-
-    A run that is not timed comes first: it fetches the data that others drove out and wakes the threads.
-    """
-    if task.units < ENORMOUS:
-        task.run(1)
-    while True:
-        seconds = _seconds(task, repeats[key])
-        if seconds >= SHORTEST:
-            return 1e9 * seconds / (repeats[key] * task.units)
-        repeats[key] *= 2
-
-
-def _enough(task: Task) -> int:
-    """Repeats that last twice as long as a sample must."""
-    repeats = 1
-    task.run(1)
-    while (seconds := _seconds(task, repeats)) < SHORTEST:
-        repeats *= 2
-    return max(1, round(repeats * 2 * SHORTEST / seconds))
-
-
-def _seconds(task: Task, repeats: int) -> float:
-    start = time.perf_counter_ns()
-    task.run(repeats)
-    return 1e-9 * (time.perf_counter_ns() - start)
-
-
-@contextlib.contextmanager
-def _no_collection() -> Iterator[None]:
-    was = gc.isenabled()
-    gc.collect()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was:
-            gc.enable()
-
-
-def time_source() -> dict[str, Any]:
-    """The time source and the shortest step seen of it; ValueError if a sample isn't 1000 steps long."""
-    info = time.get_clock_info("perf_counter")
-    step = min(_step() for _ in range(100))
-    if not info.monotonic or step > 1e-3 * SHORTEST:
-        raise ValueError(f"the clock is too coarse: steps of {step:.1e} s, samples of {SHORTEST:g} s")
-    return {
-        "name": "perf_counter",
-        "implementation": info.implementation,
-        "resolution_s": info.resolution,
-        "shortest_step_s": step,
-    }
-
-
-def _step() -> float:
-    start = time.perf_counter_ns()
-    while (end := time.perf_counter_ns()) == start:
-        pass
-    return 1e-9 * (end - start)
-
-
-# --- where it ran -----------------------------------------------------------------------------
-
-
-_VECTORS = ("avx512f", "avx2", "asimd")
-"""Instruction sets that name the widest vectors, widest first."""
-
-
-def _machine() -> dict[str, Any]:
-    sets = set(_cpuinfo("flags").split())
-    return {
-        "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
-        "instruction_sets": sorted({*_VECTORS, "fma"} & sets),
-        "architecture": platform.machine(),
-        "vectors": next((name for name in _VECTORS if name in sets), ""),
-        "cores": os.cpu_count(),
-        "system": platform.platform(),
-        "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
-    }
+# --- what others take -----------------------------------------------------------------------------
 
 
 class _Others:
@@ -524,27 +404,6 @@ def _work_of_others() -> float | None:
         ticks = user + nice + system + hard + soft + stolen
         return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
     return None
-
-
-def _software() -> dict[str, Any]:
-    compiler = native.find_compiler()
-    assert compiler is not None
-    return {
-        "compiler": compiler.version,
-        "command": list(compiler.command),
-        "flags": list(native._FLAGS),
-        "python": platform.python_version(),
-        **{name: version(name) for name in ("stewart-sym", "numpy", "casadi", "pin", "mujoco")},
-    }
-
-
-def _cpuinfo(line: str) -> str:
-    with contextlib.suppress(OSError):
-        for text in Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines():
-            name, _, value = text.partition(":")
-            if name.strip() in (line, {"flags": "Features"}.get(line)):
-                return value.strip()
-    return ""
 
 
 def _free_memory() -> int:

@@ -4,10 +4,11 @@ The part of ``bench`` that times the compiler and not the code. Knows linkers an
 kernels compute.
 """
 
+import functools
 import shutil
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -58,10 +59,11 @@ def _seconds(name: str) -> float:
         return time.perf_counter() - start
 
 
-def text_size() -> TextSize | None:
-    """Bytes of the functions left of the forces' source in a program that prepares and computes one pose.
+def text_size(name: str = NAME, defines: Sequence[str] = ()) -> TextSize | None:
+    """Bytes of the functions left of a kernel's forces in a program that prepares and computes one pose.
 
-    Linked without the functions that nobody calls; counted by ``nm``, less what an empty program holds too.
+    name: of the kernel; defines: macros. Linked without the functions that nobody calls; counted by ``nm``,
+    less what an empty program holds too.
     None where that can't be done: no ELF system, no ``nm``, a linker without ``--gc-sections``. Raises
     native.CompilerError without a compiler.
     """
@@ -70,24 +72,30 @@ def text_size() -> TextSize | None:
         raise native.CompilerError("no C compiler found")
     if sys.platform in ("win32", "darwin"):
         return None
-    sources = kernel.c_sources(f"{NAME}_forces")
-    with _folder() as folder:
-        try:
-            left = _functions(compiler, Path(folder), {**sources, "main.c": _PROGRAM.format(name=NAME)})
-            empty = _functions(compiler, Path(folder), {"main.c": _EMPTY})
-        except (native.CompilerError, FileNotFoundError):
-            return None
+    flags = (*SIZE_FLAGS, *(f"-D{macro}" for macro in defines))
+    sources = {**kernel.c_sources(f"{name}_forces"), "main.c": _PROGRAM.format(name=name)}
+    try:
+        left, empty = _functions(compiler, sources, flags), _empty_functions(compiler)
+    except (native.CompilerError, FileNotFoundError):
+        return None
     functions = {name: size for name, size in left.items() if name not in empty}
-    return TextSize(f"stewart_{NAME}_forces.c", SIZE_FLAGS, functions)
+    return TextSize(f"stewart_{name}_forces.c", flags, functions)
 
 
-def _functions(compiler: native.Compiler, folder: Path, sources: dict[str, str]) -> dict[str, int]:
+@functools.cache
+def _empty_functions(compiler: native.Compiler) -> dict[str, int]:
+    return _functions(compiler, {"main.c": _EMPTY}, SIZE_FLAGS)
+
+
+def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Sequence[str]) -> dict[str, int]:
     """Bytes of every function in the program that the sources make."""
-    for file, text in sources.items():
-        (folder / file).write_text(text, encoding="utf-8", newline="\n")
-    files = sorted(file for file in sources if file.endswith(".c"))
-    native.ran((*compiler.command, *SIZE_FLAGS, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
-    return _sizes(native.ran((*_nm(compiler, folder), "-S", "program"), folder))
+    with _folder() as name:
+        folder = Path(name)
+        for file, text in sources.items():
+            (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        files = sorted(file for file in sources if file.endswith(".c"))
+        native.ran((*compiler.command, *flags, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
+        return _sizes(native.ran((*_nm(compiler, folder), "-S", "program"), folder))
 
 
 def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:

@@ -3,7 +3,9 @@
 Used by the commands that write; knows nothing of files or of what the columns mean.
 """
 
-from collections.abc import Iterator, Mapping
+import csv
+import io
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from numpy.typing import NDArray
@@ -14,3 +16,10 @@ def csv_lines(columns: Mapping[str, NDArray[Any]]) -> Iterator[str]:
     yield ",".join(columns) + "\n"
     for row in zip(*(column.tolist() for column in columns.values()), strict=True):
         yield ",".join(map(repr, row)) + "\n"
+
+
+def csv_text(rows: Iterable[Sequence[object]]) -> str:
+    """Rows as CSV, floats with all their digits."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows(rows)
+    return stream.getvalue()

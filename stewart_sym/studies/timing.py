@@ -1,0 +1,108 @@
+"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them.
+
+Used by the studies that measure; knows nothing of what the tasks compute, and prints nothing.
+"""
+
+import contextlib
+import gc
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+Progress = Callable[[str], None]
+Key = TypeVar("Key")
+
+SHORTEST = 2e-3
+"""Seconds that one sample lasts at least."""
+
+ENORMOUS = 10**6
+"""Units of work from which on a run is its own warming up."""
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What is timed: ``run(n)`` does ``units`` of work n times."""
+
+    run: Callable[[int], object]
+    units: int
+
+
+def measured(
+    tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
+) -> dict[Key, tuple[float, ...]]:
+    """Ns a unit of every task in every round; each round begins with another task."""
+    progress("warming up")
+    repeats = {key: _enough(task) for key, task in tasks.items()}
+    raw: dict[Key, list[float]] = {key: [] for key in tasks}
+    keys = list(tasks)
+    with _no_collection():
+        for number in range(max(rounds.values())):
+            progress(f"round {number + 1} of {max(rounds.values())}")
+            first = number % len(keys)
+            for key in keys[first:] + keys[:first]:
+                if number < rounds[key]:
+                    raw[key].append(_sample(tasks[key], repeats, key))
+    return {key: tuple(values) for key, values in raw.items()}
+
+
+def _sample(task: Task, repeats: dict[Key, int], key: Key) -> float:
+    """Ns a unit, from a sample that lasted long enough.
+
+    A run that is not timed comes first: it fetches the data that others drove out and wakes the threads.
+    """
+    if task.units < ENORMOUS:
+        task.run(1)
+    while True:
+        seconds = _seconds(task, repeats[key])
+        if seconds >= SHORTEST:
+            return 1e9 * seconds / (repeats[key] * task.units)
+        repeats[key] *= 2
+
+
+def _enough(task: Task) -> int:
+    """Repeats that last twice as long as a sample must."""
+    repeats = 1
+    task.run(1)
+    while (seconds := _seconds(task, repeats)) < SHORTEST:
+        repeats *= 2
+    return max(1, round(repeats * 2 * SHORTEST / seconds))
+
+
+def _seconds(task: Task, repeats: int) -> float:
+    start = time.perf_counter_ns()
+    task.run(repeats)
+    return 1e-9 * (time.perf_counter_ns() - start)
+
+
+@contextlib.contextmanager
+def _no_collection() -> Iterator[None]:
+    was = gc.isenabled()
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
+
+
+def time_source() -> dict[str, Any]:
+    """The time source and the shortest step seen of it; ValueError if a sample isn't 1000 steps long."""
+    info = time.get_clock_info("perf_counter")
+    step = min(_step() for _ in range(100))
+    if not info.monotonic or step > 1e-3 * SHORTEST:
+        raise ValueError(f"the clock is too coarse: steps of {step:.1e} s, samples of {SHORTEST:g} s")
+    return {
+        "name": "perf_counter",
+        "implementation": info.implementation,
+        "resolution_s": info.resolution,
+        "shortest_step_s": step,
+    }
+
+
+def _step() -> float:
+    start = time.perf_counter_ns()
+    while (end := time.perf_counter_ns()) == start:
+        pass
+    return 1e-9 * (end - start)

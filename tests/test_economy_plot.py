@@ -1,0 +1,235 @@
+"""The chart of speed against accuracy: every point is named and readable, and the front is the front."""
+
+import csv
+import io
+import itertools
+import math
+from pathlib import Path
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
+
+from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, Implementation
+from stewart_sym.studies.economy_plot import (
+    MODEL,
+    ROUNDING,
+    Point,
+    csv_rows,
+    figure,
+    front,
+    points,
+    save,
+)
+from stewart_sym.studies.labels import Label, place
+
+LEVELS = (
+    ("exact massless_static", 475, 0.46),
+    ("exact massless", 580, 0.23),
+    ("exact slender_static", 625, 0.29),
+    ("exact general_static", 913, 0.33),
+    ("exact slender", 1138, 0.061),
+    ("exact point_masses", 1138, 0.061),
+    ("exact massless_friction", 1276, 0.23),
+    ("exact axisymmetric", 1660, 0.061),
+    ("exact slender_friction", 1864, 0.061),
+    ("exact point_masses_friction", 1864, 0.061),
+    ("exact axisymmetric_friction", 1876, 0.061),
+    ("exact frictionless", 1900, 1.3e-5),
+    ("paper general", 1978, 0.049),
+    ("exact general", 2116, 0.0),
+)
+
+
+def made_up(spread: float = 1.0, error: float = 1.0) -> Economy:
+    """Figures like those of the paper's machine; times drawn together by ``spread`` < 1."""
+    entries = []
+    for name, operations, off in LEVELS:
+        for precision, unit in (("float", 1e-6), ("double", 1e-15)):
+            formulation, level = name.split()
+            ns = 100.0 * (1 + spread * operations / 2000) * (1.0 if precision == "double" else 0.8)
+            errors = {
+                motion: Errors(error * off * share, 0.3 * error * off * share, 2 * unit * share)
+                for motion, share in (("I", 1.0), ("II", 0.7), ("poses.csv", 0.04))
+            }
+            entries.append(
+                Entry(Candidate(formulation, level, precision), operations, (ns,), (ns / 2,), 9000, errors)
+            )
+    others = [
+        Implementation(name, (ns,), {"I": 2e-15, "II": 1e-15, "poses.csv": 5e-14})
+        for name, ns in (("every output", 760.0), ("NumPy kernel", 8e3), ("vector reference", 16e3))
+    ]
+    peaks = {"I": 1434.0, "II": 2133.0, "poses.csv": 10.0}
+    return Economy("machine", peaks, dict.fromkeys(peaks, 61), tuple(entries), tuple(others))
+
+
+@pytest.fixture(scope="module")
+def picture() -> Figure:
+    """The chart of the figures made up."""
+    return figure(made_up())
+
+
+def boxes(axes: Axes) -> dict[str, Bbox]:
+    canvas = axes.get_figure()
+    assert isinstance(canvas, Figure)
+    renderer = FigureCanvasAgg(canvas).get_renderer()
+    canvas.draw_without_rendering()  # type: ignore[no-untyped-call]
+    texts = [child for child in axes.get_children() if isinstance(child, Annotation)]
+    # The text alone, without its line.
+    return {text.get_text(): Text.get_window_extent(text, renderer) for text in texts}
+
+
+def overlapping(found: dict[str, Bbox]) -> list[tuple[str, str]]:
+    return [
+        (one, other)
+        for (one, box), (other, next_box) in itertools.combinations(found.items(), 2)
+        if box.overlaps(next_box)
+    ]
+
+
+def test_points_are_the_fidelities_and_the_implementations() -> None:
+    found = points(made_up())
+    names = {panel: {point.name for point in found if point.panel == panel} for panel in (MODEL, ROUNDING)}
+    exact = {name.split()[1] for name, _, _ in LEVELS}
+    assert names[MODEL] == exact | {"paper"}
+    kinds = {f"{kind}, {precision}" for kind in ("one pose", "batch") for precision in ("double", "float")}
+    assert names[ROUNDING] == kinds | {"every output", "NumPy kernel", "vector reference"}
+    (slender,) = (point for point in found if point.name == "slender")
+    assert slender.errors == {"I": 0.061, "II": 0.061 * 0.7, "poses.csv": 0.061 * 0.04}
+    assert slender.worst == 0.061
+
+
+def test_the_front_holds_what_nothing_beats() -> None:
+    rng = np.random.default_rng(1)
+    given = [
+        Point(MODEL, str(i), float(ns), {"I": float(error)}, "black")
+        for i, (ns, error) in enumerate(rng.uniform(1, 9, (40, 2)).round())
+    ]
+    best = front(given)
+    beaten = [
+        any(
+            (other.ns <= point.ns and other.worst < point.worst)
+            or (other.ns < point.ns and other.worst <= point.worst)
+            for other in given
+        )
+        for point in given
+    ]
+    expected = {(p.ns, p.worst) for p, lost in zip(given, beaten, strict=True) if not lost}
+    assert {(point.ns, point.worst) for point in best} == expected
+    assert [point.ns for point in best] == sorted({point.ns for point in best})
+
+
+def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
+    found = made_up()
+    rows = list(csv.DictReader(io.StringIO(csv_rows(found))))
+    assert len(rows) == 3 * len(points(found))
+    for row in rows:
+        (point,) = (p for p in points(found) if (p.panel, p.name) == (row["error"], row["name"]))
+        assert float(row["ns"]) == point.ns
+        assert float(row["largest"]) == point.errors[row["motion"]]
+    assert {row["name"] for row in rows if row["pareto"] == "1"} >= {
+        "general",
+        "frictionless",
+        "batch, float",
+    }
+
+
+@pytest.mark.parametrize("spread", [1.0, 0.05])
+def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float) -> None:
+    found = made_up(spread)
+    for axes, panel in zip(figure(found).axes, (MODEL, ROUNDING), strict=True):
+        names = boxes(axes)
+        assert names.keys() == {point.name for point in points(found) if point.panel == panel}
+        assert not overlapping(names)
+        frame = axes.get_window_extent()
+        assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in names.values())
+        assert all(frame.y0 <= box.y0 and box.y1 <= frame.y1 for box in names.values())
+
+
+def test_no_name_covers_a_point(picture: Figure) -> None:
+    for axes in picture.axes:
+        names = boxes(axes)
+        for line in axes.get_lines():
+            if line.get_marker() not in ("None", None, ""):
+                for x, y in axes.transData.transform(line.get_xydata()):
+                    assert not any(box.contains(x, y) for box in names.values())
+
+
+def test_errors_of_zero_have_a_band_below_all_others(picture: Figure) -> None:
+    axes = picture.axes[0]
+    labels = dict(zip(axes.get_yticks(), (t.get_text() for t in axes.get_yticklabels()), strict=True))
+    none = next(y for y, text in labels.items() if text == "no model\nerror")
+    assert none == min(labels)
+    assert none < 0.04 * 1.3e-5 / 3
+    assert any(none in line.get_ydata() for line in axes.get_lines())
+
+
+def test_points_without_an_answer_are_drawn_above_all_others() -> None:
+    found = made_up()
+    float_ones = tuple(
+        Entry(
+            e.candidate,
+            e.operations,
+            e.one_pose,
+            e.batch,
+            e.text,
+            {"I": Errors(0.0, 0.0, math.inf if e.candidate.precision == "float" else 1e-15)},
+        )
+        for e in found.entries
+    )
+    given = Economy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
+    left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
+    assert right[-1] == "no answer"
+    assert "no model\nerror" in left
+
+
+def crowd(
+    where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)
+) -> tuple[Axes, list[Label], list[Any]]:
+    picture = Figure(figsize=size, layout="constrained")
+    axes = picture.subplots()
+    axes.set_xlim(0, 10)
+    axes.set_ylim(0, 10)
+    labels = [Label(f"point number {i}", x, y, "black") for i, (x, y) in enumerate(where)]
+    return axes, labels, place(axes, labels, where)
+
+
+def test_names_of_points_at_one_place_do_not_overlap() -> None:
+    axes, labels, written = crowd([(5.0, 5.0)] * 14)
+    assert [text.get_text() for text in written] == [label.text for label in labels]
+    assert not overlapping(boxes(axes))
+
+
+def test_names_of_points_in_the_corners_stay_inside() -> None:
+    axes, _, _ = crowd([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0), (10.0, 10.0)])
+    frame = axes.get_window_extent()
+    assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in boxes(axes).values())
+
+
+def test_places_are_the_same_on_every_run() -> None:
+    where = [(float(x), float(y)) for x, y in np.random.default_rng(3).uniform(1, 9, (12, 2))]
+    first, second = (crowd(where)[2] for _ in range(2))
+    assert [text.get_position() for text in first] == [text.get_position() for text in second]
+
+
+def test_too_many_names_are_refused() -> None:
+    with pytest.raises(ValueError, match="labels: expected room for all of them"):
+        crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
+
+
+def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
+    save(picture, tmp_path / "one")
+    save(figure(made_up()), tmp_path / "other")
+    for kind in ("png", "svg"):
+        assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"other.{kind}").read_bytes()
+    pixels = matplotlib.image.imread(tmp_path / "one.png")
+    assert pixels.shape[1] > 1500
+    assert pixels.std() > 0.05
+    drawing = (tmp_path / "one.svg").read_text()
+    assert all(f">{point.name}<" in drawing for point in points(made_up()))
