@@ -9,6 +9,7 @@ forces = ss.inverse_dynamics(robot, motion).F
 from . import results, robots
 from .bounds import ForceBounds, forces_with_bounds
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
+from .damping import damped_solution
 from .dynamics import (
     dynamic_fraction,
     inverse_dynamics,
@@ -28,21 +29,34 @@ from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
 from .identifiable import BaseParameters, base_parameters
 from .identification import Estimate, Experiment, identify, simulated_experiment
+from .interpolation import between
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
 from .parameters import Parameters, inertial_parameters, regressor
+from .passage import (
+    Approach,
+    Crossing,
+    LegExtreme,
+    Passage,
+    crossings,
+    force_pole,
+    singularities_along,
+)
 from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
+from .singularity import Singularity, singularity
 from .trajectory import PATHS, StraightLinePath
 from .units import Units
 
 __all__ = [
     "PATHS",
+    "Approach",
     "BaseParameters",
     "ComputedTorque",
+    "Crossing",
     "EquationsOfMotion",
     "Estimate",
     "Excitation",
@@ -52,28 +66,35 @@ __all__ = [
     "ForceKernel",
     "Forces",
     "FourierPath",
+    "LegExtreme",
     "LegSprings",
     "Linearisation",
     "Motion",
     "Parameters",
+    "Passage",
     "PhysicalityWarning",
     "PlatformPose",
     "Reactions",
     "Robot",
     "Simulation",
     "SingularPoseWarning",
+    "Singularity",
     "Stop",
     "StraightLinePath",
     "Thresholds",
     "Trace",
     "Units",
     "base_parameters",
+    "between",
     "characteristic_length",
     "choose_excitation",
     "condition_number",
+    "crossings",
+    "damped_solution",
     "dynamic_fraction",
     "equations_of_motion",
     "force_derivatives",
+    "force_pole",
     "forces_with_bounds",
     "forward_acceleration",
     "forward_dynamics",
@@ -95,6 +116,8 @@ __all__ = [
     "scaled_condition_number",
     "simulate",
     "simulated_experiment",
+    "singularities_along",
+    "singularity",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

@@ -17,10 +17,16 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
-from typing import NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn, TextIO
 
+from .faults import SingularPoseWarning
 from .native import CompilerError
 from .publish import named
+
+if TYPE_CHECKING:
+    from .interpolation import Path as MotionPath
+    from .robot import Robot
+    from .trajectory import Trajectory
 
 PROGRAM = "stewart-sym"
 
@@ -84,26 +90,17 @@ def _check(arguments: argparse.Namespace) -> int:
 
 
 def _forces(arguments: argparse.Namespace) -> int:
-    from .joint_space import on_platform
+    from .interpolation import between
     from .publish import replaced_file
     from .robot import Robot
-    from .rotation import rotation_from_rpy
     from .studies.output import csv_lines
+    from .studies.singularities import crossing_warning
     from .studies.track import track
-    from .trajectory import JointTrajectory, read_any_csv
 
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
     robot = Robot.from_toml(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
-        progress("reading the trajectory")
-        trajectory = read_any_csv(arguments.trajectory)
-        start = arguments.start
-        if isinstance(trajectory, JointTrajectory):
-            progress(f"finding {len(trajectory.time)} poses")
-            guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-            trajectory = on_platform(robot, trajectory, guess)
-        elif start is not None:
-            raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+        trajectory = _trajectory(robot, arguments.trajectory, arguments.start, progress)
         progress(f"computing {len(trajectory.time)} instants")
         columns, exceeded = track(
             robot,
@@ -113,10 +110,56 @@ def _forces(arguments: argparse.Namespace) -> int:
             arguments.reactions,
             arguments.allow_singular,
         )
+        if len(trajectory.time) > 1:
+            progress("looking for singular poses")
+            crossed = crossing_warning(robot, trajectory, between(trajectory))
+            if crossed is not None:
+                warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
         progress("writing")
         stream.writelines(csv_lines(columns))
     for line in exceeded:
         warnings.warn(line, stacklevel=2)
+    return 0
+
+
+def _singularities(arguments: argparse.Namespace) -> int:
+    from .interpolation import between
+    from .publish import replaced_file, staged_folder
+    from .robot import Robot
+    from .studies import singularities
+    from .studies.output import csv_lines
+    from .trajectory import PATHS
+
+    if arguments.pictures:
+        _plots()
+        from .studies import singularities_plot
+    robot = Robot.from_toml(arguments.robot)
+    with staged_folder(arguments.output) as folder, _progress() as progress:
+        name = arguments.path
+        if name in PATHS:
+            if arguments.start is not None:
+                raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+            path: MotionPath = PATHS[name].path.sample
+            times = PATHS[name].path.breaks()
+        else:
+            if not Path(name).exists():
+                raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
+            trajectory = _trajectory(robot, Path(name), arguments.start, progress)
+            path, times, name = between(trajectory), trajectory.time, Path(name).name
+        progress("looking for singular poses")
+        found = singularities.examine(robot, name, path, times, arguments.formulation)
+        text = singularities.report(found)
+        (folder / "report.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
+        tables = {"events": singularities.events(found), "path": singularities.curves(found)}
+        for table, columns in tables.items():
+            with replaced_file(folder / f"{table}.csv") as stream:
+                stream.writelines(csv_lines(columns))
+        if arguments.pictures:
+            progress("drawing")
+            singularities_plot.draw(found, folder)
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(names)}")
     return 0
 
 
@@ -339,6 +382,25 @@ def _chart(arguments: argparse.Namespace) -> int:
 # Their parts
 
 
+def _trajectory(
+    robot: "Robot", source: Path, start: list[float] | None, progress: Callable[[str], None]
+) -> "Trajectory":
+    """Poses over time from a CSV file of poses or of leg lengths; ``start`` as of the option."""
+    from .joint_space import on_platform
+    from .rotation import rotation_from_rpy
+    from .trajectory import JointTrajectory, read_any_csv
+
+    progress("reading the trajectory")
+    trajectory = read_any_csv(source)
+    if isinstance(trajectory, JointTrajectory):
+        progress(f"finding {len(trajectory.time)} poses")
+        guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
+        return on_platform(robot, trajectory, guess)
+    if start is not None:
+        raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+    return trajectory
+
+
 def _measured(arguments: argparse.Namespace) -> dict[str, str]:
     """Texts of the files about measured forces, by name."""
     from .joint_space import on_platform
@@ -559,17 +621,33 @@ def _parser() -> argparse.ArgumentParser:
     _formulation(verb)
     verb.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
     verb.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
-    verb.add_argument(
-        "--start",
-        nargs=6,
-        type=_finite,
-        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
-    )
+    _start(verb)
     verb.add_argument(
         "--allow-singular",
         action="store_true",
         help="write nan and a status for poses without an answer instead of refusing the trajectory",
+    )
+
+    verb = _verb(
+        verbs,
+        "singularities",
+        _singularities,
+        "where a path crosses singular poses, between samples too, and which motion is lost there",
+        "stewart-sym singularities hexapod.toml trajectory.csv -o singularities",
+        "Writes a report, tables of events and of the path, and pictures of forces and of the machine with "
+        "the lost motion. Between the rows of a trajectory the path is the quintic through their poses, "
+        "rates and accelerations. SI units.",
+    )
+    _robot(verb)
+    verb.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
+    _output(verb, "DIR", "folder to write to", Path("singularities"))
+    _formulation(verb)
+    _start(verb)
+    verb.add_argument(
+        "--no-pictures",
+        dest="pictures",
+        action="store_false",
+        help="no pictures, no Matplotlib",
     )
 
     verb = _verb(
@@ -781,6 +859,16 @@ def _whole(text: str) -> int:
         if number >= 0:
             return number
     raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
+
+
+def _start(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument(
+        "--start",
+        nargs=6,
+        type=_finite,
+        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
+        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
+    )
 
 
 def _formulation(verb: argparse.ArgumentParser) -> None:

@@ -35,10 +35,18 @@ def scaled_condition_number(H: ArrayLike, length: float) -> Array:
     It has no units.  H: (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.  length: see
     ``characteristic_length``; must be > 0.
     """
+    return condition_number(moments_over(H, length))
+
+
+def moments_over(H: ArrayLike, length: float) -> Array:
+    """Return H, (..., 6, 6), with its moment rows divided by a length, m; all of it without units then.
+
+    Raises ValueError naming the argument.
+    """
     scale = real_array(length, "length", "a finite length > 0 m")
     if scale.shape != () or not (math.isfinite(scale) and scale > 0.0):
         raise ValueError(f"length: expected a finite length > 0 m, got {length!r}")
-    return condition_number(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
+    return np.asarray(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
 
 
 def characteristic_length(robot: Robot) -> float:

@@ -4,6 +4,7 @@ Chooses the kernel, runs it, and turns a status into an error, a warning or NaN 
 equation.
 """
 
+import dataclasses
 import functools
 import warnings
 from collections.abc import Callable
@@ -14,11 +15,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import faults, reference
 from .checks import instance, option, real_array
-from .faults import ON_FAULT, OnFault
+from .conditioning import characteristic_length
+from .damping import damped_solution
+from .faults import ON_SINGULAR, OnSingular
 from .kernel import FORMULATIONS, CKernel, NumpyKernel, kernel_name
 from .motion import Motion
 from .native import CompilerError
-from .results import NOT_FINITE, OK, POLE, SHORT_LEG, STATUS_TEXT, Forces, Reactions
+from .results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, STATUS_TEXT, Forces, Reactions
 from .robot import Robot
 
 Array = NDArray[np.float64]
@@ -56,19 +59,25 @@ def inverse_dynamics(
     motion: Motion,
     formulation: Formulation = "exact",
     backend: Backend = "c",
-    on_singular: OnFault = "raise",
+    on_singular: OnSingular = "raise",
 ) -> Forces:
     """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
 
     formulation: "exact", or "paper" for the equations as printed. backend: "c" (compiled on first use; NumPy
     serves where there is no compiler), "numpy" or "reference". on_singular: what to do about poses without
     an answer: "raise" ValueError, "warn" and return NaN there, or return "nan" silently; ``status`` tells.
+    "damped": where H is singular, F by damped least squares (``damped_solution``) with the status as it is,
+    and ``wrench_error`` says what F leaves wanting. Legs of length zero or along their universal axis have
+    no such answer: NaN, and a warning. All other poses are the same bits as without it.
 
     Returns Forces; shapes and units there. Raises ValueError for unknown options, for a motion without
     accelerations, and for poses without an answer.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    return _checked(kernel.forces(motion), robot, motion, on_singular)
+    found = kernel.forces(motion)
+    if on_singular == "damped":
+        found = _damped_forces(found, robot, motion, formulation)
+    return _checked(found, found.F, robot, motion, on_singular)
 
 
 def joint_reactions(
@@ -77,17 +86,20 @@ def joint_reactions(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     bearing: ArrayLike | None = None,
-    on_singular: OnFault = "raise",
+    on_singular: OnSingular = "raise",
 ) -> Reactions:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
     bearing: where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the
     base point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
-    answer either. Returns Reactions.
+    answer either. Damped, they are those of the damped forces. Returns Reactions.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
-    found = _without_overflow(kernel.reactions(motion, _bearing(bearing)))
-    return _checked(found, robot, motion, on_singular)
+    where = _bearing(bearing)
+    found = _without_overflow(kernel.reactions(motion, where))
+    if on_singular == "damped":
+        found = _damped_reactions(found, robot, motion, formulation, where)
+    return _checked(found, found.M_u, robot, motion, on_singular)
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -112,7 +124,7 @@ def _prepared(
     robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
 ) -> DynamicsKernel:
     need_motion(robot, motion)
-    option(on_singular, ON_FAULT, "on_singular")
+    option(on_singular, ON_SINGULAR, "on_singular")
     return prepared_kernel(robot, formulation, backend)
 
 
@@ -188,11 +200,54 @@ def _without_overflow(found: Reactions) -> Reactions:
     return Reactions(**values, status=np.where(overflown, NOT_FINITE, found.status).astype(np.int32))
 
 
+def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
+    """F, D, x, K, H, c and wrench_error by ``damped_solution``, of poses that may be singular; no status.
+
+    By the NumPy kernel, whatever backend refused the poses. NaN where a leg has no direction.
+    """
+    terms = NumpyKernel.prepare(robot, formulation).terms(motion)
+    with np.errstate(over="ignore", invalid="ignore"):
+        x, error = damped_solution(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
+        F = terms["D"] - x
+    return terms | {"F": F, "x": x, "wrench_error": error}
+
+
+def _damped_forces(found: Forces, robot: Robot, motion: Motion, formulation: str) -> Forces:
+    error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
+    singular = found.status == SINGULAR
+    if not singular.any():
+        return dataclasses.replace(found, wrench_error=error)
+    values = {name: getattr(found, name).copy() for name in ("F", "D", "x", "K", "H", "c")}
+    values["wrench_error"] = error
+    for name, value in damped_terms(robot, motion[singular], formulation).items():
+        values[name][singular] = value
+    return dataclasses.replace(found, **values)
+
+
+def _damped_reactions(
+    found: Reactions, robot: Robot, motion: Motion, formulation: str, bearing: Array
+) -> Reactions:
+    singular = found.status == SINGULAR
+    if not singular.any():
+        return found
+    poses = motion[singular]
+    x = damped_terms(robot, poses, formulation)["x"]
+    reactions = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
+    values = {name: getattr(found, name).copy() for name in reactions}
+    for name, value in reactions.items():
+        values[name][singular] = value
+    return dataclasses.replace(found, **values)
+
+
 Result = TypeVar("Result", Forces, Reactions)
 
 
-def _checked(result: Result, robot: Robot, motion: Motion, on_singular: str) -> Result:
-    report_faults(result.status, robot, motion, on_singular)
+def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
+    """The result, once its poses without an answer are told of; values (..., 6) are finite where damped."""
+    status = result.status
+    if on_singular == "damped":
+        status = np.where(np.isfinite(values).all(axis=-1), OK, status).astype(np.int32)
+    report_faults(status, robot, motion, on_singular)
     return result
 
 

@@ -1,4 +1,4 @@
-"""What is done about poses without an answer: an error, a warning, or NaN alone, as the caller asks.
+"""What is done about poses without an answer: an error, a warning, NaN alone or damping, as the caller asks.
 
 Stands at the bottom, below all that can fail at a pose; knows no reason for it.
 """
@@ -12,6 +12,10 @@ from numpy.typing import NDArray
 
 OnFault = Literal["raise", "warn", "nan"]
 ON_FAULT = ("raise", "warn", "nan")
+OnSingular = Literal["raise", "warn", "nan", "damped"]
+ON_SINGULAR = (*ON_FAULT, "damped")
+"""The same for solves of H x = c: "damped" gives the poses where H is singular the forces of ``damping``,
+which leave a part of the wrench wanting, and warns of those that have no answer for other reasons."""
 
 Index = tuple[int, ...]
 
@@ -23,7 +27,7 @@ class SingularPoseWarning(UserWarning):
 def report(
     status: NDArray[Any], name: str, describe: Callable[[], tuple[Index, str]], choice: str, stacklevel: int
 ) -> None:
-    """Raise ValueError or warn, as ``choice`` of ON_FAULT says, if a status is not 0.
+    """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
 
     name: the argument that held the pose. describe: index of the first such pose and why it has no answer.
     stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.

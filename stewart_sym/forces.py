@@ -18,12 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import instance, option
-from .dynamics import Formulation, need_motion, report_faults
-from .faults import ON_FAULT, OnFault
+from .dynamics import Formulation, damped_terms, need_motion, report_faults
+from .faults import ON_SINGULAR, OnSingular
 from .fidelity import force_kernel_name, model_numbers
 from .kernel import FORMULATIONS, MOTION, address, library, robot_numbers
 from .motion import Motion
-from .results import OK
+from .results import OK, SINGULAR
 from .robot import Robot
 
 Array = NDArray[Any]
@@ -87,16 +87,23 @@ class ForceKernel:
         """Type of the numbers that the kernel computes with."""
         return np.float64 if self.precision == "double" else np.float32
 
-    def forces(self, motion: Motion, threads: int = 1, on_singular: OnFault = "raise") -> Array:
+    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
         """Actuator forces, N, (..., 6), of every pose of ``motion``, (37).
 
         threads: how many share the work at most, the caller one of them; the result does not depend on it,
         and a batch too small to gain is not shared. on_singular: "raise" ValueError,
-        "warn" and return NaN, or return "nan" for poses without an answer.
+        "warn" and return NaN, or return "nan" for poses without an answer; "damped" as for
+        ``inverse_dynamics``, whose ``wrench_error`` tells what F leaves wanting, with fidelity "general"
+        alone.
         """
-        option(on_singular, ON_FAULT, "on_singular")
+        option(on_singular, ON_SINGULAR, "on_singular")
+        if on_singular == "damped" and self.fidelity != "general":
+            raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
         need_motion(self.robot, motion)
         F, status = self.forces_and_status(motion, threads)
+        if on_singular == "damped" and (singular := status == SINGULAR).any():
+            F[singular] = damped_terms(self.robot, motion[singular], self.formulation)["F"]
+            status = np.where(np.isfinite(F).all(axis=-1), OK, status).astype(np.int32)
         report_faults(status, self.robot, motion, on_singular, stacklevel=3)
         return F
 

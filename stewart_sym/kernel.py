@@ -165,10 +165,25 @@ class NumpyKernel:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
         return Forces(**module(self.name).inverse_dynamics(self.robot, loaded(motion)))
 
+    def terms(self, motion: Motion) -> dict[str, Array]:
+        """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
+        source, pose = module(self.name), loaded(motion)
+        with np.errstate(all="ignore"):
+            leg, platform = source.leg_dynamics(self.robot, pose), source.platform_wrench(self.robot, pose)
+            wrenches = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
+            c = np.concatenate([platform["c_force"], platform["c_moment"]], axis=-1) + wrenches.sum(axis=-2)
+        H = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).swapaxes(-1, -2)
+        return {"D": leg["D"], "K": leg["K"], "H": H, "c": c}
+
+    def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
+        """Joint reactions by name under axial forces x, N, (..., 6); ``bearing`` (6,), m. No status."""
+        found: dict[str, Array] = module(self.name).joint_reactions(self.robot, loaded(motion), x, bearing)
+        return found
+
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
         forces = self.forces(motion)
-        found = module(self.name).joint_reactions(self.robot, loaded(motion), forces.x, bearing)
+        found = self.reactions_of(motion, forces.x, bearing)
         bad = forces.status != 0
         blank = {
             name: np.where(bad[(..., *(None,) * (value.ndim - bad.ndim))], np.nan, value)

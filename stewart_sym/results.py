@@ -43,6 +43,8 @@ class Forces:
     H: maps x to the wrench on the platform, (..., 6, 6); rows 0-2 unitless, rows 3-5 m, (36).
     c: wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
     status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
+    wrench_error: c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion
+        needs. 0 where H x = c was solved, NaN without an answer; None unless damping was asked for.
     """
 
     F: NDArray[np.float64]
@@ -52,6 +54,7 @@ class Forces:
     H: NDArray[np.float64]
     c: NDArray[np.float64]
     status: NDArray[np.int32]
+    wrench_error: NDArray[np.float64] | None = None
 
 
 @dataclass(frozen=True, eq=False)

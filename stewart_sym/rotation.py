@@ -4,12 +4,19 @@ Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, 
 times the angle, base axes.  They know nothing of robots or motions.
 """
 
+import math
+
 import numpy as np
+from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import real_array
 
 Array = NDArray[np.float64]
+
+# Series by |phi|^2 of (1 - cos |phi|) / |phi|^2 and of (|phi| - sin |phi|) / |phi|^3.
+_A = np.array([(-1.0) ** k / math.factorial(2 * k + 2) for k in range(11)])
+_B = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(11)])
 
 
 def rotation_from_rpy(theta: ArrayLike) -> Array:
@@ -125,6 +132,33 @@ def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
     return np.asarray(omega - 0.5 * across + c * cross(phi, across))
 
 
+def angular_motion_from_vector(
+    phi: ArrayLike, phi_dot: ArrayLike, phi_ddot: ArrayLike
+) -> tuple[Array, Array]:
+    """Return omega, rad/s, and alpha, rad/s^2, (..., 3), base axes, of exp([phi]x) and its rates, (..., 3).
+
+    omega = phi' + a phi x phi' + b phi x (phi x phi'),  a = (1 - cos |phi|) / |phi|^2,
+    b = (|phi| - sin |phi|) / |phi|^3; alpha is its time derivative.
+    """
+    phi, phi_dot = _angles(phi, "phi"), _angles(phi_dot, "phi_dot")
+    phi_ddot = _angles(phi_ddot, "phi_ddot")
+    a, b, _, _ = _vector_factors(phi)
+    once = cross(phi, phi_dot)
+    omega = phi_dot + a * once + b * cross(phi, once)
+    second = cross(phi, phi_ddot)
+    alpha = phi_ddot + a * second + b * cross(phi, second) + _turning(phi, phi_dot)
+    return omega, alpha
+
+
+def vector_second_rate(phi: ArrayLike, omega: ArrayLike, alpha: ArrayLike) -> Array:
+    """Return phi'', rad/s^2, (..., 3), where exp([phi]x) turns with omega, rad/s, and alpha, rad/s^2.
+
+    Needs |phi| < 2 pi.
+    """
+    phi, alpha = _angles(phi, "phi"), _angles(alpha, "alpha")
+    return vector_rate(phi, alpha - _turning(phi, vector_rate(phi, omega)))
+
+
 def orthonormal(R: Array) -> Array:
     """Return R, (..., 3, 3), without the rounding of one product: Newton's step to the nearest rotation."""
     return np.asarray(R @ (3.0 * np.eye(3) - np.swapaxes(R, -1, -2) @ R) / 2.0)
@@ -145,6 +179,35 @@ def cross_matrix(vector: Array) -> Array:
     N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -z, y, -x
     N[..., 1, 0], N[..., 2, 0], N[..., 2, 1] = z, -y, x
     return N
+
+
+def _turning(phi: Array, phi_dot: Array) -> Array:
+    """What alpha has of phi' alone."""
+    _, b, a_slope, b_slope = _vector_factors(phi)
+    growth = 2.0 * np.sum(phi * phi_dot, axis=-1, keepdims=True)
+    once = cross(phi, phi_dot)
+    return np.asarray(growth * (a_slope * once + b_slope * cross(phi, once)) + b * cross(phi_dot, once))
+
+
+def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
+    """a and b of ``angular_motion_from_vector`` and their derivatives by |phi|^2, (..., 1)."""
+    square = np.sum(phi * phi, axis=-1, keepdims=True)
+    # Below 1 rad the closed forms cancel; eleven terms of the series are then good to rounding.
+    small = np.minimum(square, 1.0)
+    x = np.sqrt(np.maximum(square, 1.0))
+    sine, cosine = np.sin(x), np.cos(x)
+    closed = (
+        (1.0 - cosine) / x**2,
+        (x - sine) / x**3,
+        (x * sine - 2.0 * (1.0 - cosine)) / (2.0 * x**4),
+        (3.0 * sine - x * (2.0 + cosine)) / (2.0 * x**5),
+    )
+    series = (_A, _B, polynomial.polyder(_A), polynomial.polyder(_B))
+    pairs = zip(closed, series, strict=True)
+    a, b, a_slope, b_slope = (
+        np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
+    )
+    return a, b, a_slope, b_slope
 
 
 def _sinc(x: Array) -> Array:

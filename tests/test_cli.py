@@ -518,10 +518,108 @@ def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
     assert folder_state(target) == written
 
 
+# singularities
+
+
+@pytest.fixture
+def crossing(tmp_path: Path) -> Path:
+    """Path III with its rates every 0.3 s; H is singular between rows 14 and 15."""
+    target = tmp_path / "crossing.csv"
+    path = ss.PATHS["III"].path
+    time = path.times(0.3)
+    motion = path.sample(time)
+    theta = ss.motion.rpy_from_rotation(motion.R)
+    rates = np.gradient(theta, time, axis=0, edge_order=2)
+    vectors = {"t": motion.t, "theta": theta, "v": motion.v, "theta_dot": rates, "a": motion.a}
+    vectors["theta_ddot"] = np.zeros_like(theta)
+    columns = {"time": time}
+    columns |= {f"{name}_{axis}": x[:, j] for name, x in vectors.items() for j, axis in enumerate("xyz")}
+    target.write_text("".join(csv_lines(columns)))
+    return target
+
+
+def test_forces_warns_of_a_singular_pose_between_samples(
+    robot: Path, crossing: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    output = robot.parent / "f.csv"
+    assert main(["forces", str(robot), str(crossing), "-o", str(output)]) == 0
+    (line,) = [line for line in capsys.readouterr().err.splitlines() if "singular" in line]
+    found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between rows 14 and 15: .* - to \+", line)
+    assert found is not None, line
+    assert float(found[1]) == pytest.approx(3.6705, abs=1e-3)
+    assert re.search(
+        r"condition number \S+, .* v = \(0\.73\d+, .*\) m/s, omega = \(-0\.75\d+, .*rad/s$", line
+    )
+    assert len(read(output)) == 21
+    assert {row["status"] for row in read(output)} == {"0"}
+    assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
+    assert "singular" not in capsys.readouterr().err
+
+
+def test_forces_of_a_single_instant_are_no_path(robot: Path, crossing: Path) -> None:
+    crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
+    assert main(["forces", str(robot), str(crossing), "-o", str(robot.parent / "f.csv")]) == 0
+
+
+def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = robot.parent / "found"
+    assert main(["singularities", str(robot), "III", "-o", str(folder)]) == 0
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "crossing_1.png",
+        "events.csv",
+        "path.csv",
+        "path.png",
+        "report.txt",
+    ]
+    text = (folder / "report.txt").read_text()
+    assert capsys.readouterr().out.startswith(text)
+    assert "Crossing 1 at 3.670504110" in text
+    assert "det H          - before, + after" in text
+    assert "most affected  leg 2: -inf before, +inf after" in text
+    assert "lost motion    v = (0.733923, 0.305677, -0.535366) m/s" in text
+    (event,) = read(folder / "events.csv")
+    assert (event["crossing"], event["side_before"], event["side_after"]) == ("1", "-1", "1")
+    assert float(event["A1"]) == pytest.approx(-27554.33, rel=1e-6)
+    sides = [float(row["F2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05]
+    assert min(sides) < -1e6
+    assert max(sides) > 1e6
+
+
+def test_singularities_of_a_path_that_crosses_none(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = robot.parent / "found"
+    assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
+    assert sorted(path.name for path in folder.iterdir()) == ["events.csv", "path.csv", "report.txt"]
+    out = capsys.readouterr().out
+    assert "crossings  0" in out
+    assert "Nearest approach at" in out
+    events = read(folder / "events.csv")
+    assert {event["crossing"] for event in events} == {"0"}
+
+
+def test_singularities_refuses_in_one_line(
+    robot: Path, trajectory: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = robot.parent / "found"
+    line = fails_in_one_line(capsys, "singularities", robot, "IV", "-o", folder)
+    assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")
+    start = ["--start", *"000000"]
+    for path in (trajectory, "III"):
+        line = fails_in_one_line(capsys, "singularities", robot, path, "-o", folder, *start)
+        assert "--start: is for a trajectory of leg lengths" in line
+    crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
+    line = fails_in_one_line(capsys, "singularities", robot, crossing, "-o", folder)
+    assert line.endswith("expected at least 2 instants, got 1")
+    assert not folder.exists()
+
+
 # the command as a whole
 
 
-@pytest.mark.parametrize("verb", ["reproduce", "check", "forces", "derive", "generate", "control"])
+@pytest.mark.parametrize(
+    "verb", ["reproduce", "check", "forces", "singularities", "derive", "generate", "control"]
+)
 def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
         main([verb, "--help"])

@@ -14,11 +14,20 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
-    {"checks", "faults", "publish", "results", "rotation", "tables", "generated"},
+    {"checks", "faults", "publish", "results", "rotation", "search", "tables", "generated"},
     {"robot", "motion", "native"},
-    {"robots", "reference", "reference_equations", "conditioning", "kinematics", "trajectory", "kernel"},
-    {"forward", "joint_space", "fidelity", "units"},
-    {"dynamics", "forces"},
+    {
+        "robots",
+        "reference",
+        "reference_equations",
+        "conditioning",
+        "kinematics",
+        "trajectory",
+        "kernel",
+        "damping",
+    },
+    {"forward", "joint_space", "fidelity", "interpolation", "singularity", "units"},
+    {"dynamics", "forces", "passage"},
     {"closed_form", "bounds"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},

@@ -1,0 +1,95 @@
+"""A trajectory between its instants: the quintic that keeps their poses, rates and accelerations.
+
+Stands on ``trajectory``; needs NumPy alone. Between instants whose rates come from a spline of degree 5, as
+those of ``read_csv``, positions are that spline.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .checks import real_array
+from .motion import Motion
+from .rotation import (
+    angular_motion_from_vector,
+    orthonormal,
+    rotation_from_vector,
+    vector_from_rotation,
+    vector_rate,
+    vector_second_rate,
+)
+from .trajectory import Trajectory
+
+Array = NDArray[np.float64]
+Path = Callable[[Array], Motion]
+"""Times, s, (n,) -> the motion there, of shape (n,)."""
+
+
+def between(trajectory: Trajectory) -> Path:
+    """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
+
+    Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
+    loads change linearly. Raises ValueError for fewer than two instants, and the function for times outside.
+    """
+    time, motion = trajectory.time, trajectory.motion
+    if len(time) < 2:
+        raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
+    assert motion.alpha is not None
+    assert motion.a is not None
+    step = np.diff(time)
+    start, end = slice(None, -1), slice(1, None)
+    turn = vector_from_rotation(motion.R[end] @ np.swapaxes(motion.R[start], -1, -2))
+    omega, alpha, zero = motion.omega, motion.alpha, np.zeros_like(turn)
+    angles = _quintic(
+        step,
+        (zero, omega[start], alpha[start]),
+        (turn, vector_rate(turn, omega[end]), vector_second_rate(turn, omega[end], alpha[end])),
+    )
+    places = _quintic(
+        step,
+        (motion.t[start], motion.v[start], motion.a[start]),
+        (motion.t[end], motion.v[end], motion.a[end]),
+    )
+
+    def at(times: ArrayLike) -> Motion:
+        when = real_array(times, "times")
+        outside = ~((when >= time[0]) & (when <= time[-1]))
+        if np.any(outside):
+            raise ValueError(
+                f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
+            )
+        i = np.minimum(np.searchsorted(time, when, side="right") - 1, len(step) - 1)
+        h = step[i][..., None]
+        share = (when - time[i])[..., None] / h
+        t, v, a = _values(places[:, i], share, h)
+        phi, phi_dot, phi_ddot = _values(angles[:, i], share, h)
+        omega, alpha = angular_motion_from_vector(phi, phi_dot, phi_ddot)
+        R = orthonormal(rotation_from_vector(phi) @ motion.R[i])
+        loads = {
+            name: None if load is None else load[i] + share * (load[i + 1] - load[i])
+            for name, load in (("F_ext", motion.F_ext), ("M_ext", motion.M_ext))
+        }
+        return Motion(R, t, omega, v, alpha, a, **loads)
+
+    return at
+
+
+Ends = tuple[Array, Array, Array]
+
+
+def _quintic(step: Array, first: Ends, last: Ends) -> Array:
+    """Coefficients, (6, n, 3), of powers of the share of a step, from values, rates and second rates."""
+    h = step[:, None]
+    c_0, c_1, c_2 = first[0], h * first[1], 0.5 * h**2 * first[2]
+    d, e, f = last[0] - c_0 - c_1 - c_2, h * last[1] - c_1 - 2.0 * c_2, h**2 * last[2] - 2.0 * c_2
+    c_3, c_4, c_5 = 10.0 * d - 4.0 * e + 0.5 * f, -15.0 * d + 7.0 * e - f, 6.0 * d - 3.0 * e + 0.5 * f
+    return np.stack([c_0, c_1, c_2, c_3, c_4, c_5])
+
+
+def _values(c: Array, share: Array, h: Array) -> Ends:
+    """Value, rate and second rate at shares of steps h, s, of coefficients (6, ..., 3)."""
+    x = c[0] + share * (c[1] + share * (c[2] + share * (c[3] + share * (c[4] + share * c[5]))))
+    rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))
+    second = 2.0 * c[2] + share * (6.0 * c[3] + share * (12.0 * c[4] + share * 20.0 * c[5]))
+    return x, rate / h, second / h**2
