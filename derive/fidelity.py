@@ -85,13 +85,20 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
         raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
     riding = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
     kernel = regroup.with_constants(form, level.friction, _platform(level), _leg(level), riding)
-    kernel = regroup.about_base_point(kernel)
-    if not level.moving:
-        shared, leg = (specialised(block, _AT_REST) for block in (kernel.shared, kernel.leg))
-        kernel = replace(kernel, shared=_without_zeros(shared), leg=leg)
-    leg = _without_zeros(kernel.leg)
-    final = regroup.with_constants(form, level.friction, kernel.shared, leg, riding)
-    return replace(final, about_base_point=True, fidelity=level.name, meaning=level.meaning)
+    near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
+    kernel = regroup.about_base_point(replace(kernel, leg_near_pole=near))
+    shared, leg, near = (_stated(level, block) for block in (kernel.shared, kernel.leg, kernel.leg_near_pole))
+    final = regroup.with_constants(form, level.friction, shared, leg, riding)
+    return replace(
+        final, leg_near_pole=near, about_base_point=True, fidelity=level.name, meaning=level.meaning
+    )
+
+
+def _stated(level: Fidelity, block: Block | None) -> Block | None:
+    """The block as the level has it: at rest where it says so, without outputs that are zero."""
+    if block is None:
+        return None
+    return _without_zeros(block if level.moving else specialised(block, _AT_REST))
 
 
 _AT_REST: Mapping[sp.Symbol, sp.Expr] = {
@@ -111,11 +118,11 @@ def _platform(level: Fidelity) -> Block:
     return regroup.shared(level.friction)
 
 
-def _leg(level: Fidelity) -> Block:
+def _leg(level: Fidelity, near_pole: bool = False) -> Block:
     if level.legs == GENERAL:
-        return regroup.joint_leg(level.friction)
+        return regroup.joint_leg(level.friction, near_pole)
     if level.legs == AXISYMMETRIC or level.friction:
-        return specialised(regroup.joint_leg(level.friction), _constants(level.legs), p.LEG)
+        return specialised(regroup.joint_leg(level.friction, near_pole), _constants(level.legs), p.LEG)
     return _massless_leg() if level.legs == MASSLESS else _slender_leg(_across(level.legs))
 
 

@@ -47,6 +47,7 @@ def shared_blocks(raw: ForceKernel) -> ForceKernel:
         prepare_platform=share(raw.prepare_platform),
         shared=share(raw.shared),
         leg=share(raw.leg),
+        leg_near_pole=None if raw.leg_near_pole is None else share(raw.leg_near_pole),
     )
 
 

@@ -16,14 +16,17 @@ import sympy as sp
 from . import notation as n
 from . import prepared as p
 from .block import Builder
-from .leg import cross
+from .leg import cross, perpendicular
 
 HALF = sp.Rational(1, 2)
 
 
 @dataclass(frozen=True)
 class JointFrame:
-    """Where the leg is: tip q, s, y of its frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, k1 / k3."""
+    """Where the leg is: tip q, s, y of its frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, k1 / k3.
+
+    z: third axis of the frame, or None where the fixed axis stands for it.
+    """
 
     q: sp.Matrix
     s: sp.Matrix
@@ -34,6 +37,7 @@ class JointFrame:
     k1: sp.Expr
     k3: sp.Expr
     kappa: sp.Expr
+    z: sp.Matrix | None = None
 
 
 @dataclass(frozen=True)
@@ -87,8 +91,12 @@ class JointForces:
     about_k: sp.Expr
 
 
-def joint_frame(build: Builder) -> JointFrame:
-    """(1)-(3) and (10), with the fixed axis as the measure of everything."""
+def joint_frame(build: Builder, near_pole: bool = False) -> JointFrame:
+    """(1)-(3) and (10), with the fixed axis as the measure of everything.
+
+    near_pole: with z, and with y made perpendicular to s once more. What is measured along the fixed axis
+    loses digits like k1 / k3 near the joint's pole; what is measured along z does not.
+    """
     k = n.k.value
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
     S = build.vector("S", q + n.t.value - n.b.value, "(1)", "leg vector")
@@ -101,17 +109,25 @@ def joint_frame(build: Builder) -> JointFrame:
     rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
     inv_L = build.scalar("inv_L", 1 / L)
     inv_rho = build.scalar("inv_rho", 1 / rho)
+    s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
+    meaning, z = "second axis of the leg frame", None
+    if near_pole:
+        y = perpendicular(build, normal * inv_rho, s, meaning)
+        z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
+    else:
+        y = build.vector("y", normal * inv_rho, "(10)", meaning)
     meaning = "k = (k1, 0, k3) in the leg frame"
     return JointFrame(
         q,
-        s=build.vector("s", S * inv_L, "(3)", "unit vector along the leg"),
-        y=build.vector("y", normal * inv_rho, "(10)", "second axis of the leg frame"),
+        s,
+        y,
         L=L,
         inv_L=inv_L,
         inv_rho=inv_rho,
         k1=build.scalar("k1", zeta * inv_L, "(10)", meaning),
         k3=build.scalar("k3", rho * inv_L, "(10)", meaning),
         kappa=build.scalar("kappa", zeta * inv_rho, "(10)", "k1 / k3"),
+        z=z,
     )
 
 
@@ -120,7 +136,10 @@ def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
     meaning = "rates of the joint coordinates: L, phi about k, theta about y"
     L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", meaning)
     phi_dot = build.scalar("phi_dot", at.inv_rho * at.y.dot(S_dot), "(6)", meaning)
-    theta_dot = build.scalar("theta_dot", at.inv_rho * (at.k1 * L_dot - n.k.value.dot(S_dot)), "(6)", meaning)
+    across = (
+        at.inv_rho * (at.k1 * L_dot - n.k.value.dot(S_dot)) if at.z is None else -at.inv_L * at.z.dot(S_dot)
+    )
+    theta_dot = build.scalar("theta_dot", across, "(6)", meaning)
     L_share = build.scalar("L_share", at.inv_L * L_dot, "", "L_dot / L")
     lean = build.scalar("lean", at.kappa * theta_dot)
     return JointRates(
@@ -144,13 +163,12 @@ def joint_accelerations(
     L_ddot = build.scalar(
         "L_ddot", at.s.dot(S_ddot) + at.L * (rates.theta2 + k33 * rates.phi2), "(8)", meaning
     )
-    theta_ddot = build.scalar(
-        "theta_ddot",
-        at.inv_rho * (at.k1 * L_ddot - n.k.value.dot(S_ddot))
-        - rates.theta * (rates.rho_share + rates.L_share),
-        "(9)",
-        meaning,
-    )
+    if at.z is None:
+        across = at.inv_rho * (at.k1 * L_ddot - n.k.value.dot(S_ddot))
+        across -= rates.theta * (rates.rho_share + rates.L_share)
+    else:
+        across = at.k1 * at.k3 * rates.phi2 - at.inv_L * at.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
+    theta_ddot = build.scalar("theta_ddot", across, "(9)", meaning)
     phi_ddot = build.scalar(
         "phi_ddot", at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.rho_share, "(9)", meaning
     )
@@ -237,11 +255,25 @@ def joint_forces(
 
 def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.Expr, sp.Matrix]:
     """D and K at the spherical joint, (21), (24); K = Q_k k + Q_y y carries a part along s, D is to match."""
+    if at.z is not None:
+        return _tip_force_near_pole(build, at, at.z, forces)
     meaning = "K = Q_k k + Q_y y, up to a part along s"
     Q_k = build.scalar("Q_k", -at.inv_rho * forces.about_y, "(21)", meaning)
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
     K = build.vector("K", Q_k * n.k.value + Q_y * at.y, "(21)", "force at the spherical joint, base frame")
     D = build.scalar("D", forces.along - at.k1 * Q_k, "(24)", "known part of the actuator force, to match")
+    return D, K
+
+
+def _tip_force_near_pole(
+    build: Builder, at: JointFrame, z: sp.Matrix, forces: JointForces
+) -> tuple[sp.Expr, sp.Matrix]:
+    """The same with K = Q_y y + Q_z z; what rounding leaves of it along s is taken from D."""
+    meaning = "K = Q_y y + Q_z z"
+    Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
+    Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
+    K = build.vector("K", Q_y * at.y + Q_z * z, "(21)", "force at the spherical joint, base frame")
+    D = build.scalar("D", forces.along - at.s.dot(K), "(24)", "known part of the actuator force, to match")
     return D, K
 
 

@@ -133,9 +133,21 @@ def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Ex
     k1 = build.scalar("k1", k.dot(s), "(10)", "k = (k1, 0, k3) in the leg frame")
     inv_k3 = build.scalar("inv_k3", 1 / k3)
     kappa = build.scalar("kappa", k1 * inv_k3, "", "spin of the leg about s for each turn about z")
-    y = build.vector("y", ks * inv_k3, "(10)", "rotating axis of the universal joint")
+    y = perpendicular(build, ks * inv_k3, s, "rotating axis of the universal joint")
     z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
     return sp.Matrix.hstack(s, y, z), sp.Matrix([k1, 0, k3]), inv_k3, kappa
+
+
+def perpendicular(build: Builder, normal: sp.Matrix, s: sp.Matrix, meaning: str) -> sp.Matrix:
+    """y of (10) from (k x s) / |k x s|, both of length one, made perpendicular to s once more.
+
+    The smaller |k x s|, the more rounding leaves of k x s along s. Taking that part away makes y shorter by
+    its square, which the factor puts back; in exact arithmetic there is no such part.
+    """
+    raw = build.vector("y_raw", normal, "(10)", "k x s, of length one")
+    along = build.scalar("y_s", s.dot(raw), "", "rounding: nothing of k x s lies along s")
+    size = build.scalar("y_size", 1 + sp.Rational(1, 2) * along**2)
+    return build.vector("y", size * raw - along * s, "(10)", meaning)
 
 
 # ---------------------------------------------------------------- rotation of the leg

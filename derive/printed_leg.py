@@ -11,15 +11,18 @@ from . import notation as n
 from . import prepared as p
 from .block import Builder
 from .formulation import Formulation
-from .leg import cross, leg_vector
+from .leg import cross, leg_vector, perpendicular
 
 
 def printed_leg(
-    build: Builder, form: Formulation, friction: bool
+    build: Builder, form: Formulation, friction: bool, near_pole: bool = False
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Expr, sp.Matrix, sp.Matrix]:
-    """q, s, L, k3, D, K and f of the leg, (1)-(24)."""
+    """q, s, L, k3, D, K and f of the leg, (1)-(24).
+
+    near_pole: with y made perpendicular to s once more.
+    """
     q, _, L, inv_L, s = leg_vector(build)
-    y, z, k3 = _frame(build, s)
+    y, z, k3 = _frame(build, s, near_pole)
     S_dot = build.vector(
         "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
     )
@@ -50,11 +53,16 @@ def printed_leg(
     return q, s, L, k3, build.scalar("D", D, "(24)", "known part of the actuator force"), K, f
 
 
-def _frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
+def _frame(build: Builder, s: sp.Matrix, near_pole: bool) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
     """y, z and k3 of (10)."""
     normal = build.vector("k_cross_s", cross(n.k.value, s), "(10)", "normal to the fixed axis and the leg")
     k3 = build.scalar("k3", sp.sqrt(normal.dot(normal)), "(10)", "|k x s|")
-    y = build.vector("y", normal * build.scalar("inv_k3", 1 / k3), "(10)", "second axis of the leg frame")
+    inv_k3 = build.scalar("inv_k3", 1 / k3)
+    meaning = "second axis of the leg frame"
+    if near_pole:
+        y = perpendicular(build, normal * inv_k3, s, meaning)
+    else:
+        y = build.vector("y", normal * inv_k3, "(10)", meaning)
     return y, build.vector("z", cross(s, y), "(10)", "third axis of the leg frame"), k3
 
 

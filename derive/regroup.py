@@ -37,9 +37,10 @@ class ForceKernel:
     """The blocks from which the actuator forces are computed.
 
     prepare_leg, prepare_platform: constants, once per robot; shared: what the pose has for all legs, with the
-    platform's part of c; leg: D, a column of H and a part of c of one leg. about_base_point: moments are
-    about base point 1 and leg 1 has none; otherwise they are about the reference point. per_length: 1/m, of
-    a baked kernel, one over the length by which float takes its moments.
+    platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_pole: the same, for poses
+    in which a leg is near the pole of its universal joint. about_base_point: moments are about base point 1
+    and leg 1 has none; otherwise they are about the reference point. per_length: 1/m, of a baked kernel, one
+    over the length by which float takes its moments.
     """
 
     formulation: Formulation
@@ -48,6 +49,7 @@ class ForceKernel:
     prepare_platform: Block
     shared: Block
     leg: Block
+    leg_near_pole: Block | None = None
     about_base_point: bool = False
     fidelity: str = "general"
     meaning: str = ""
@@ -107,8 +109,12 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     """All constants regrouped, moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
-    leg = _printed_leg(form, friction) if form.no_spin else joint_leg(friction)
-    return with_constants(form, friction, shared(friction), leg, p.Riding(mass=True, friction=friction))
+    riding = p.Riding(mass=True, friction=friction)
+    if form.no_spin:
+        leg, near = (_printed_leg(form, friction, near_pole) for near_pole in (False, True))
+    else:
+        leg, near = (joint_leg(friction, near_pole) for near_pole in (False, True))
+    return replace(with_constants(form, friction, shared(friction), leg, riding), leg_near_pole=near)
 
 
 def with_constants(
@@ -134,7 +140,8 @@ def about_base_point(kernel: ForceKernel) -> ForceKernel:
     pose = _pose_about_base_point(kernel.shared)
     riding = p.riding(kernel.prepare_leg)
     moved = with_constants(kernel.formulation, kernel.friction, pose, leg, riding)
-    return replace(moved, about_base_point=True, fidelity=kernel.fidelity)
+    near = None if kernel.leg_near_pole is None else _leg_about_base_point(kernel.leg_near_pole)
+    return replace(moved, leg_near_pole=near, about_base_point=True, fidelity=kernel.fidelity)
 
 
 def from_base_point(leg: Block) -> Block:
@@ -305,10 +312,10 @@ def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     return S_dot, S_ddot
 
 
-def joint_leg(friction: bool) -> Block:
-    """The general leg in the coordinates of its joints."""
+def joint_leg(friction: bool, near_pole: bool = False) -> Block:
+    """The general leg in the coordinates of its joints; ``near_pole`` as in ``joint_frame``."""
     build = Builder()
-    at = joint_frame(build)
+    at = joint_frame(build, near_pole)
     S_dot, S_ddot = tip_motion(build, at.q)
     rates = joint_rates(build, at, S_dot)
     accelerations = joint_accelerations(build, at, rates, S_ddot)
@@ -317,10 +324,10 @@ def joint_leg(friction: bool) -> Block:
     return closed_leg(build, meaning, at.q, at.s, at.L, at.k3, D, K, friction_moment(at, rates, friction))
 
 
-def _printed_leg(form: Formulation, friction: bool) -> Block:
+def _printed_leg(form: Formulation, friction: bool, near_pole: bool) -> Block:
     build = Builder()
     meaning = "one leg in its frame: D, its column of H and its part of c"
-    return closed_leg(build, meaning, *printed_leg(build, form, friction))
+    return closed_leg(build, meaning, *printed_leg(build, form, friction, near_pole))
 
 
 def _plain_leg(form: Formulation, share: LegShare, friction: bool) -> Block:

@@ -7,12 +7,12 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
-leg      399 (222 mul, 173 add, 2 div, 2 sqrt)     349 (197 mul, 148 add, 2 div, 2 sqrt)
+leg      416 (233 mul, 179 add, 2 div, 2 sqrt)     366 (208 mul, 154 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
 solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2852 (1561 mul, 1261 add, 18 div, 12 sqrt) 2552 (1411 mul, 1111 add, 18 div, 12 sqrt)
+total    2954 (1627 mul, 1297 add, 18 div, 12 sqrt) 2654 (1477 mul, 1147 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -24,20 +24,20 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (222, 173, 2, 2),
+        "leg": (233, 179, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1561, 1261, 18, 12),
+        "total": (1627, 1297, 18, 12),
     },
     "frictionless": {
-        "leg": (197, 148, 2, 2),
+        "leg": (208, 154, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1411, 1111, 18, 12),
+        "total": (1477, 1147, 18, 12),
     },
 }
 
@@ -78,7 +78,7 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
 
-    Operations: 399 (222 mul, 173 add, 2 div, 2 sqrt).
+    Operations: 416 (233 mul, 179 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -176,10 +176,17 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     inv_k3 = 1/k3
     # spin of the leg about s for each turn about z
     kappa = inv_k3*k1
+    # (10) k x s, of length one
+    y_raw_x = inv_k3*k_cross_s_x
+    y_raw_y = inv_k3*k_cross_s_y
+    y_raw_z = inv_k3*k_cross_s_z
+    # rounding: nothing of k x s lies along s
+    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
+    y_size = 0.5*y_s*y_s + 1
     # (10) rotating axis of the universal joint
-    y_x = inv_k3*k_cross_s_x
-    y_y = inv_k3*k_cross_s_y
-    y_z = inv_k3*k_cross_s_z
+    y_x = y_raw_x*y_size - s_x*y_s
+    y_y = y_raw_y*y_size - s_y*y_s
+    y_z = y_raw_z*y_size - s_z*y_s
     # (10) third axis of the leg frame
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
@@ -390,7 +397,7 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
     """One leg: joint reactions, (21), (26)-(29), (17).
 
-    Operations: 490 (270 mul, 216 add, 2 div, 2 sqrt).
+    Operations: 507 (281 mul, 222 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -488,10 +495,17 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     inv_k3 = 1/k3
     # spin of the leg about s for each turn about z
     kappa = inv_k3*k1
+    # (10) k x s, of length one
+    y_raw_x = inv_k3*k_cross_s_x
+    y_raw_y = inv_k3*k_cross_s_y
+    y_raw_z = inv_k3*k_cross_s_z
+    # rounding: nothing of k x s lies along s
+    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
+    y_size = 0.5*y_s*y_s + 1
     # (10) rotating axis of the universal joint
-    y_x = inv_k3*k_cross_s_x
-    y_y = inv_k3*k_cross_s_y
-    y_z = inv_k3*k_cross_s_z
+    y_x = y_raw_x*y_size - s_x*y_s
+    y_y = y_raw_y*y_size - s_y*y_s
+    y_z = y_raw_z*y_size - s_z*y_s
     # (10) third axis of the leg frame
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z

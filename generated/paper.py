@@ -7,12 +7,12 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
-leg      316 (177 mul, 135 add, 2 div, 2 sqrt)     270 (153 mul, 113 add, 2 div, 2 sqrt)
+leg      333 (188 mul, 141 add, 2 div, 2 sqrt)     287 (164 mul, 119 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
 solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2354 (1291 mul, 1033 add, 18 div, 12 sqrt) 2078 (1147 mul, 901 add, 18 div, 12 sqrt)
+total    2456 (1357 mul, 1069 add, 18 div, 12 sqrt) 2180 (1213 mul, 937 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -24,20 +24,20 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (177, 135, 2, 2),
+        "leg": (188, 141, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1291, 1033, 18, 12),
+        "total": (1357, 1069, 18, 12),
     },
     "frictionless": {
-        "leg": (153, 113, 2, 2),
+        "leg": (164, 119, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1147, 901, 18, 12),
+        "total": (1213, 937, 18, 12),
     },
 }
 
@@ -78,7 +78,7 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
 
-    Operations: 316 (177 mul, 135 add, 2 div, 2 sqrt).
+    Operations: 333 (188 mul, 141 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -171,10 +171,17 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     # (10) k = (k1, 0, k3) in the leg frame
     k3 = np.sqrt(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z)
     inv_k3 = 1/k3
+    # (10) k x s, of length one
+    y_raw_x = inv_k3*k_cross_s_x
+    y_raw_y = inv_k3*k_cross_s_y
+    y_raw_z = inv_k3*k_cross_s_z
+    # rounding: nothing of k x s lies along s
+    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
+    y_size = 0.5*y_s*y_s + 1
     # (10) rotating axis of the universal joint
-    y_x = inv_k3*k_cross_s_x
-    y_y = inv_k3*k_cross_s_y
-    y_z = inv_k3*k_cross_s_z
+    y_x = y_raw_x*y_size - s_x*y_s
+    y_y = y_raw_y*y_size - s_y*y_s
+    y_z = y_raw_z*y_size - s_z*y_s
     # (10) third axis of the leg frame
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z
@@ -376,7 +383,7 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
     """One leg: joint reactions, (21), (26)-(29), (17).
 
-    Operations: 410 (226 mul, 180 add, 2 div, 2 sqrt).
+    Operations: 427 (237 mul, 186 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -469,10 +476,17 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     # (10) k = (k1, 0, k3) in the leg frame
     k3 = np.sqrt(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z)
     inv_k3 = 1/k3
+    # (10) k x s, of length one
+    y_raw_x = inv_k3*k_cross_s_x
+    y_raw_y = inv_k3*k_cross_s_y
+    y_raw_z = inv_k3*k_cross_s_z
+    # rounding: nothing of k x s lies along s
+    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
+    y_size = 0.5*y_s*y_s + 1
     # (10) rotating axis of the universal joint
-    y_x = inv_k3*k_cross_s_x
-    y_y = inv_k3*k_cross_s_y
-    y_z = inv_k3*k_cross_s_z
+    y_x = y_raw_x*y_size - s_x*y_s
+    y_y = y_raw_y*y_size - s_y*y_s
+    y_z = y_raw_z*y_size - s_z*y_s
     # (10) third axis of the leg frame
     z_x = s_y*y_z - s_z*y_y
     z_y = s_z*y_x - s_x*y_z

@@ -19,6 +19,7 @@ from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
+from .lane_scale import SWITCH, UNIT_OF_LENGTH_BY_LEGS
 from .lane_text import JUDGED, dims, entries, filled, loads, names_used, stores
 
 _SQRT = "STEWART_SQRT"
@@ -42,7 +43,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     prepared = blocks.prepare_leg, blocks.prepare_platform
     parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + "\n" + IS_FINITE,
+        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
         *(
@@ -51,6 +52,7 @@ def source(kernel: ForceKernel, version: str) -> str:
             )
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
+        UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
         filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
         _function(_LEG, _values(blocks.leg, blocks.pose_owner)),
@@ -69,7 +71,7 @@ def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
     blocks = _Blocks(kernel)
     leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
-    return 6 * leg + _numbers(blocks.prepare_platform, kernel.platform_constants()) + 1
+    return 6 * leg + _numbers(blocks.prepare_platform, kernel.platform_constants()) + 2
 
 
 def python_module(kernel: ForceKernel, version: str) -> str:
@@ -421,6 +423,7 @@ typedef struct {
     stewart_@NAME@_bounds_leg leg[6];
     stewart_@NAME@_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
+    stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
 } stewart_@NAME@_bounds_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
@@ -470,7 +473,6 @@ _TOP = """\
 """
 
 _MACROS = """
-#define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
 /* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
@@ -605,6 +607,10 @@ int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bou
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
+    made.per_length = 1;
+#if defined(STEWART_SCALED)
+    made.per_length = 1 / unit_of_length(&made);
+#endif
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -637,7 +643,7 @@ static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[
     if (!(L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
-    return k3 > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+    return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -934,8 +940,11 @@ static int forces_of_pose(
 {
     shared_terms shared;
     platform_equations equations;
-    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6];
+    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6], unit[6];
     int i, j, status;
+    for (i = 0; i < 6; ++i) {
+        unit[i] = i < 3 ? 1 : model->per_length;
+    }
     shared_of_pose(&model->platform, at, &shared);
     status = equations_of_pose(model, at, &shared, D, &equations);
     if (status != STEWART_OK) {
@@ -943,12 +952,12 @@ static int forces_of_pose(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            A[i][j] = equations.H[i][j];
-            A[i][j + 7] = i == j ? 1 : 0;
+            A[i][j] = unit[i] * equations.H[i][j];
+            A[i][j + 7] = i == j ? unit[i] : 0;
         }
-        A[i][6] = equations.c[i];
+        A[i][6] = unit[i] * equations.c[i];
     }
-    status = solve(A, moment_size(equations.H), x, Y);
+    status = solve(A, model->per_length * moment_size(equations.H), x, Y);
     if (status != STEWART_OK) {
         return status;
     }

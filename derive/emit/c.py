@@ -385,6 +385,13 @@ ARITHMETIC = """\
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
+
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
 """
 """Macros that every source needs: square root, size, rounding unit and range of the arithmetic."""
 
@@ -398,7 +405,7 @@ _SOURCE_TOP = """\
 """
 
 _POLE_CHECK = """\
-    if (!(terms->k3 > STEWART_ROUNDING)) {
+    if (!(terms->k3 > STEWART_POLE_SINE)) {
         return STEWART_POLE;
     }
 """

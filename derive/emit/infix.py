@@ -10,6 +10,8 @@ import re
 import sympy as sp
 
 WIDTH = 108
+HALF = {"STEWART_SQRT": "STEWART_HALF"}
+"""One half by the language's square root: C has one for each arithmetic."""
 
 
 def infix(expr: sp.Expr, sqrt: str) -> str:
@@ -20,7 +22,7 @@ def infix(expr: sp.Expr, sqrt: str) -> str:
     if expr.is_Integer:
         return str(int(expr))
     if expr == sp.Rational(1, 2):
-        return "STEWART_HALF"
+        return HALF.get(sqrt, "0.5")
     if expr.is_Add:
         return _sum(expr, sqrt)
     if expr.is_Mul:

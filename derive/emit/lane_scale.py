@@ -39,17 +39,17 @@ _BAKED_MACROS = """
 #endif
 """
 
-UNIT_OF_LENGTH = """\
+_UNIT_OF_LENGTH = """\
 #if defined(STEWART_SCALED)
 /* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
  * 1 if all of them are zero. */
-static stewart_real unit_of_length(const stewart_@NAME@_model *model)
+static stewart_real unit_of_length(const @MODEL@ *model)
 {
     stewart_real largest = 0, unit = 1;
     int i, j;
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
-            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i]), largest);
+            largest = STEWART_LARGER(STEWART_FABS(@POINT@), largest);
         }
     }
     for (i = 0; i < 100 && unit < largest; ++i) {
@@ -62,6 +62,12 @@ static stewart_real unit_of_length(const stewart_@NAME@_model *model)
 }
 #endif
 """
+
+UNIT_OF_LENGTH = _UNIT_OF_LENGTH.replace("@POINT@", "model->p[j][i]").replace(
+    "@MODEL@", "stewart_@NAME@_model"
+)
+UNIT_OF_LENGTH_BY_LEGS = _UNIT_OF_LENGTH.replace("@POINT@", "model->leg[i].p[j]")
+"""The same for a model in which the legs stand one after the other, its type still to be named."""
 
 
 def macros(per_length: float | None) -> str:

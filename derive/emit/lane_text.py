@@ -65,10 +65,10 @@ def assigned(target: str, text: str) -> str:
     return wrap(f"{' ' * 8}{target} = {text};", " " * 12)
 
 
-def judged(leg: Block) -> tuple[str, str]:
-    """Length and sine of the angle at the universal joint, as text; 1 where there is no such joint."""
+def judged(leg: Block) -> tuple[str, str | None]:
+    """Length and sine of the angle at the universal joint, as text; None where there is no such joint."""
     by_name = {out.quantity: infix(out.exprs[0], "STEWART_SQRT") for out in leg.outputs}
-    return by_name[n.L], by_name.get(n.k3, "1")
+    return by_name[n.L], by_name.get(n.k3)
 
 
 def reach_lines(terms: list[str]) -> list[str]:
@@ -77,14 +77,18 @@ def reach_lines(terms: list[str]) -> list[str]:
     return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
 
 
-def fault_lines(length: str, sine: str, before: str, after: str) -> list[str]:
+def fault_lines(
+    length: str, sine: str | None, before: str, after: str, least_sine: str = "STEWART_POLE_SINE"
+) -> list[str]:
     """Puts 1 into `after` where a leg is not finite, too short or at its pole, else what was `before`."""
     before = f"(stewart_real){before}" if before == "0" else before
-    return [
+    lines = [
         f"        fault = {length} <= STEWART_MAX ? {before} : (stewart_real)1;",
         f"        fault = {length} > STEWART_ROUNDING * reach ? fault : (stewart_real)1;",
-        f"        {after} = {sine} > STEWART_ROUNDING ? fault : (stewart_real)1;",
     ]
+    if sine is not None:
+        lines.append(f"        fault = {sine} > {least_sine} ? fault : (stewart_real)1;")
+    return [*lines, f"        {after} = fault;"]
 
 
 MACROS = """
@@ -94,8 +98,6 @@ MACROS = """
 #define STEWART_RESTRICT restrict
 #endif
 
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
 #if defined(__GNUC__)
@@ -105,4 +107,8 @@ MACROS = """
 #endif
 
 #define LANES 8
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
 """

@@ -75,10 +75,10 @@ def source(kernel: ForceKernel, version: str) -> str:
     name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + scale_macros(kernel.per_length),
-        _structs(kernel),
+        _only(_structs(kernel), kernel),
         *_model(kernel),
         _scalar_shared(kernel),
-        _legs_of_pose(kernel),
+        *_legs(kernel),
         _solve_pose(kernel.about_base_point),
         _pose(kernel),
         _only(_BLOCK, kernel),
@@ -93,11 +93,23 @@ def source(kernel: ForceKernel, version: str) -> str:
 def _only(text: str, kernel: ForceKernel) -> str:
     """The text, with what stands in <D: :D> if legs have a D, in <C: :C> if they add to c.
 
-    What stands in <M: :M> is of kernels with a prepared model, in <B: :B> of baked ones.
+    What stands in <K: :K> is of legs with a universal joint, in <J: :J> of others; in <P: :P> of kernels with
+    a road of its own near the pole, in <Q: :Q> of others; in <M: :M> of kernels with a prepared model, in
+    <B: :B> of baked ones.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
-    for mark, kept in (("D", n.D in given), ("C", n.c_force in given), ("M", not bare), ("B", bare)):
+    marks = {
+        "D": n.D in given,
+        "C": n.c_force in given,
+        "K": n.k3 in given,
+        "J": n.k3 not in given,
+        "P": kernel.leg_near_pole is not None,
+        "Q": kernel.leg_near_pole is None,
+        "M": not bare,
+        "B": bare,
+    }
+    for mark, kept in marks.items():
         if not kept:
             text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
         text = re.sub(rf"<{mark}:|:{mark}>", "", text)
@@ -140,12 +152,25 @@ def _terms(leg: Block) -> list[Quantity]:
 # ---------------------------------------------------------------- preparation
 
 
+def _legs(kernel: ForceKernel) -> list[str]:
+    """The legs of a pose, and the road near a pole where the kernel has one."""
+    parts = [_legs_of_pose(kernel, kernel.leg, "legs_of_pose", _least_sine(kernel))]
+    if kernel.leg_near_pole is not None:
+        near = _legs_of_pose(kernel, kernel.leg_near_pole, "legs_near_pole", "STEWART_POLE_SINE")
+        parts.append(
+            near.replace(
+                "The legs of one pose side by side", "The same for a pose in which a leg is near its pole"
+            )
+        )
+    return parts
+
+
 def _model(kernel: ForceKernel) -> list[str]:
     """What prepares the constants, or the constants themselves."""
     if kernel.constants is None:
         return [
-            _prepare_function(kernel.prepare_leg, "prepared_leg"),
-            _prepare_function(kernel.prepare_platform, "prepared_platform"),
+            prepare_function(kernel.prepare_leg, "prepared_leg"),
+            prepare_function(kernel.prepare_platform, "prepared_platform"),
             UNIT_OF_LENGTH,
             _prepare(kernel),
         ]
@@ -165,7 +190,8 @@ def _model(kernel: ForceKernel) -> list[str]:
     return [filled(_NUMBERS, parts)]
 
 
-def _prepare_function(block: Block, struct: str) -> str:
+def prepare_function(block: Block, struct: str) -> str:
+    """A block of preparation as a function that fills a struct of its own."""
     members = "\n".join(f"    stewart_real {o.quantity.name}{dims(o.quantity)};" for o in block.outputs)
     used = names_used(block)
     lines = [line for q in block.inputs for line in loads(q, _owner_of_raw(q), "", used, "    ")]
@@ -257,24 +283,29 @@ def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[st
     return loads(q, owner, lane, used, indent)
 
 
-def _legs_of_pose(kernel: ForceKernel) -> str:
-    """The leg's block as the body of a loop over the legs of a pose."""
-    kept = tuple(out for out in kernel.leg.outputs if out.quantity not in JUDGED)
+def _legs_of_pose(kernel: ForceKernel, leg: Block, name: str, least_sine: str) -> str:
+    """A leg's block as the body of a loop over the legs of a pose."""
+    kept = tuple(out for out in leg.outputs if out.quantity not in JUDGED)
     terms, more = _reach_terms(kernel)
-    length, sine = judged(kernel.leg)
-    outside, inside = _lane_loads(kernel, more, over_legs=True)
+    length, sine = judged(leg)
+    outside, inside = _lane_loads(kernel, leg, more, over_legs=True)
     body = [
         *inside,
-        *step_lines(kernel.leg.steps, " " * 8),
+        *step_lines(leg.steps, " " * 8),
         *stores(kept, "[l]", " " * 8),
         *reach_lines(terms),
         "        out->reach[l] = reach;",
         f"        out->L[l] = {length};",
-        f"        out->k3[l] = {sine};",
-        *fault_lines(length, sine, "0", "out->bad[l]"),
+        *([] if sine is None else [f"        out->k3[l] = {sine};"]),
+        *fault_lines(length, sine, "0", "out->bad[l]", least_sine),
     ]
-    text = _LEGS_OF_POSE.replace("@COUNT@", str(kernel.leg.operations()))
+    text = _LEGS_OF_POSE.replace("@COUNT@", str(leg.operations())).replace("@FUNCTION@", name)
     return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
+
+
+def _least_sine(kernel: ForceKernel) -> str:
+    """Below this sine the leg's block is not the one to compute with."""
+    return "STEWART_POLE_SINE" if kernel.leg_near_pole is None else "STEWART_NEAR_POLE"
 
 
 def _leg_of_block(kernel: ForceKernel) -> str:
@@ -282,7 +313,7 @@ def _leg_of_block(kernel: ForceKernel) -> str:
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     terms, more = _reach_terms(kernel)
     length, sine = judged(kernel.leg)
-    outside, inside = _lane_loads(kernel, more, over_legs=False)
+    outside, inside = _lane_loads(kernel, kernel.leg, more, over_legs=False)
     column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
     right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
     known = [assigned("known[l]", infix(e, "STEWART_SQRT")) for e in exprs.get(n.D, ())]
@@ -297,7 +328,7 @@ def _leg_of_block(kernel: ForceKernel) -> str:
             for i in range(3, 6)
         ),
         *reach_lines(terms),
-        *fault_lines(length, sine, "bad[l]", "bad[l]"),
+        *fault_lines(length, sine, "bad[l]", "bad[l]", _least_sine(kernel)),
     ]
     text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
     return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
@@ -317,13 +348,13 @@ def _added(expr: sp.Expr) -> str:
 
 
 def _lane_loads(
-    kernel: ForceKernel, more: tuple[Quantity, ...], over_legs: bool
+    kernel: ForceKernel, leg: Block, more: tuple[Quantity, ...], over_legs: bool
 ) -> tuple[list[str], list[str]]:
     """Loads of what all lanes share, and of what differs from lane to lane."""
-    used = names_used(kernel.leg) | {name for q in more for name in q.names}
+    used = names_used(leg) | {name for q in more for name in q.names}
     shared_by_legs = {*kernel.platform_constants(), *kernel.literals()}
     outside, inside = [], []
-    for q in dict.fromkeys((*kernel.leg.inputs, *more)):
+    for q in dict.fromkeys((*leg.inputs, *more)):
         if q in n.MOTION or q in _from_pose(kernel):
             owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
             varies = not over_legs
@@ -597,7 +628,7 @@ typedef struct {
 /* The legs of one pose. */
 typedef struct {
 @TERMS@
-    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real L[LANES], reach[LANES]<K:, k3[LANES]:K>;
     stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
 } leg_lanes;
 
@@ -610,7 +641,8 @@ static int leg_status(const leg_lanes *leg, int l)
     if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
         return STEWART_SHORT_LEG;
     }
-    return leg->k3[l] > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+    <K:return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;:K>
+    <J:return STEWART_OK;:J>
 }
 """
 
@@ -734,7 +766,7 @@ static void shared_of_block(
 
 _LEGS_OF_POSE = """\
 /* The legs of one pose side by side: @COUNT@ operations each. */
-static void legs_of_pose(
+static void @FUNCTION@(
     const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
 {
@@ -809,6 +841,7 @@ int stewart_@NAME@_forces(
     stewart_real x[6], found[6];
     stewart_real moment = 0;
     int i, j, status;
+    <P:int near_pole = 0;:P>
     if (<M:!model || :M>!motion || !F) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -816,9 +849,17 @@ int stewart_@NAME@_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > 0) {
-            return leg_status(&legs, i);
+            <Q:return leg_status(&legs, i);:Q>
+            <P:status = leg_status(&legs, i);:P>
+            <P:if (status != STEWART_OK) {:P>
+            <P:    return status;:P>
+            <P:}:P>
+            <P:near_pole = 1;:P>
         }
     }
+    <P:if (near_pole) {:P>
+    <P:    legs_near_pole(model, motion, &shared, &legs);:P>
+    <P:}:P>
     for (j = 0; j < 3; ++j) {
         @QUALIFIED@stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
         for (i = 0; i < 6; ++i) {

@@ -192,6 +192,9 @@ OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR = range(5)
 
 # A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else.
 ROUNDING = 16 * np.finfo(np.float64).eps
+# Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+# points: the pole of the universal joint.
+POLE_SINE = 4096 * np.finfo(np.float64).eps
 
 
 def stack(shape: tuple[int, ...], *components: Any) -> Array:
@@ -260,7 +263,7 @@ def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:
     """
     terms = np.broadcast_arrays(leg["q"], motion.t[..., None, :], robot.b)
     L, reach = leg["L"], np.abs(terms).max(axis=(0, -1))
-    clear = leg["k3"] > ROUNDING if "k3" in leg else np.full(L.shape, True)
+    clear = leg["k3"] > POLE_SINE if "k3" in leg else np.full(L.shape, True)
     fault = np.where(clear, 0, POLE)
     fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)

@@ -23,6 +23,13 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
     stewart_real L; /* m: length of the leg */
@@ -49,7 +56,7 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 399 (222 mul, 173 add, 2 div, 2 sqrt). */
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 416 (233 mul, 179 add, 2 div, 2 sqrt). */
 static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
     leg_terms *out)
 {
@@ -113,10 +120,17 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real inv_k3 = 1/k3;
     /* spin of the leg about s for each turn about z */
     const stewart_real kappa = inv_k3*k1;
+    /* (10) k x s, of length one */
+    const stewart_real y_raw_x = inv_k3*k_cross_s_x;
+    const stewart_real y_raw_y = inv_k3*k_cross_s_y;
+    const stewart_real y_raw_z = inv_k3*k_cross_s_z;
+    /* rounding: nothing of k x s lies along s */
+    const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
+    const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = inv_k3*k_cross_s_x;
-    const stewart_real y_y = inv_k3*k_cross_s_y;
-    const stewart_real y_z = inv_k3*k_cross_s_z;
+    const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
+    const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
+    const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = s_y*y_z - s_z*y_y;
     const stewart_real z_y = s_z*y_x - s_x*y_z;
@@ -304,7 +318,7 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
 }
 
-/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 490 (270 mul, 216 add, 2 div, 2 sqrt). */
+/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 507 (281 mul, 222 add, 2 div, 2 sqrt). */
 static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
 {
@@ -368,10 +382,17 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real inv_k3 = 1/k3;
     /* spin of the leg about s for each turn about z */
     const stewart_real kappa = inv_k3*k1;
+    /* (10) k x s, of length one */
+    const stewart_real y_raw_x = inv_k3*k_cross_s_x;
+    const stewart_real y_raw_y = inv_k3*k_cross_s_y;
+    const stewart_real y_raw_z = inv_k3*k_cross_s_z;
+    /* rounding: nothing of k x s lies along s */
+    const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
+    const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = inv_k3*k_cross_s_x;
-    const stewart_real y_y = inv_k3*k_cross_s_y;
-    const stewart_real y_z = inv_k3*k_cross_s_z;
+    const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
+    const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
+    const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = s_y*y_z - s_z*y_y;
     const stewart_real z_y = s_z*y_x - s_x*y_z;
@@ -539,7 +560,7 @@ static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stew
     if (!(terms->L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
-    if (!(terms->k3 > STEWART_ROUNDING)) {
+    if (!(terms->k3 > STEWART_POLE_SINE)) {
         return STEWART_POLE;
     }
     return STEWART_OK;

@@ -23,14 +23,19 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
 #endif
 
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
 #if defined(__GNUC__)
@@ -40,6 +45,10 @@
 #endif
 
 #define LANES 8
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
@@ -94,7 +103,7 @@ static int leg_status(const leg_lanes *leg, int l)
     if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
         return STEWART_SHORT_LEG;
     }
-    return leg->k3[l] > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+    return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 
 typedef struct {
@@ -599,7 +608,175 @@ static void legs_of_pose(
         out->k3[l] = k3;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_NEAR_POLE ? fault : (stewart_real)1;
+        out->bad[l] = fault;
+    }
+}
+
+/* The same for a pose in which a leg is near its pole: 232 (143 mul, 85 add, 2 div, 2 sqrt) operations each. */
+static void legs_near_pole(
+    const stewart_exact_axisymmetric_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
+        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
+        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real h_s = model->h_s[l];
+        const stewart_real w_s = model->w_s[l];
+        const stewart_real J_s = model->J_s[l];
+        const stewart_real J_t = model->J_t[l];
+        const stewart_real J_ts = model->J_ts[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
+            + k_cross_S_z*k_cross_S_z;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real inv_L = 1/L;
+        const stewart_real inv_rho = 1/rho;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) k x s, of length one */
+        const stewart_real y_raw_x = inv_rho*k_cross_S_x;
+        const stewart_real y_raw_y = inv_rho*k_cross_S_y;
+        const stewart_real y_raw_z = inv_rho*k_cross_S_z;
+        /* rounding: nothing of k x s lies along s */
+        const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
+        const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
+        const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
+        const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = s_y*y_z - s_z*y_y;
+        const stewart_real z_y = s_z*y_x - s_x*y_z;
+        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = 2*phi_dot;
+        /* rho_dot / rho */
+        const stewart_real rho_share = L_share + lean;
+        const stewart_real k33 = k3*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x
+            + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - rho_share*two_phi_dot;
+        const stewart_real k13 = k1*k3;
+        const stewart_real c1 = 2*h_s;
+        const stewart_real L_h2 = L*c1;
+        const stewart_real a1 = J_ts + L_h2;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_s + a1*k33;
+        const stewart_real M_theta = J_t + L_h2;
+        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        const stewart_real M_phi_theta = a1*k13;
+        const stewart_real M_phi_L = h_s*k33;
+        const stewart_real bend = L_dot*theta_dot;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_s;
+        const stewart_real w_n = k3*w_s;
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
+            - M_phi_theta*phi_dot2;
+        const stewart_real tau_k = M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
+            - gamma_y*w_n;
+        /* (21) K = Q_y y + Q_z z */
+        const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
+        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
+        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = -K_x*s_x - K_y*s_y - K_z*s_z - M_phi_L*phi_dot2 - h_s*theta_dot2;
+        out->D[l] = D;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = r_y*s_z - r_z*s_y;
+        out->H_moment[1][l] = r_z*s_x - r_x*s_z;
+        out->H_moment[2][l] = r_x*s_y - r_y*s_x;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = K_y*S_1_z - K_z*S_1_y;
+        out->c_moment[1][l] = K_z*S_1_x - K_x*S_1_z;
+        out->c_moment[2][l] = K_x*S_1_y - K_y*S_1_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_FABS(q_x);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
+        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        out->bad[l] = fault;
     }
 }
 
@@ -828,6 +1005,7 @@ int stewart_exact_axisymmetric_forces(
     stewart_real x[6], found[6];
     stewart_real moment = 0;
     int i, j, status;
+    int near_pole = 0;
     if (!model || !motion || !F) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -835,8 +1013,15 @@ int stewart_exact_axisymmetric_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > 0) {
-            return leg_status(&legs, i);
+            status = leg_status(&legs, i);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            near_pole = 1;
         }
+    }
+    if (near_pole) {
+        legs_near_pole(model, motion, &shared, &legs);
     }
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
@@ -1146,7 +1331,8 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         fault = L <= STEWART_MAX ? bad[l] : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_NEAR_POLE ? fault : (stewart_real)1;
+        bad[l] = fault;
     }
 }
 

@@ -35,12 +35,25 @@
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
 #define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
 /* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
  * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
+
+/* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
+ * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
+ * -DSTEWART_UNSCALED: float without it. -DSTEWART_SCALED: any arithmetic with it. */
+#if defined(STEWART_FLOAT) && !defined(STEWART_UNSCALED) && !defined(STEWART_SCALED)
+#define STEWART_SCALED
+#endif
 
 static int is_finite(const stewart_real *values, int count)
 {
@@ -539,6 +552,28 @@ static void prepare_platform(
     out->b_1[2] = b_1_z;
 }
 
+#if defined(STEWART_SCALED)
+/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
+ * 1 if all of them are zero. */
+static stewart_real unit_of_length(const stewart_exact_bounds_model *model)
+{
+    stewart_real largest = 0, unit = 1;
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j]), largest);
+        }
+    }
+    for (i = 0; i < 100 && unit < largest; ++i) {
+        unit = 2 * unit;
+    }
+    for (i = 0; i < 100 && largest > 0 && STEWART_HALF * unit >= largest; ++i) {
+        unit = STEWART_HALF * unit;
+    }
+    return unit;
+}
+#endif
+
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
 {
     stewart_exact_bounds_model made;
@@ -589,6 +624,10 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
+    made.per_length = 1;
+#if defined(STEWART_SCALED)
+    made.per_length = 1 / unit_of_length(&made);
+#endif
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -715,7 +754,7 @@ static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[
     if (!(L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
-    return k3 > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+    return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -3272,8 +3311,11 @@ static int forces_of_pose(
 {
     shared_terms shared;
     platform_equations equations;
-    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6];
+    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6], unit[6];
     int i, j, status;
+    for (i = 0; i < 6; ++i) {
+        unit[i] = i < 3 ? 1 : model->per_length;
+    }
     shared_of_pose(&model->platform, at, &shared);
     status = equations_of_pose(model, at, &shared, D, &equations);
     if (status != STEWART_OK) {
@@ -3281,12 +3323,12 @@ static int forces_of_pose(
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            A[i][j] = equations.H[i][j];
-            A[i][j + 7] = i == j ? 1 : 0;
+            A[i][j] = unit[i] * equations.H[i][j];
+            A[i][j + 7] = i == j ? unit[i] : 0;
         }
-        A[i][6] = equations.c[i];
+        A[i][6] = unit[i] * equations.c[i];
     }
-    status = solve(A, moment_size(equations.H), x, Y);
+    status = solve(A, model->per_length * moment_size(equations.H), x, Y);
     if (status != STEWART_OK) {
         return status;
     }

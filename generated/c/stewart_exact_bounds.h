@@ -55,6 +55,7 @@ typedef struct {
     stewart_exact_bounds_leg leg[6];
     stewart_exact_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
+    stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
 } stewart_exact_bounds_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the

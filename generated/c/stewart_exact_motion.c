@@ -23,14 +23,19 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
 #endif
 
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
 #if defined(__GNUC__)
@@ -40,6 +45,10 @@
 #endif
 
 #define LANES 8
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
@@ -596,7 +605,8 @@ STEWART_APART static void equations_of_legs(
         out->judged.k3[l] = k3;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->judged.bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        out->judged.bad[l] = fault;
     }
 }
 
@@ -865,7 +875,8 @@ STEWART_APART static void bias_of_legs(
         out->judged.k3[l] = k3;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->judged.bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        out->judged.bad[l] = fault;
     }
 }
 
@@ -1219,7 +1230,8 @@ STEWART_APART static void forward_dynamics_of_legs(
         out->judged.k3[l] = k3;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->judged.bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        out->judged.bad[l] = fault;
     }
 }
 
@@ -2098,7 +2110,8 @@ STEWART_APART static void derivatives_of_legs(
         out->judged.k3[l] = k3;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->judged.bad[l] = k3 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        out->judged.bad[l] = fault;
     }
 }
 

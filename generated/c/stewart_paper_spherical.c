@@ -23,6 +23,13 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
     stewart_real L; /* m: length of the leg */

@@ -23,14 +23,19 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
 #endif
 
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
 #if defined(__GNUC__)
@@ -40,6 +45,10 @@
 #endif
 
 #define LANES 8
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
@@ -81,7 +90,7 @@ typedef struct {
     stewart_real H_moment[3][8];
     stewart_real c_force[3][8];
     stewart_real c_moment[3][8];
-    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real L[LANES], reach[LANES];
     stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
 } leg_lanes;
 
@@ -94,7 +103,7 @@ static int leg_status(const leg_lanes *leg, int l)
     if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
         return STEWART_SHORT_LEG;
     }
-    return leg->k3[l] > STEWART_ROUNDING ? STEWART_OK : STEWART_POLE;
+    return STEWART_OK;
 }
 
 typedef struct {
@@ -589,10 +598,9 @@ static void legs_of_pose(
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
-        out->k3[l] = 1;
         fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        out->bad[l] = 1 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        out->bad[l] = fault;
     }
 }
 
@@ -1129,7 +1137,7 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         fault = L <= STEWART_MAX ? bad[l] : (stewart_real)1;
         fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        bad[l] = 1 > STEWART_ROUNDING ? fault : (stewart_real)1;
+        bad[l] = fault;
     }
 }
 
