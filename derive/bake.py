@@ -47,17 +47,14 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     kernel = replace(kernel, per_length=_per_length(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
-    shared, leg, near = (
-        None if block is None else _with_numbers(block, simple, constants)
-        for block in (kernel.shared, kernel.leg, kernel.leg_near_pole)
-    )
-    used = {q for block in (shared, leg, near) if block is not None for q in block.inputs}
+    kernel = kernel.changed(lambda block: _with_numbers(block, simple, constants))
+    used = {q for block in kernel.blocks() for q in block.inputs}
     numbers = {
         q: tuple(float(value) for value in constants.values[symbol])
         for symbol, q in constants.quantities.items()
         if q in used
     }
-    return replace(kernel, shared=shared, leg=leg, leg_near_pole=near, constants=numbers, baked_name=name)
+    return replace(kernel, constants=numbers, baked_name=name)
 
 
 def _with_numbers(block: Block, simple: Mapping[sp.Symbol, sp.Integer], constants: _Constants) -> Block:

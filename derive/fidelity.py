@@ -87,18 +87,17 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     kernel = regroup.with_constants(form, level.friction, _platform(level), _leg(level), riding)
     near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
     kernel = regroup.about_base_point(replace(kernel, leg_near_pole=near))
-    shared, leg, near = (_stated(level, block) for block in (kernel.shared, kernel.leg, kernel.leg_near_pole))
-    final = regroup.with_constants(form, level.friction, shared, leg, riding)
-    return replace(
-        final, leg_near_pole=near, about_base_point=True, fidelity=level.name, meaning=level.meaning
+    kernel = kernel.changed(
+        lambda block: _without_zeros(block if level.moving else specialised(block, _AT_REST))
     )
-
-
-def _stated(level: Fidelity, block: Block | None) -> Block | None:
-    """The block as the level has it: at rest where it says so, without outputs that are zero."""
-    if block is None:
-        return None
-    return _without_zeros(block if level.moving else specialised(block, _AT_REST))
+    final = regroup.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
+    return replace(
+        final,
+        leg_near_pole=kernel.leg_near_pole,
+        about_base_point=True,
+        fidelity=level.name,
+        meaning=level.meaning,
+    )
 
 
 _AT_REST: Mapping[sp.Symbol, sp.Expr] = {

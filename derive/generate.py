@@ -42,12 +42,9 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
 def shared_blocks(raw: ForceKernel) -> ForceKernel:
     """The kernel with every subexpression that occurs twice in a block computed once."""
     return replace(
-        raw,
+        raw.changed(share),
         prepare_leg=share(raw.prepare_leg),
         prepare_platform=share(raw.prepare_platform),
-        shared=share(raw.shared),
-        leg=share(raw.leg),
-        leg_near_pole=None if raw.leg_near_pole is None else share(raw.leg_near_pole),
     )
 
 

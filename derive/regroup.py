@@ -14,7 +14,7 @@ Each change leaves the forces as they are:
 ``passes`` shows what each is worth. Knows nothing of sharing or printing.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -73,6 +73,15 @@ class ForceKernel:
         """What of the motion the forces depend on; R and t always, since they place the legs."""
         used = {*self.shared.inputs, *self.leg.inputs, n.R, n.t}
         return tuple(q for q in n.MOTION if q in used)
+
+    def changed(self, change: Callable[[Block], Block]) -> "ForceKernel":
+        """The kernel with the blocks of a pose changed, its own and those of the legs."""
+        near = None if self.leg_near_pole is None else change(self.leg_near_pole)
+        return replace(self, shared=change(self.shared), leg=change(self.leg), leg_near_pole=near)
+
+    def blocks(self) -> tuple[Block, ...]:
+        """The blocks of a pose: its own and those of the legs."""
+        return self.shared, self.leg, *(() if self.leg_near_pole is None else (self.leg_near_pole,))
 
     def leg_constants(self) -> tuple[Quantity, ...]:
         """Constants of each leg in the prepared model."""
