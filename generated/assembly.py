@@ -17,6 +17,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 # Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
 # points: the pole of the universal joint.
 POLE_SINE = 4096 * np.finfo(np.float64).eps
+# A leg shorter than this has a square that is not held to all its digits.
+SHORTEST = np.sqrt(1 / np.finfo(np.float64).max / np.finfo(np.float64).eps)
 
 
 def stack(shape: tuple[int, ...], *components: Any) -> Array:
@@ -87,7 +89,7 @@ def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:
     L, reach = leg["L"], np.abs(terms).max(axis=(0, -1))
     clear = leg["k3"] > POLE_SINE if "k3" in leg else np.full(L.shape, True)
     fault = np.where(clear, 0, POLE)
-    fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
+    fault = np.where(L > np.maximum(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)
     return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]

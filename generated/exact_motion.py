@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, Array, eliminate_many
+from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many
 
 INDEFINITE = 6
 
@@ -169,7 +169,7 @@ def _leg_status(leg: dict[str, Array], pose: dict[str, Array], parts: dict[str, 
     terms += [pose[f"t_1_{axis}"][..., None] for axis in "xyz"] + [leg[f"r_{axis}"] for axis in "xyz"]
     L, reach = parts["L"], np.abs(np.broadcast_arrays(*terms)).max(axis=0)
     fault = np.where(parts["k3"] > POLE_SINE, OK, POLE)
-    fault = np.where(L > ROUNDING * reach, fault, SHORT_LEG)
+    fault = np.where(L > np.maximum(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)
     return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]

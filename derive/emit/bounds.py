@@ -640,7 +640,7 @@ static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[
     if (!(L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach)) {
+    if (!(L > STEWART_ROUNDING * reach && L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
     return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;

@@ -72,9 +72,12 @@ def judged(leg: Block) -> tuple[str, str | None]:
 
 
 def reach_lines(terms: list[str]) -> list[str]:
-    """Declares `fault`, and `reach` as the largest of the terms."""
-    lines = ["        stewart_real fault;", f"        stewart_real reach = {terms[0]};"]
-    return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms[1:]]
+    """Declares `fault`, and `reach` as the largest of the terms, and of what is too short by itself."""
+    lines = [
+        "        stewart_real fault;",
+        "        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;",
+    ]
+    return lines + [f"        reach = STEWART_LARGER({term}, reach);" for term in terms]
 
 
 def fault_lines(

@@ -34,6 +34,9 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
@@ -751,7 +754,7 @@ static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[
     if (!(L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach)) {
+    if (!(L > STEWART_ROUNDING * reach && L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
     return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;

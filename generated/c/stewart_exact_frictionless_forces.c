@@ -23,6 +23,9 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
@@ -642,7 +645,8 @@ static void legs_of_pose(
         out->c_moment[1][l] = K_z*S_1_x - K_x*S_1_z;
         out->c_moment[2][l] = K_x*S_1_y - K_y*S_1_x;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(q_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
@@ -822,7 +826,8 @@ static void legs_near_pole(
         out->c_moment[1][l] = K_z*S_1_x - K_x*S_1_z;
         out->c_moment[2][l] = K_x*S_1_y - K_y*S_1_x;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(q_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
@@ -1390,7 +1395,8 @@ static void leg_of_block(
         moment[l] = STEWART_LARGER(STEWART_FABS(column[4][l]), moment[l]);
         moment[l] = STEWART_LARGER(STEWART_FABS(column[5][l]), moment[l]);
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(q_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);

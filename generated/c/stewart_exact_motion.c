@@ -23,6 +23,9 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
@@ -591,7 +594,8 @@ STEWART_APART static void equations_of_legs(
         out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
         out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(S_1_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
@@ -861,7 +865,8 @@ STEWART_APART static void bias_of_legs(
         out->sum[4][l] = R_tip_x*q_z - C_s*(k_y*phi_dot + theta_dot*y_y) - R_tip_z*q_x;
         out->sum[5][l] = R_tip_y*q_x - C_s*(k_z*phi_dot + theta_dot*y_z) - R_tip_x*q_y;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(S_1_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
@@ -1216,7 +1221,8 @@ STEWART_APART static void forward_dynamics_of_legs(
         out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y) + push_x*q_z - push_z*q_x;
         out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z) + push_y*q_x - push_x*q_y;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(S_1_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
@@ -2096,7 +2102,8 @@ STEWART_APART static void derivatives_of_legs(
         out->H_moment[1][l] = q_z*s_x - q_x*s_z;
         out->H_moment[2][l] = q_x*s_y - q_y*s_x;
         stewart_real fault;
-        stewart_real reach = STEWART_FABS(S_1_x);
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);

@@ -23,6 +23,9 @@
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
@@ -533,7 +536,7 @@ static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stew
     }
     reach = largest(at->t, 3, reach);
     reach = largest(leg->b, 3, reach);
-    if (!(terms->L > STEWART_ROUNDING * reach)) {
+    if (!(terms->L > STEWART_ROUNDING * reach && terms->L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
     if (!(terms->k3 > STEWART_POLE_SINE)) {
