@@ -16,7 +16,7 @@ import sympy as sp
 from . import notation as n
 from . import prepared as p
 from .block import Builder
-from .leg import cross, perpendicular
+from .leg import axes, cross
 
 HALF = sp.Rational(1, 2)
 
@@ -91,11 +91,11 @@ class JointForces:
     about_k: sp.Expr
 
 
-def joint_frame(build: Builder, near_pole: bool = False) -> JointFrame:
+def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
-    near_pole: with z, and with y made perpendicular to s once more. What is measured along the fixed axis
-    loses digits like k1 / k3 near the joint's pole; what is measured along z does not.
+    with_z: with the leg's third axis. What is measured along the fixed axis loses digits like k1 / k3 near
+    the joint's pole; what is measured along z does not.
     """
     k = n.k.value
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
@@ -103,19 +103,20 @@ def joint_frame(build: Builder, near_pole: bool = False) -> JointFrame:
     meaning = "leg vector along the fixed axis, and normal to both"
     zeta = build.scalar("zeta", k.dot(S), "(10)", meaning)
     normal = build.vector("k_cross_S", cross(k, S), "(10)", meaning)
-    rho2 = build.scalar("rho2", normal.dot(normal))
     meaning = "leg length, and distance of its tip from the fixed axis"
-    L = build.scalar("L", sp.sqrt(rho2 + zeta**2), "(2)", meaning)
-    rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
-    inv_L = build.scalar("inv_L", 1 / L)
-    inv_rho = build.scalar("inv_rho", 1 / rho)
-    s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
-    meaning, z = "second axis of the leg frame", None
-    if near_pole:
-        y = perpendicular(build, normal * inv_rho, s, meaning)
-        z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
+    if with_z:
+        L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", meaning)
     else:
-        y = build.vector("y", normal * inv_rho, "(10)", meaning)
+        rho2 = build.scalar("rho2", normal.dot(normal))
+        L = build.scalar("L", sp.sqrt(rho2 + zeta**2), "(2)", meaning)
+        rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
+    inv_L = build.scalar("inv_L", 1 / L)
+    s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
+    if with_z:
+        y, z, rho, inv_rho = axes(build, s, normal, "rho", meaning)
+    else:
+        inv_rho, z = build.scalar("inv_rho", 1 / rho), None
+        y = build.vector("y", normal * inv_rho, "(10)", "second axis of the leg frame")
     meaning = "k = (k1, 0, k3) in the leg frame"
     return JointFrame(
         q,
@@ -256,7 +257,7 @@ def joint_forces(
 def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.Expr, sp.Matrix]:
     """D and K at the spherical joint, (21), (24); K = Q_k k + Q_y y carries a part along s, D is to match."""
     if at.z is not None:
-        return _tip_force_near_pole(build, at, at.z, forces)
+        return _transverse_tip_force(build, at, at.z, forces)
     meaning = "K = Q_k k + Q_y y, up to a part along s"
     Q_k = build.scalar("Q_k", -at.inv_rho * forces.about_y, "(21)", meaning)
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
@@ -265,16 +266,15 @@ def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.E
     return D, K
 
 
-def _tip_force_near_pole(
+def _transverse_tip_force(
     build: Builder, at: JointFrame, z: sp.Matrix, forces: JointForces
 ) -> tuple[sp.Expr, sp.Matrix]:
-    """The same with K = Q_y y + Q_z z; what rounding leaves of it along s is taken from D."""
+    """The same with K = Q_y y + Q_z z, which has no part along s."""
     meaning = "K = Q_y y + Q_z z"
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
     Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
     K = build.vector("K", Q_y * at.y + Q_z * z, "(21)", "force at the spherical joint, base frame")
-    D = build.scalar("D", forces.along - at.s.dot(K), "(24)", "known part of the actuator force, to match")
-    return D, K
+    return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
 
 
 def friction_moment(at: JointFrame, rates: JointRates, friction: bool) -> sp.Matrix:

@@ -322,7 +322,7 @@ def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 def joint_leg(friction: bool, near_pole: bool = False) -> Block:
-    """The general leg in the coordinates of its joints; ``near_pole`` as in ``joint_frame``."""
+    """The general leg in the coordinates of its joints; ``near_pole``: measured along its third axis."""
     build = Builder()
     at = joint_frame(build, near_pole)
     S_dot, S_ddot = tip_motion(build, at.q)

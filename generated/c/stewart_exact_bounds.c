@@ -35,7 +35,9 @@
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -813,11 +815,11 @@ static void leg_of_pose(
     const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
     const stewart_real rho = STEWART_SQRT(rho2);
     const stewart_real inv_L = 1/L;
-    const stewart_real inv_rho = 1/rho;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
+    const stewart_real inv_rho = 1/rho;
     /* (10) second axis of the leg frame */
     const stewart_real y_x = inv_rho*k_cross_S_x;
     const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -2055,10 +2057,6 @@ static void leg_errors(
     const stewart_real inv_L_own = STEWART_UNIT*STEWART_FABS(inv_L);
     const stewart_real inv_L_err = reciprocal_error(inv_L, L, L_err);
     const stewart_real inv_L_max = STEWART_FABS(inv_L) + inv_L_err;
-    const stewart_real inv_rho = 1/rho;
-    const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
-    const stewart_real inv_rho_err = reciprocal_error(inv_rho, rho, rho_err);
-    const stewart_real inv_rho_max = STEWART_FABS(inv_rho) + inv_rho_err;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_x_own = STEWART_UNIT*STEWART_FABS(s_x);
@@ -2072,6 +2070,10 @@ static void leg_errors(
     const stewart_real s_z_own = STEWART_UNIT*STEWART_FABS(s_z);
     const stewart_real s_z_err = S_z_err*inv_L_max + S_z_max*inv_L_err + s_z_own;
     const stewart_real s_z_max = STEWART_FABS(s_z) + s_z_err;
+    const stewart_real inv_rho = 1/rho;
+    const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
+    const stewart_real inv_rho_err = reciprocal_error(inv_rho, rho, rho_err);
+    const stewart_real inv_rho_max = STEWART_FABS(inv_rho) + inv_rho_err;
     /* (10) second axis of the leg frame */
     const stewart_real y_x = inv_rho*k_cross_S_x;
     const stewart_real y_x_own = STEWART_UNIT*STEWART_FABS(y_x);
@@ -2801,33 +2803,6 @@ static void leg_errors(
             + 6*S_ddot_x_max*c9_max + 6*S_dot_x_max*c11_max + 6*c13_max*omega_x_max + 6*c6_max*theta_dot_max
             + 6*g_x_k_x_max*gamma_n_bar_max + 6*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
-            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
-            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
-            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(3*H_force_z_bar_max + 4*H_moment_x_bar_max*r_y_max
-            + 4*H_moment_y_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_z_max + 4*L_dot_bar_max*S_dot_z_max
-            + STEWART_FABS(s_z_bar));
-        const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
-            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
-            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(3*H_force_y_bar_max + 4*H_moment_x_bar_max*r_z_max
-            + 4*H_moment_z_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_y_max + 4*L_dot_bar_max*S_dot_y_max
-            + STEWART_FABS(s_y_bar));
-        const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
-            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
-            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
-            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
-            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(3*H_force_x_bar_max + 4*H_moment_y_bar_max*r_z_max
-            + 4*H_moment_z_bar_max*r_y_max + 4*L_ddot_bar_max*S_ddot_x_max + 4*L_dot_bar_max*S_dot_x_max
-            + STEWART_FABS(s_x_bar));
-        const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
             + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x
@@ -2868,6 +2843,33 @@ static void leg_errors(
             + theta_dot_bar_max*(4*L_dot_max*k1_max + 4*S_dot_x_max*k_x_max + 4*S_dot_y_max*k_y_max
             + 4*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
+        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
+            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
+            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
+            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
+            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(3*H_force_z_bar_max + 4*H_moment_x_bar_max*r_y_max
+            + 4*H_moment_y_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_z_max + 4*L_dot_bar_max*S_dot_z_max
+            + STEWART_FABS(s_z_bar));
+        const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
+        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
+            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
+            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
+            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
+            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(3*H_force_y_bar_max + 4*H_moment_x_bar_max*r_z_max
+            + 4*H_moment_z_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_y_max + 4*L_dot_bar_max*S_dot_y_max
+            + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
+        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
+            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
+            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
+            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
+            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(3*H_force_x_bar_max + 4*H_moment_y_bar_max*r_z_max
+            + 4*H_moment_z_bar_max*r_y_max + 4*L_ddot_bar_max*S_ddot_x_max + 4*L_dot_bar_max*S_dot_x_max
+            + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
         const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err
@@ -3170,7 +3172,7 @@ static void leg_errors(
             + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
             + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own
             + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own
-            + inv_rho_bar_max*inv_rho_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
+            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own
             + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own
             + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
             + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own
