@@ -143,9 +143,7 @@ def axes(
     The smaller |k x s|, the more rounding leaves of the normal along s. s x normal has no such part, and z
     and y made of it are perpendicular to s and to each other to all digits.
     """
-    across = build.vector(
-        "s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg"
-    )
+    across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
     length = build.scalar(size, sp.sqrt(across.dot(across)), "(10)", meaning)
     inverse = build.scalar(f"inv_{size}", 1 / length)
     z = build.vector("z", across * inverse, "(10)", "third axis of the leg frame")

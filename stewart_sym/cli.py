@@ -702,7 +702,7 @@ def _parser() -> argparse.ArgumentParser:
         "advise",
         _advise,
         "the cheapest kernel that is good enough for a machine's motions, and what physics it needs",
-        "stewart-sym advise legs.toml --generate kernel",
+        "stewart-sym advise enough.toml --generate kernel",
         'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
         "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), if "
         "you like margin (default 3: errors times this must be within the tolerance) and rate (Hz: a pose "
@@ -723,7 +723,7 @@ def _parser() -> argparse.ArgumentParser:
         "chart",
         _chart,
         "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
-        "stewart-sym chart legs.toml -o chart",
+        "stewart-sym chart enough.toml -o chart",
         "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
         "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
         "one of `advise`; without it: the paper's machine on its Paths I, II and III. Takes about a minute.",

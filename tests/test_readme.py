@@ -24,7 +24,7 @@ from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym import fidelity, reference
-from stewart_sym.budget import papers_motions
+from stewart_sym.budget import papers_motions, read_budget
 from stewart_sym.kernel import module
 from stewart_sym.scene import Scene, read_scene
 from stewart_sym.studies import control, control_report, energy_drift
@@ -304,6 +304,13 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(head + "\n".join(legs))
     assert ss.Robot.from_toml(path).name == "hexapod"
+
+
+def test_advise_example_is_a_valid_budget(tmp_path: Path) -> None:
+    (budget,) = re.findall(r"```toml\n(schema = 1\nrobot = [^`]*?tolerance = .*?)```", README, re.DOTALL)
+    (tmp_path / "stewart_sym").symlink_to(README_FOLDER / "stewart_sym")
+    (tmp_path / "enough.toml").write_text(budget)
+    assert list(read_budget(tmp_path / "enough.toml").motions) == ["I", "II"]
 
 
 def readme_scene(folder: Path) -> Scene:
