@@ -120,25 +120,30 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         )
         refused = np.zeros_like(curve.answered) if curve.status is None else curve.status != 0
         if refused.any():
-            height = np.full(int(refused.sum()), 10.0 ** (np.log10(_FLOOR) + 0.45 * (number + 1)))
-            ax.loglog(
+            height = np.full(int(refused.sum()), 0.03 + 0.025 * number)
+            ax.plot(
                 family.distance[refused],
                 height,
                 linestyle="",
                 marker="|",
                 markersize=5.0,
                 color=style["color"],
+                transform=ax.get_xaxis_transform(),
             )
+    seen = False
     limits = _limits(curves)
     for bound in limits:
         shown = np.where(np.isfinite(bound) & (bound < ceiling), bound, np.nan)
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
+        seen = seen or bool(np.isfinite(shown).any())
     ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
-    ax.set_ylim(_FLOOR / 3.0, 3.0 * ceiling)
+    # Statuses have the lowest part to themselves.
+    ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
     ax.set_xlabel(family.axis)
     handles, labels = ax.get_legend_handles_labels()
-    handles.append(Line2D([], [], color="#555555", linestyle="--"))
-    labels.append(f"{WRONG:g} units x condition")
+    if seen:
+        handles.append(Line2D([], [], color="#555555", linestyle="--"))
+        labels.append(f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
         handles.append(Line2D([], [], color="#555555", linestyle="", marker="|"))
         labels.append("refused, by its status")
