@@ -18,6 +18,7 @@ import pytest
 import readme_bench
 import readme_chart
 import readme_control
+import readme_stability
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
@@ -36,6 +37,7 @@ PUBLISHED = (
     *("bench.json", "bench.png", "bench_motion.png"),
     *("control.json", "control.png"),
     *("chart.json", "chart.png", "scales.png", "bounds.png"),
+    *("stability.json", "singular_path_III.png"),
 )
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
@@ -218,6 +220,22 @@ def test_every_figure_of_control_that_the_readme_shows_changes_it() -> None:
         assert readme_control.text(changed) != text, name
 
 
+def test_failures_in_the_readme_are_those_of_the_atlas() -> None:
+    assert readme_stability.replaced(README, figures("stability")) == README, REWRITE
+
+
+def test_every_figure_of_failures_that_the_readme_shows_changes_it() -> None:
+    found = figures("stability")
+    text = readme_stability.text(found)
+    for name in ("worst", "digits", "refused_at", "silent"):
+        changed = copy.deepcopy(found)
+        for method in changed["families"][0]["methods"]:
+            method[name] = 7 * (method[name] or 1)
+        assert readme_stability.text(changed) != text, name
+    for name in ("cases", "wrong", "refused_good"):
+        assert readme_stability.text({**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
+
+
 def recomputed(paths: tuple[str, ...]) -> None:
     """Compute rows anew and compare them with those committed, to what the README shows of them."""
     committed, machines = figures("control"), control.papers_machines()
@@ -349,6 +367,7 @@ def _rewrite(run: Path | None) -> None:
     text = readme_bench.replaced(README, figures("bench"))
     text = readme_control.replaced(text, figures("control"))
     text = readme_chart.replaced(text, figures("chart"))
+    text = readme_stability.replaced(text, figures("stability"))
     (README_FOLDER / "README.md").write_text(text, encoding="utf-8", newline="\n")
 
 
