@@ -22,8 +22,8 @@ _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz"
 # Operations of a pose before any solve.
 OPERATIONS: dict[str, int] = {
     "equations": 4655,
-    "bias": 1998,
-    "forward_dynamics": 2880,
+    "bias": 2028,
+    "forward_dynamics": 2910,
     "derivatives": 11249,
 }
 
@@ -1032,7 +1032,7 @@ def bias_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of C twist + g + friction.
 
-    Operations: 299 (180 mul, 115 add, 2 div, 2 sqrt).
+    Operations: 304 (183 mul, 117 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1157,8 +1157,6 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     theta_dot2 = theta_dot*theta_dot
     phi_dot2 = phi_dot*phi_dot
     two_phi_dot = 2*phi_dot
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point, a = alpha = 0
     S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
     S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
@@ -1166,13 +1164,18 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     k33 = k3*k3
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c1 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
-    k13 = k1*k3
+    theta_ddot = c1*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    a2 = J2_xz - L*h2_z
+    c2 = J2_xz - L*h2_z
+    a2 = c2
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1180,7 +1183,6 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     M_mixed = J_yz*k3 + a3*k1
     k3_h = h_y*k3
     # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
-    M_phi_theta = a1*k13 + a2*(0.5 - k33)
     M_phi_L = h_x*k33 - h_z*k13
     M_mixed_theta = J_yz*k1 - a3*k3
     bend = L_dot*theta_dot
@@ -1192,13 +1194,14 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     w_n = k3*w_x - k1*w_z
     # (20) generalised forces about y and about k
     tau_y = (
-        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2
+        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
+        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
     )
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
@@ -1371,7 +1374,7 @@ def forward_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M and of the right side.
 
-    Operations: 419 (257 mul, 158 add, 2 div, 2 sqrt).
+    Operations: 424 (260 mul, 160 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1497,8 +1500,6 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     theta_dot2 = theta_dot*theta_dot
     phi_dot2 = phi_dot*phi_dot
     two_phi_dot = 2*phi_dot
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point, a = alpha = 0
     S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
     S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
@@ -1506,13 +1507,18 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     k33 = k3*k3
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c1 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
-    k13 = k1*k3
+    theta_ddot = c1*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    a2 = J2_xz - L*h2_z
+    c2 = J2_xz - L*h2_z
+    a2 = c2
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1520,7 +1526,6 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     M_mixed = J_yz*k3 + a3*k1
     k3_h = h_y*k3
     # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
-    M_phi_theta = a1*k13 + a2*(0.5 - k33)
     M_phi_L = h_x*k33 - h_z*k13
     M_mixed_theta = J_yz*k1 - a3*k3
     bend = L_dot*theta_dot
@@ -1532,13 +1537,14 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     w_n = k3*w_x - k1*w_z
     # (20) generalised forces about y and about k
     tau_y = (
-        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2
+        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
+        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
     )
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
@@ -1549,11 +1555,11 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     K_z = Q_y*y_z + Q_z*z_z
     # (24) known part of the actuator force, to match
     D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot
-    c1 = F - D
+    c3 = F - D
     # force on the platform at the tip
-    push_x = c1*s_x - K_x
-    push_y = c1*s_y - K_y
-    push_z = c1*s_z - K_z
+    push_x = c3*s_x - K_x
+    push_y = c3*s_y - K_y
+    push_z = c3*s_z - K_z
     # inertia at the tip, leg frame
     m_leg_sy = -inv_rho*k3_h
     m_leg_sz = -h_z*inv_L
@@ -1576,19 +1582,19 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y
     m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z
     m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z
-    c2 = m_xy*q_z
-    c3 = m_xz*q_y
-    c4 = -m_yz*q_x
+    c4 = m_xy*q_z
+    c5 = m_xz*q_y
+    c6 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c2 - c3
+    m_q_xx = c4 - c5
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c2 - c4
+    m_q_yy = -c4 - c6
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c3 + c4
+    m_q_zz = c5 + c6
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -2044,8 +2050,6 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     phi_dot2 = c4
     c5 = 2*phi_dot
     two_phi_dot = c5
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point
     S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x
     S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y
@@ -2055,10 +2059,13 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
     c7 = 2*theta_dot
-    # (9) accelerations of the joint coordinates
-    theta_ddot = k1*k3*phi_dot2 - L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
     c8 = k1*k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c8*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
     k13 = c8
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx

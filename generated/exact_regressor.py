@@ -217,16 +217,18 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     phi_dot2 = c2
     c3 = 2*phi_dot
     two_phi_dot = c3
-    # rho_dot / rho
-    rho_share = L_share + lean
     c4 = k3*k3
     k33 = c4
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
     c5 = 2*theta_dot
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -L_share*c5 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c6 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = k1*k3*phi_dot2 - L_share*c5 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
+    theta_ddot = c6*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
     # gravity along the fixed axis
     g_k = g_x*k_x + g_y*k_y + g_z*k_z
     # g x k, base frame
@@ -239,33 +241,32 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     # omega along k x y, y and k
     w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
     w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
-    c6 = g_k*k3 + gamma_n*k1
-    c7 = -gamma_y*k3
+    c7 = g_k*k3 + gamma_n*k1
+    c8 = -gamma_y*k3
     # (20) torques by h_d_x
-    tau_theta_h_d_x = c6
-    tau_phi_h_d_x = c7
-    c8 = g_k*k1
+    tau_theta_h_d_x = c7
+    tau_phi_h_d_x = c8
+    c9 = g_k*k1
     # (20) torques by h_d_z
-    tau_theta_h_d_z = gamma_n*k3 - c8
+    tau_theta_h_d_z = gamma_n*k3 - c9
     tau_phi_h_d_z = gamma_y*k1
-    c9 = c2*c4
-    c10 = 2*L
-    c11 = L_dot*c5
-    c12 = k1*k3
-    c13 = c12*c2
+    c10 = c2*c4
+    c11 = 2*L
+    c12 = L_dot*c5
+    c13 = c2*c6
     c14 = c4*phi_ddot
     c15 = c3*c4
     # (20) torques by h_u_x
-    tau_L_h_u_x = -c1 - c9
-    tau_theta_h_u_x = c10*theta_ddot + c11 + c6 - c10*c13
-    tau_phi_h_u_x = 4*L*c12*phi_dot*theta_dot + L_dot*c15 + c10*c14 + c7
+    tau_L_h_u_x = -c1 - c10
+    tau_theta_h_u_x = c11*theta_ddot + c12 + c7 - c11*c13
+    tau_phi_h_u_x = 4*L*c6*phi_dot*theta_dot + L_dot*c15 + c11*c14 + c8
     c16 = k3*phi_ddot
     c17 = k1*phi_ddot
     c18 = k1*theta_ddot
     # (20) torques by h_u_y
     tau_L_h_u_y = -c16
     tau_theta_h_u_y = -L*c17
-    tau_phi_h_u_y = L*c1*k3 - L*c18 - L_ddot*k3 - c11*k1 - gamma_n
+    tau_phi_h_u_y = L*c1*k3 - L*c18 - L_ddot*k3 - c12*k1 - gamma_n
     c19 = k1*k1
     c20 = c19*c2
     c21 = c16*k1
@@ -273,9 +274,9 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     c23 = c19*c22
     # (20) torques by h_u_z
     tau_L_h_u_z = c13 + theta_ddot
-    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c9 - c8
-    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c12*c3 - c10*c21
-    c24 = c12*c22 + c14
+    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c10 - c9
+    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c3*c6 - c11*c21
+    c24 = c14 + c22*c6
     # (20) torques by J_u_xx
     tau_theta_J_u_xx = c13
     tau_phi_J_u_xx = phi_ddot - c24
@@ -283,7 +284,7 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     tau_theta_J_u_xy = c17
     tau_phi_J_u_xy = c18 - c1*k3
     # (20) torques by J_u_xz
-    tau_theta_J_u_xz = c9 - c20
+    tau_theta_J_u_xz = c10 - c20
     tau_phi_J_u_xz = 2*c21 + c23 - c15*theta_dot
     # (20) torques by J_u_yz
     tau_theta_J_u_yz = c16

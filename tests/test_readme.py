@@ -325,7 +325,9 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
 
 
 def test_advise_example_is_a_valid_budget(tmp_path: Path) -> None:
-    (budget,) = re.findall(r"```toml\n(schema = 1\nrobot = [^`]*?tolerance = .*?)```", README, re.DOTALL)
+    (budget,) = re.findall(
+        r"```toml\n(schema = 1\nrobot = (?:(?!```).)*?tolerance = .*?)```", README, re.DOTALL
+    )
     (tmp_path / "stewart_sym").symlink_to(README_FOLDER / "stewart_sym")
     (tmp_path / "enough.toml").write_text(budget)
     assert list(read_budget(tmp_path / "enough.toml").motions) == ["I", "II"]

@@ -524,6 +524,7 @@ static void legs_near_pole(
         const stewart_real K_x = Q_y*y_x + Q_z*z_x;
         const stewart_real K_y = Q_y*y_y + Q_z*z_y;
         const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        out->D[l] = 0;
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;

@@ -722,7 +722,7 @@ static void bias_of_pose(
     sum[5] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
 }
 
-/* The legs side by side: 299 (180 mul, 115 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 304 (183 mul, 117 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void bias_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
@@ -816,8 +816,6 @@ STEWART_APART static void bias_of_legs(
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = 2*phi_dot;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -826,15 +824,20 @@ STEWART_APART static void bias_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x
-            + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
-        const stewart_real k13 = k1*k3;
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c2 = J2_xz - L*h2_z;
+        const stewart_real a2 = c2;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -842,7 +845,6 @@ STEWART_APART static void bias_of_legs(
         const stewart_real M_mixed = J_yz*k3 + a3*k1;
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
         const stewart_real M_phi_L = h_x*k33 - h_z*k13;
         const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
         const stewart_real bend = L_dot*theta_dot;
@@ -853,12 +855,13 @@ STEWART_APART static void bias_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-            - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
+            + c2);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1024,7 +1027,7 @@ static void forward_dynamics_of_pose(
     sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
 }
 
-/* The legs side by side: 419 (257 mul, 158 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 424 (260 mul, 160 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void forward_dynamics_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const forward_dynamics_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, forward_dynamics_legs *STEWART_RESTRICT out)
@@ -1119,8 +1122,6 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = 2*phi_dot;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -1129,15 +1130,20 @@ STEWART_APART static void forward_dynamics_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x
-            + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
-        const stewart_real k13 = k1*k3;
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c2 = J2_xz - L*h2_z;
+        const stewart_real a2 = c2;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -1145,7 +1151,6 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real M_mixed = J_yz*k3 + a3*k1;
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
         const stewart_real M_phi_L = h_x*k33 - h_z*k13;
         const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
         const stewart_real bend = L_dot*theta_dot;
@@ -1156,12 +1161,13 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-            - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
+            + c2);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1172,11 +1178,11 @@ STEWART_APART static void forward_dynamics_of_legs(
         /* (24) known part of the actuator force, to match */
         const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
             - k3_h*phi_ddot;
-        const stewart_real c1 = F - D;
+        const stewart_real c3 = F - D;
         /* force on the platform at the tip */
-        const stewart_real push_x = c1*s_x - K_x;
-        const stewart_real push_y = c1*s_y - K_y;
-        const stewart_real push_z = c1*s_z - K_z;
+        const stewart_real push_x = c3*s_x - K_x;
+        const stewart_real push_y = c3*s_y - K_y;
+        const stewart_real push_z = c3*s_z - K_z;
         /* inertia at the tip, leg frame */
         const stewart_real m_leg_sy = -inv_rho*k3_h;
         const stewart_real m_leg_sz = -h_z*inv_L;
@@ -1199,19 +1205,19 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
         const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
         const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
-        const stewart_real c2 = m_xy*q_z;
-        const stewart_real c3 = m_xz*q_y;
-        const stewart_real c4 = -m_yz*q_x;
+        const stewart_real c4 = m_xy*q_z;
+        const stewart_real c5 = m_xz*q_y;
+        const stewart_real c6 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c2 - c3;
+        const stewart_real m_q_xx = c4 - c5;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c2 - c4;
+        const stewart_real m_q_yy = -c4 - c6;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c3 + c4;
+        const stewart_real m_q_zz = c5 + c6;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -1624,8 +1630,6 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real phi_dot2 = c4;
         const stewart_real c5 = 2*phi_dot;
         const stewart_real two_phi_dot = c5;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
         const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
@@ -1636,12 +1640,15 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
         const stewart_real c7 = 2*theta_dot;
-        /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = k1*k3*phi_dot2 - L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
         const stewart_real c8 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
         const stewart_real k13 = c8;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
