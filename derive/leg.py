@@ -194,8 +194,12 @@ def rotation(
     acceleration = L_ddot * X_AXIS + cross(W, cross(W, S)) + 2 * L_dot * cross(W, X_AXIS) + cross(A, S) - m.e
     L_ddot = build.scalar("L_ddot", solve_one(acceleration[0], L_ddot), "(8)", "sliding acceleration")
     about = "angular acceleration of the leg, leg frame"
-    A_z = build.scalar("A_z", _tidy(solve_one(acceleration[1], A[2]), m), "(9)", about)
-    A_y = build.scalar("A_y", _tidy(solve_one(acceleration[2], A[1]), m), "(9)", about)
+    # What the spin adds to A_y and A_z cancels further on, and near the pole it is large: it gets no name.
+    own = "angular acceleration of the leg but for its spin, leg frame"
+    turned_z, turned_y = (solve_one(acceleration[i], A[j]) for i, j in ((1, 2), (2, 1)))
+    spun_z, spun_y = -W[0] * W[1], W[0] * W[2]
+    A_z = build.scalar("A_z_own", _tidy(turned_z - spun_z, m), "(9)", own) + spun_z
+    A_y = build.scalar("A_y_own", _tidy(turned_y - spun_y, m), "(9)", own) + spun_y
     condition = (A.dot(axis) + W.dot(axis_dot)).subs({A[1]: A_y, A[2]: A_z})
     A_x = build.scalar("A_x", _tidy(solve_one(condition, A[0]), m), "(9)", about)
     return L_dot, W, L_ddot, sp.Matrix([A_x, A_y, A_z])
@@ -252,13 +256,15 @@ def centre_forces(
     )
     a_d = build.vector(
         "a_d",
-        cross(A, r_d) + cross(W, cross(W, r_d)),
+        _spin_gathered(cross(A, r_d) + cross(W, cross(W, r_d)), W),
         "(11), (13)",
         "acceleration of the lower centre of mass",
     )
     a_u = build.vector(
         "a_u",
-        L_ddot * X_AXIS + cross(A, r_u) + cross(W, cross(W, r_u)) + 2 * L_dot * cross(W, X_AXIS),
+        L_ddot * X_AXIS
+        + _spin_gathered(cross(A, r_u) + cross(W, cross(W, r_u)), W)
+        + 2 * L_dot * cross(W, X_AXIS),
         "(14)",
         "acceleration of the upper centre of mass",
     )
@@ -270,7 +276,13 @@ def centre_forces(
 
 def euler_term(inertia: sp.Matrix, A: sp.Matrix, W: sp.Matrix) -> sp.Matrix:
     """I A + W x I W."""
-    return inertia * A + cross(W, inertia * W)
+    return _spin_gathered(inertia * A + cross(W, inertia * W), W)
+
+
+def _spin_gathered(vector: sp.Matrix, W: sp.Matrix) -> sp.Matrix:
+    """The vector with the products of the leg's angular velocity collected, so that what cancels is gone."""
+    products = list(dict.fromkeys(W[i] * W[j] for i in range(3) for j in range(i, 3)))
+    return vector.applyfunc(lambda entry: sp.collect(sp.expand(entry), [p for p in products if p != 0]))
 
 
 @dataclass(frozen=True)

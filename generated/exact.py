@@ -7,12 +7,12 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
-leg      408 (228 mul, 176 add, 2 div, 2 sqrt)     358 (203 mul, 151 add, 2 div, 2 sqrt)
+leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
 solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2906 (1597 mul, 1279 add, 18 div, 12 sqrt) 2606 (1447 mul, 1129 add, 18 div, 12 sqrt)
+total    2942 (1603 mul, 1309 add, 18 div, 12 sqrt) 2642 (1453 mul, 1159 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -24,20 +24,20 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (228, 176, 2, 2),
+        "leg": (229, 181, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1597, 1279, 18, 12),
+        "total": (1603, 1309, 18, 12),
     },
     "frictionless": {
-        "leg": (203, 151, 2, 2),
+        "leg": (204, 156, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1447, 1129, 18, 12),
+        "total": (1453, 1159, 18, 12),
     },
 }
 
@@ -78,7 +78,7 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
 
-    Operations: 408 (228 mul, 176 add, 2 div, 2 sqrt).
+    Operations: 414 (229 mul, 181 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -212,32 +212,34 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     W_z = inv_L*u_y
     W_y = -inv_L*u_z
     W_x = W_z*kappa
+    c1 = W_y*W_y
+    c2 = W_z*W_z
     # (8) sliding acceleration
-    L_ddot = L*W_y*W_y + L*W_z*W_z + e_x
-    c1 = W_x*W_y
-    c2 = 2*u_x
-    c3 = W_z*c2
-    c4 = W_y*c2
+    L_ddot = L*c1 + L*c2 + e_x
+    c3 = 2*u_x
+    c4 = W_z*c3
+    c5 = W_y*c3
+    # (9) angular acceleration of the leg but for its spin, leg frame
+    A_z_own = inv_L*(e_y - c4)
+    A_y_own = inv_L*(-c5 - e_z)
+    c6 = W_y*W_z
+    c7 = W_x*W_y
+    c8 = 2*c7
     # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c3) - c1
-    A_y = W_x*W_z + inv_L*(-c4 - e_z)
-    A_x = kappa*(A_z - c1) - W_y*W_z
+    A_x = kappa*(A_z_own - c8) - c6
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    c5 = W_x*r_d0_y - W_y*r_d0_x
-    c6 = W_z*r_d0_x - W_x*r_d0_z
-    c7 = W_y*r_d0_z - W_z*r_d0_y
+    c9 = W_x*W_z
+    c10 = 2*c9
+    c11 = W_x*W_x
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6
-    a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5
-    a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7
-    c8 = W_x*r_u0_y - W_y*r_u_x
-    c9 = W_z*r_u_x - W_x*r_u0_z
-    c10 = W_y*r_u0_z - W_z*r_u0_y
+    a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x
+    a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y
+    a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9
-    a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8
-    a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4
+    a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x
+    a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y
+    a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5
     # (25) m_d (a_d - g)
     N_d_x = m_d*(a_d_x - gamma_x)
     N_d_y = m_d*(a_d_y - gamma_y)
@@ -257,13 +259,14 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     I_yy = I_d0_yy + I_u0_yy
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz
-    c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z
-    c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z
-    c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z
+    c15 = I_yy - I_zz
     # (19) I A + W x I W
-    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15
-    E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14
-    E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16
+    E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6
+    E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15) - I_xz*c11 - I_yz*c8
+    E_z = (
+        A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx - I_zz) - I_xy*c1
+        - I_xz*c6
+    )
     # (20) moment that the joints' forces must make
     C_x = C_u*W_x + E_x + N_d_z*r_d0_y + N_u_z*r_u0_y + f_leg_x - N_d_y*r_d0_z - N_u_y*r_u0_z
     C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x - N_u_z*r_u_x
@@ -398,7 +401,7 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
     """One leg: joint reactions, (21), (26)-(29), (17).
 
-    Operations: 499 (276 mul, 219 add, 2 div, 2 sqrt).
+    Operations: 508 (275 mul, 229 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -532,32 +535,34 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     W_z = inv_L*u_y
     W_y = -inv_L*u_z
     W_x = W_z*kappa
+    c1 = W_y*W_y
+    c2 = W_z*W_z
     # (8) sliding acceleration
-    L_ddot = L*W_y*W_y + L*W_z*W_z + e_x
-    c1 = W_x*W_y
-    c2 = 2*u_x
-    c3 = W_z*c2
-    c4 = W_y*c2
+    L_ddot = L*c1 + L*c2 + e_x
+    c3 = 2*u_x
+    c4 = W_z*c3
+    c5 = W_y*c3
+    # (9) angular acceleration of the leg but for its spin, leg frame
+    A_z_own = inv_L*(e_y - c4)
+    A_y_own = inv_L*(-c5 - e_z)
+    c6 = W_y*W_z
+    c7 = W_x*W_y
+    c8 = 2*c7
     # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c3) - c1
-    A_y = W_x*W_z + inv_L*(-c4 - e_z)
-    A_x = kappa*(A_z - c1) - W_y*W_z
+    A_x = kappa*(A_z_own - c8) - c6
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    c5 = W_x*r_d0_y - W_y*r_d0_x
-    c6 = W_z*r_d0_x - W_x*r_d0_z
-    c7 = W_y*r_d0_z - W_z*r_d0_y
+    c9 = W_x*W_z
+    c10 = 2*c9
+    c11 = W_x*W_x
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6
-    a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5
-    a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7
-    c8 = W_x*r_u0_y - W_y*r_u_x
-    c9 = W_z*r_u_x - W_x*r_u0_z
-    c10 = W_y*r_u0_z - W_z*r_u0_y
+    a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x
+    a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y
+    a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9
-    a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8
-    a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4
+    a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x
+    a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y
+    a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5
     # (25) m_d (a_d - g)
     N_d_x = m_d*(a_d_x - gamma_x)
     N_d_y = m_d*(a_d_y - gamma_y)
@@ -577,51 +582,56 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     I_yy = I_d0_yy + I_u0_yy
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz
-    c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z
-    c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z
-    c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z
+    c15 = I_yy - I_zz
     # (19) I A + W x I W
-    E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15
-    E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14
-    E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16
-    c17 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z
-    c18 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z
-    c19 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z
+    E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6
+    E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15) - I_xz*c11 - I_yz*c8
+    E_z = (
+        A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx - I_zz) - I_xy*c1
+        - I_xz*c6
+    )
+    c16 = I_d0_yy - I_d0_zz
     # (17) I_d A + W x I_d W
-    E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c17 - W_z*c18
-    E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c19 - W_x*c17
-    E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c18 - W_y*c19
-    c20 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z
-    c21 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
-    c22 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
+    E_d_x = A_x*I_d0_xx + A_y_own*I_d0_xy + A_z_own*I_d0_xz + I_d0_yz*c1 - I_d0_yz*c2 - c16*c6
+    E_d_y = (
+        A_x*I_d0_xy + A_y_own*I_d0_yy + A_z_own*I_d0_yz + I_d0_xy*c6 + I_d0_xz*c2 + c9*(I_d0_xx + c16)
+        - I_d0_xz*c11 - I_d0_yz*c8
+    )
+    E_d_z = (
+        A_x*I_d0_xz + A_y_own*I_d0_yz + A_z_own*I_d0_zz + I_d0_xy*c11 + I_d0_yz*c10 + c7*(I_d0_yy - I_d0_xx
+        - I_d0_zz) - I_d0_xy*c1 - I_d0_xz*c6
+    )
+    c17 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z
+    c18 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
+    c19 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
     # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z*r_u0_y + c20 + f_leg_x - N_u_y*r_u0_z
-    C_y = E_y + N_u_x*r_u0_z + c21 + f_leg_y - N_u_z*r_u_x
-    C_z = E_z + N_u_y*r_u_x + c22 + f_leg_z - N_u_x*r_u0_y
-    c23 = C_x*kappa
-    c24 = C_z + c23
-    c25 = C_y*inv_L
+    C_x = E_x + N_u_z*r_u0_y + c17 + f_leg_x - N_u_y*r_u0_z
+    C_y = E_y + N_u_x*r_u0_z + c18 + f_leg_y - N_u_z*r_u_x
+    C_z = E_z + N_u_y*r_u_x + c19 + f_leg_z - N_u_x*r_u0_y
+    c20 = C_x*kappa
+    c21 = C_z + c20
+    c22 = C_y*inv_L
     # (21) transverse force at the spherical joint, leg frame
-    K_leg_y = c24*inv_L
-    K_leg_z = -c25
-    c26 = N_u_x - x
-    c27 = N_u_y - c24*inv_L
-    c28 = N_u_z + c25
+    K_leg_y = c21*inv_L
+    K_leg_z = -c22
+    c23 = N_u_x - x
+    c24 = N_u_y - c21*inv_L
+    c25 = N_u_z + c22
     # F_u, leg frame
-    F_u_leg_x = N_d_x + c26
-    F_u_leg_y = N_d_y + c27
-    F_u_leg_z = N_d_z + c28
+    F_u_leg_x = N_d_x + c23
+    F_u_leg_y = N_d_y + c24
+    F_u_leg_z = N_d_z + c25
     # F_p, leg frame
-    F_p_leg_x = C_p*u_x + c26
-    F_p_leg_y = c27
-    F_p_leg_z = c28
+    F_p_leg_x = C_p*u_x + c23
+    F_p_leg_y = c24
+    F_p_leg_z = c25
     # F_c, leg frame
-    F_c_leg_y = c27
-    F_c_leg_z = c28
+    F_c_leg_y = c24
+    F_c_leg_z = c25
     # M_p, leg frame
-    M_p_leg_x = C_x - E_d_x - c20
-    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c21
-    M_p_leg_z = inv_L*(C_z*bearing + bearing*c23) - E_d_z - N_u_y*bearing - c22 - c23
+    M_p_leg_x = C_x - E_d_x - c17
+    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c18
+    M_p_leg_z = inv_L*(C_z*bearing + bearing*c20) - E_d_z - N_u_y*bearing - c19 - c20
     shape = (*motion.t.shape[:-1], 6)
     return {
         "F_s": stack(

@@ -7,12 +7,12 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
-leg      325 (183 mul, 138 add, 2 div, 2 sqrt)     279 (159 mul, 116 add, 2 div, 2 sqrt)
+leg      331 (186 mul, 141 add, 2 div, 2 sqrt)     285 (162 mul, 119 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
 solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2408 (1327 mul, 1051 add, 18 div, 12 sqrt) 2132 (1183 mul, 919 add, 18 div, 12 sqrt)
+total    2444 (1345 mul, 1069 add, 18 div, 12 sqrt) 2168 (1201 mul, 937 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -24,20 +24,20 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (183, 138, 2, 2),
+        "leg": (186, 141, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1327, 1051, 18, 12),
+        "total": (1345, 1069, 18, 12),
     },
     "frictionless": {
-        "leg": (159, 116, 2, 2),
+        "leg": (162, 119, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1183, 919, 18, 12),
+        "total": (1201, 937, 18, 12),
     },
 }
 
@@ -78,7 +78,7 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
 
-    Operations: 325 (183 mul, 138 add, 2 div, 2 sqrt).
+    Operations: 331 (186 mul, 141 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -212,21 +212,20 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     c3 = 2*u_x
     c4 = W_z*c3
     c5 = W_y*c3
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4)
-    A_y = inv_L*(-c5 - e_z)
+    # (9) angular acceleration of the leg but for its spin, leg frame
+    A_z_own = inv_L*(e_y - c4)
+    A_y_own = inv_L*(-c5 - e_z)
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    c6 = W_y*r_d0_z - W_z*r_d0_y
+    c6 = W_y*W_z
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
-    a_d_y = A_z*r_d0_x + W_z*c6
-    a_d_z = -A_y*r_d0_x - W_y*c6
-    c7 = W_y*r_u0_z - W_z*r_u0_y
+    a_d_x = A_y_own*r_d0_z - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x
+    a_d_y = A_z_own*r_d0_x + c6*r_d0_z - c2*r_d0_y
+    a_d_z = W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
-    a_u_y = A_z*r_u_x + W_z*c7 + c4
-    a_u_z = -A_y*r_u_x - W_y*c7 - c5
+    a_u_x = A_y_own*r_u0_z + L_ddot - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x
+    a_u_y = A_z_own*r_u_x + c4 + c6*r_u0_z - c2*r_u0_y
+    a_u_z = W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c5
     # (25) m_d (a_d - g)
     N_d_x = m_d*(a_d_x - gamma_x)
     N_d_y = m_d*(a_d_y - gamma_y)
@@ -239,17 +238,16 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     f_leg_x = -C_s*w_x
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    c11 = m_u*L*L
+    c10 = m_u*L*L
     # (15), (16), (19) I_d + I_u
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
-    I_yy = I_d0_yy + I_u0_yy + c11
+    I_yy = I_d0_yy + I_u0_yy + c10
     I_yz = I_d0_yz + I_u0_yz
-    I_zz = I_d0_zz + I_u0_zz + c11
-    c12 = I_xy*W_y + I_xz*W_z
+    I_zz = I_d0_zz + I_u0_zz + c10
     # (19) I A + W x I W
-    E_y = A_y*I_yy + A_z*I_yz + W_z*c12
-    E_z = A_y*I_yz + A_z*I_zz - W_y*c12
+    E_y = A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2
+    E_z = A_y_own*I_yz + A_z_own*I_zz - I_xy*c1 - I_xz*c6
     # (20) moment that the joints' forces must make
     C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x - N_u_z*r_u_x
     C_z = C_u*W_z + E_z + N_d_y*r_d0_x + N_u_y*r_u_x + f_leg_z - N_d_x*r_d0_y - N_u_x*r_u0_y
@@ -383,7 +381,7 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
     """One leg: joint reactions, (21), (26)-(29), (17).
 
-    Operations: 419 (232 mul, 183 add, 2 div, 2 sqrt).
+    Operations: 420 (229 mul, 187 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -517,21 +515,20 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     c3 = 2*u_x
     c4 = W_z*c3
     c5 = W_y*c3
-    # (9) angular acceleration of the leg, leg frame
-    A_z = inv_L*(e_y - c4)
-    A_y = inv_L*(-c5 - e_z)
+    # (9) angular acceleration of the leg but for its spin, leg frame
+    A_z_own = inv_L*(e_y - c4)
+    A_y_own = inv_L*(-c5 - e_z)
     # (12) centre of mass of the upper part from the base point
     r_u_x = L + r_u0_x
-    c6 = W_y*r_d0_z - W_z*r_d0_y
+    c6 = W_y*W_z
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x
-    a_d_y = A_z*r_d0_x + W_z*c6
-    a_d_z = -A_y*r_d0_x - W_y*c6
-    c7 = W_y*r_u0_z - W_z*r_u0_y
+    a_d_x = A_y_own*r_d0_z - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x
+    a_d_y = A_z_own*r_d0_x + c6*r_d0_z - c2*r_d0_y
+    a_d_z = W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x
-    a_u_y = A_z*r_u_x + W_z*c7 + c4
-    a_u_z = -A_y*r_u_x - W_y*c7 - c5
+    a_u_x = A_y_own*r_u0_z + L_ddot - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x
+    a_u_y = A_z_own*r_u_x + c4 + c6*r_u0_z - c2*r_u0_y
+    a_u_z = W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c5
     # (25) m_d (a_d - g)
     N_d_x = m_d*(a_d_x - gamma_x)
     N_d_y = m_d*(a_d_y - gamma_y)
@@ -544,54 +541,52 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     f_leg_x = -C_s*w_x
     f_leg_y = C_s*(W_y - w_y)
     f_leg_z = C_s*(W_z - w_z)
-    c11 = m_u*L*L
+    c10 = m_u*L*L
     # (15), (16), (19) I_d + I_u
     I_xy = I_d0_xy + I_u0_xy
     I_xz = I_d0_xz + I_u0_xz
-    I_yy = I_d0_yy + I_u0_yy + c11
+    I_yy = I_d0_yy + I_u0_yy + c10
     I_yz = I_d0_yz + I_u0_yz
-    I_zz = I_d0_zz + I_u0_zz + c11
-    c12 = I_xy*W_y + I_xz*W_z
+    I_zz = I_d0_zz + I_u0_zz + c10
     # (19) I A + W x I W
-    E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z)
-    E_y = A_y*I_yy + A_z*I_yz + W_z*c12
-    E_z = A_y*I_yz + A_z*I_zz - W_y*c12
-    c13 = I_d0_xy*W_y + I_d0_xz*W_z
+    E_x = A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 + c6*(I_zz - I_yy) - I_yz*c2
+    E_y = A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2
+    E_z = A_y_own*I_yz + A_z_own*I_zz - I_xy*c1 - I_xz*c6
     # (17) I_d A + W x I_d W
-    E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z) - W_z*(I_d0_yy*W_y + I_d0_yz*W_z)
-    E_d_y = A_y*I_d0_yy + A_z*I_d0_yz + W_z*c13
-    E_d_z = A_y*I_d0_yz + A_z*I_d0_zz - W_y*c13
-    c14 = N_d_z*r_d0_y
-    c15 = N_d_y*r_d0_z
-    c16 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
-    c17 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
+    E_d_x = A_y_own*I_d0_xy + A_z_own*I_d0_xz + I_d0_yz*c1 + c6*(I_d0_zz - I_d0_yy) - I_d0_yz*c2
+    E_d_y = A_y_own*I_d0_yy + A_z_own*I_d0_yz + I_d0_xy*c6 + I_d0_xz*c2
+    E_d_z = A_y_own*I_d0_yz + A_z_own*I_d0_zz - I_d0_xy*c1 - I_d0_xz*c6
+    c11 = N_d_z*r_d0_y
+    c12 = N_d_y*r_d0_z
+    c13 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x
+    c14 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y
     # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15
-    C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x
-    C_z = E_z + N_u_y*r_u_x + c17 + f_leg_z - N_u_x*r_u0_y
-    c18 = C_z*inv_L
-    c19 = C_y*inv_L
+    C_x = E_x + N_u_z*r_u0_y + c11 + f_leg_x - N_u_y*r_u0_z - c12
+    C_y = E_y + N_u_x*r_u0_z + c13 + f_leg_y - N_u_z*r_u_x
+    C_z = E_z + N_u_y*r_u_x + c14 + f_leg_z - N_u_x*r_u0_y
+    c15 = C_z*inv_L
+    c16 = C_y*inv_L
     # (21) transverse force at the spherical joint, leg frame
-    K_leg_y = c18
-    K_leg_z = -c19
-    c20 = N_u_x - x
-    c21 = N_u_z + c19
+    K_leg_y = c15
+    K_leg_z = -c16
+    c17 = N_u_x - x
+    c18 = N_u_z + c16
     # F_u, leg frame
-    F_u_leg_x = N_d_x + c20
-    F_u_leg_y = N_d_y + N_u_y - c18
-    F_u_leg_z = N_d_z + c21
-    c22 = N_u_y - c18
+    F_u_leg_x = N_d_x + c17
+    F_u_leg_y = N_d_y + N_u_y - c15
+    F_u_leg_z = N_d_z + c18
+    c19 = N_u_y - c15
     # F_p, leg frame
-    F_p_leg_x = C_p*u_x + c20
-    F_p_leg_y = c22
-    F_p_leg_z = c21
+    F_p_leg_x = C_p*u_x + c17
+    F_p_leg_y = c19
+    F_p_leg_z = c18
     # F_c, leg frame
-    F_c_leg_y = c22
-    F_c_leg_z = c21
+    F_c_leg_y = c19
+    F_c_leg_z = c18
     # M_p, leg frame
-    M_p_leg_x = C_x + c15 - E_d_x - c14
-    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c16
-    M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c17
+    M_p_leg_x = C_x + c12 - E_d_x - c11
+    M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c13
+    M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c14
     shape = (*motion.t.shape[:-1], 6)
     return {
         "F_s": stack(

@@ -61,7 +61,7 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 408 (228 mul, 176 add, 2 div, 2 sqrt). */
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 414 (229 mul, 181 add, 2 div, 2 sqrt). */
 static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
     leg_terms *out)
 {
@@ -158,32 +158,36 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real W_z = inv_L*u_y;
     const stewart_real W_y = -inv_L*u_z;
     const stewart_real W_x = W_z*kappa;
+    const stewart_real c1 = W_y*W_y;
+    const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-    const stewart_real L_ddot = L*W_y*W_y + L*W_z*W_z + e_x;
-    const stewart_real c1 = W_x*W_y;
-    const stewart_real c2 = 2*u_x;
-    const stewart_real c3 = W_z*c2;
-    const stewart_real c4 = W_y*c2;
+    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real c3 = 2*u_x;
+    const stewart_real c4 = W_z*c3;
+    const stewart_real c5 = W_y*c3;
+    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    const stewart_real A_z_own = inv_L*(e_y - c4);
+    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real c6 = W_y*W_z;
+    const stewart_real c7 = W_x*W_y;
+    const stewart_real c8 = 2*c7;
     /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_z = inv_L*(e_y - c3) - c1;
-    const stewart_real A_y = W_x*W_z + inv_L*(-c4 - e_z);
-    const stewart_real A_x = kappa*(A_z - c1) - W_y*W_z;
+    const stewart_real A_x = kappa*(A_z_own - c8) - c6;
     /* (12) centre of mass of the upper part from the base point */
     const stewart_real r_u_x = L + r_u0_x;
-    const stewart_real c5 = W_x*r_d0_y - W_y*r_d0_x;
-    const stewart_real c6 = W_z*r_d0_x - W_x*r_d0_z;
-    const stewart_real c7 = W_y*r_d0_z - W_z*r_d0_y;
+    const stewart_real c9 = W_x*W_z;
+    const stewart_real c10 = 2*c9;
+    const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6;
-    const stewart_real a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5;
-    const stewart_real a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7;
-    const stewart_real c8 = W_x*r_u0_y - W_y*r_u_x;
-    const stewart_real c9 = W_z*r_u_x - W_x*r_u0_z;
-    const stewart_real c10 = W_y*r_u0_z - W_z*r_u0_y;
+    const stewart_real a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x
+        - c2*r_d0_x;
+    const stewart_real a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y;
+    const stewart_real a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z;
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9;
-    const stewart_real a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8;
-    const stewart_real a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4;
+    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x
+        - c2*r_u_x;
+    const stewart_real a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y;
+    const stewart_real a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5;
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -203,13 +207,13 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real I_yy = I_d0_yy + I_u0_yy;
     const stewart_real I_yz = I_d0_yz + I_u0_yz;
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
-    const stewart_real c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
-    const stewart_real c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
-    const stewart_real c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
+    const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15;
-    const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14;
-    const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16;
+    const stewart_real E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6;
+    const stewart_real E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15)
+        - I_xz*c11 - I_yz*c8;
+    const stewart_real E_z = A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx
+        - I_zz) - I_xy*c1 - I_xz*c6;
     /* (20) moment that the joints' forces must make */
     const stewart_real C_x = C_u*W_x + E_x + N_d_z*r_d0_y + N_u_z*r_u0_y + f_leg_x - N_d_y*r_d0_z
         - N_u_y*r_u0_z;
@@ -321,7 +325,7 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
 }
 
-/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 499 (276 mul, 219 add, 2 div, 2 sqrt). */
+/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 508 (275 mul, 229 add, 2 div, 2 sqrt). */
 static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
 {
@@ -418,32 +422,36 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real W_z = inv_L*u_y;
     const stewart_real W_y = -inv_L*u_z;
     const stewart_real W_x = W_z*kappa;
+    const stewart_real c1 = W_y*W_y;
+    const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-    const stewart_real L_ddot = L*W_y*W_y + L*W_z*W_z + e_x;
-    const stewart_real c1 = W_x*W_y;
-    const stewart_real c2 = 2*u_x;
-    const stewart_real c3 = W_z*c2;
-    const stewart_real c4 = W_y*c2;
+    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real c3 = 2*u_x;
+    const stewart_real c4 = W_z*c3;
+    const stewart_real c5 = W_y*c3;
+    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    const stewart_real A_z_own = inv_L*(e_y - c4);
+    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real c6 = W_y*W_z;
+    const stewart_real c7 = W_x*W_y;
+    const stewart_real c8 = 2*c7;
     /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_z = inv_L*(e_y - c3) - c1;
-    const stewart_real A_y = W_x*W_z + inv_L*(-c4 - e_z);
-    const stewart_real A_x = kappa*(A_z - c1) - W_y*W_z;
+    const stewart_real A_x = kappa*(A_z_own - c8) - c6;
     /* (12) centre of mass of the upper part from the base point */
     const stewart_real r_u_x = L + r_u0_x;
-    const stewart_real c5 = W_x*r_d0_y - W_y*r_d0_x;
-    const stewart_real c6 = W_z*r_d0_x - W_x*r_d0_z;
-    const stewart_real c7 = W_y*r_d0_z - W_z*r_d0_y;
+    const stewart_real c9 = W_x*W_z;
+    const stewart_real c10 = 2*c9;
+    const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y*r_d0_z + W_y*c5 - A_z*r_d0_y - W_z*c6;
-    const stewart_real a_d_y = A_z*r_d0_x + W_z*c7 - A_x*r_d0_z - W_x*c5;
-    const stewart_real a_d_z = A_x*r_d0_y + W_x*c6 - A_y*r_d0_x - W_y*c7;
-    const stewart_real c8 = W_x*r_u0_y - W_y*r_u_x;
-    const stewart_real c9 = W_z*r_u_x - W_x*r_u0_z;
-    const stewart_real c10 = W_y*r_u0_z - W_z*r_u0_y;
+    const stewart_real a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x
+        - c2*r_d0_x;
+    const stewart_real a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y;
+    const stewart_real a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z;
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y*r_u0_z + L_ddot + W_y*c8 - A_z*r_u0_y - W_z*c9;
-    const stewart_real a_u_y = A_z*r_u_x + W_z*c10 + c3 - A_x*r_u0_z - W_x*c8;
-    const stewart_real a_u_z = A_x*r_u0_y + W_x*c9 - A_y*r_u_x - W_y*c10 - c4;
+    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x
+        - c2*r_u_x;
+    const stewart_real a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y;
+    const stewart_real a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5;
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -463,51 +471,52 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real I_yy = I_d0_yy + I_u0_yy;
     const stewart_real I_yz = I_d0_yz + I_u0_yz;
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
-    const stewart_real c14 = I_xz*W_x + I_yz*W_y + I_zz*W_z;
-    const stewart_real c15 = I_xy*W_x + I_yy*W_y + I_yz*W_z;
-    const stewart_real c16 = I_xx*W_x + I_xy*W_y + I_xz*W_z;
+    const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_x*I_xx + A_y*I_xy + A_z*I_xz + W_y*c14 - W_z*c15;
-    const stewart_real E_y = A_x*I_xy + A_y*I_yy + A_z*I_yz + W_z*c16 - W_x*c14;
-    const stewart_real E_z = A_x*I_xz + A_y*I_yz + A_z*I_zz + W_x*c15 - W_y*c16;
-    const stewart_real c17 = I_d0_xz*W_x + I_d0_yz*W_y + I_d0_zz*W_z;
-    const stewart_real c18 = I_d0_xy*W_x + I_d0_yy*W_y + I_d0_yz*W_z;
-    const stewart_real c19 = I_d0_xx*W_x + I_d0_xy*W_y + I_d0_xz*W_z;
+    const stewart_real E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6;
+    const stewart_real E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15)
+        - I_xz*c11 - I_yz*c8;
+    const stewart_real E_z = A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx
+        - I_zz) - I_xy*c1 - I_xz*c6;
+    const stewart_real c16 = I_d0_yy - I_d0_zz;
     /* (17) I_d A + W x I_d W */
-    const stewart_real E_d_x = A_x*I_d0_xx + A_y*I_d0_xy + A_z*I_d0_xz + W_y*c17 - W_z*c18;
-    const stewart_real E_d_y = A_x*I_d0_xy + A_y*I_d0_yy + A_z*I_d0_yz + W_z*c19 - W_x*c17;
-    const stewart_real E_d_z = A_x*I_d0_xz + A_y*I_d0_yz + A_z*I_d0_zz + W_x*c18 - W_y*c19;
-    const stewart_real c20 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
-    const stewart_real c21 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
-    const stewart_real c22 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
+    const stewart_real E_d_x = A_x*I_d0_xx + A_y_own*I_d0_xy + A_z_own*I_d0_xz + I_d0_yz*c1 - I_d0_yz*c2
+        - c16*c6;
+    const stewart_real E_d_y = A_x*I_d0_xy + A_y_own*I_d0_yy + A_z_own*I_d0_yz + I_d0_xy*c6 + I_d0_xz*c2
+        + c9*(I_d0_xx + c16) - I_d0_xz*c11 - I_d0_yz*c8;
+    const stewart_real E_d_z = A_x*I_d0_xz + A_y_own*I_d0_yz + A_z_own*I_d0_zz + I_d0_xy*c11 + I_d0_yz*c10
+        + c7*(I_d0_yy - I_d0_xx - I_d0_zz) - I_d0_xy*c1 - I_d0_xz*c6;
+    const stewart_real c17 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
+    const stewart_real c18 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
+    const stewart_real c19 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = E_x + N_u_z*r_u0_y + c20 + f_leg_x - N_u_y*r_u0_z;
-    const stewart_real C_y = E_y + N_u_x*r_u0_z + c21 + f_leg_y - N_u_z*r_u_x;
-    const stewart_real C_z = E_z + N_u_y*r_u_x + c22 + f_leg_z - N_u_x*r_u0_y;
-    const stewart_real c23 = C_x*kappa;
-    const stewart_real c24 = C_z + c23;
-    const stewart_real c25 = C_y*inv_L;
+    const stewart_real C_x = E_x + N_u_z*r_u0_y + c17 + f_leg_x - N_u_y*r_u0_z;
+    const stewart_real C_y = E_y + N_u_x*r_u0_z + c18 + f_leg_y - N_u_z*r_u_x;
+    const stewart_real C_z = E_z + N_u_y*r_u_x + c19 + f_leg_z - N_u_x*r_u0_y;
+    const stewart_real c20 = C_x*kappa;
+    const stewart_real c21 = C_z + c20;
+    const stewart_real c22 = C_y*inv_L;
     /* (21) transverse force at the spherical joint, leg frame */
-    const stewart_real K_leg_y = c24*inv_L;
-    const stewart_real K_leg_z = -c25;
-    const stewart_real c26 = N_u_x - x;
-    const stewart_real c27 = N_u_y - c24*inv_L;
-    const stewart_real c28 = N_u_z + c25;
+    const stewart_real K_leg_y = c21*inv_L;
+    const stewart_real K_leg_z = -c22;
+    const stewart_real c23 = N_u_x - x;
+    const stewart_real c24 = N_u_y - c21*inv_L;
+    const stewart_real c25 = N_u_z + c22;
     /* F_u, leg frame */
-    const stewart_real F_u_leg_x = N_d_x + c26;
-    const stewart_real F_u_leg_y = N_d_y + c27;
-    const stewart_real F_u_leg_z = N_d_z + c28;
+    const stewart_real F_u_leg_x = N_d_x + c23;
+    const stewart_real F_u_leg_y = N_d_y + c24;
+    const stewart_real F_u_leg_z = N_d_z + c25;
     /* F_p, leg frame */
-    const stewart_real F_p_leg_x = C_p*u_x + c26;
-    const stewart_real F_p_leg_y = c27;
-    const stewart_real F_p_leg_z = c28;
+    const stewart_real F_p_leg_x = C_p*u_x + c23;
+    const stewart_real F_p_leg_y = c24;
+    const stewart_real F_p_leg_z = c25;
     /* F_c, leg frame */
-    const stewart_real F_c_leg_y = c27;
-    const stewart_real F_c_leg_z = c28;
+    const stewart_real F_c_leg_y = c24;
+    const stewart_real F_c_leg_z = c25;
     /* M_p, leg frame */
-    const stewart_real M_p_leg_x = C_x - E_d_x - c20;
-    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c21;
-    const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c23) - E_d_z - N_u_y*bearing - c22 - c23;
+    const stewart_real M_p_leg_x = C_x - E_d_x - c17;
+    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c18;
+    const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c20) - E_d_z - N_u_y*bearing - c19 - c20;
     out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
     out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
     out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;

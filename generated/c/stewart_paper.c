@@ -61,7 +61,7 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 325 (183 mul, 138 add, 2 div, 2 sqrt). */
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 331 (186 mul, 141 add, 2 div, 2 sqrt). */
 static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
     leg_terms *out)
 {
@@ -160,21 +160,20 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real c3 = 2*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_z = inv_L*(e_y - c4);
-    const stewart_real A_y = inv_L*(-c5 - e_z);
+    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    const stewart_real A_z_own = inv_L*(e_y - c4);
+    const stewart_real A_y_own = inv_L*(-c5 - e_z);
     /* (12) centre of mass of the upper part from the base point */
     const stewart_real r_u_x = L + r_u0_x;
-    const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
+    const stewart_real c6 = W_y*W_z;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-    const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
-    const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
-    const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
+    const stewart_real a_d_x = A_y_own*r_d0_z - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x;
+    const stewart_real a_d_y = A_z_own*r_d0_x + c6*r_d0_z - c2*r_d0_y;
+    const stewart_real a_d_z = W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z;
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
-    const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
-    const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
+    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x;
+    const stewart_real a_u_y = A_z_own*r_u_x + c4 + c6*r_u0_z - c2*r_u0_y;
+    const stewart_real a_u_z = W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c5;
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -187,17 +186,16 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real f_leg_x = -C_s*w_x;
     const stewart_real f_leg_y = C_s*(W_y - w_y);
     const stewart_real f_leg_z = C_s*(W_z - w_z);
-    const stewart_real c11 = m_u*L*L;
+    const stewart_real c10 = m_u*L*L;
     /* (15), (16), (19) I_d + I_u */
     const stewart_real I_xy = I_d0_xy + I_u0_xy;
     const stewart_real I_xz = I_d0_xz + I_u0_xz;
-    const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
+    const stewart_real I_yy = I_d0_yy + I_u0_yy + c10;
     const stewart_real I_yz = I_d0_yz + I_u0_yz;
-    const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
-    const stewart_real c12 = I_xy*W_y + I_xz*W_z;
+    const stewart_real I_zz = I_d0_zz + I_u0_zz + c10;
     /* (19) I A + W x I W */
-    const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
-    const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
+    const stewart_real E_y = A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2;
+    const stewart_real E_z = A_y_own*I_yz + A_z_own*I_zz - I_xy*c1 - I_xz*c6;
     /* (20) moment that the joints' forces must make */
     const stewart_real C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x
         - N_u_z*r_u_x;
@@ -307,7 +305,7 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
 }
 
-/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 419 (232 mul, 183 add, 2 div, 2 sqrt). */
+/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 420 (229 mul, 187 add, 2 div, 2 sqrt). */
 static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
 {
@@ -406,21 +404,20 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real c3 = 2*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
-    /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_z = inv_L*(e_y - c4);
-    const stewart_real A_y = inv_L*(-c5 - e_z);
+    /* (9) angular acceleration of the leg but for its spin, leg frame */
+    const stewart_real A_z_own = inv_L*(e_y - c4);
+    const stewart_real A_y_own = inv_L*(-c5 - e_z);
     /* (12) centre of mass of the upper part from the base point */
     const stewart_real r_u_x = L + r_u0_x;
-    const stewart_real c6 = W_y*r_d0_z - W_z*r_d0_y;
+    const stewart_real c6 = W_y*W_z;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y*r_d0_z - A_z*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-    const stewart_real a_d_y = A_z*r_d0_x + W_z*c6;
-    const stewart_real a_d_z = -A_y*r_d0_x - W_y*c6;
-    const stewart_real c7 = W_y*r_u0_z - W_z*r_u0_y;
+    const stewart_real a_d_x = A_y_own*r_d0_z - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x;
+    const stewart_real a_d_y = A_z_own*r_d0_x + c6*r_d0_z - c2*r_d0_y;
+    const stewart_real a_d_z = W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z;
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y*r_u0_z + L_ddot - A_z*r_u0_y - c1*r_u_x - c2*r_u_x;
-    const stewart_real a_u_y = A_z*r_u_x + W_z*c7 + c4;
-    const stewart_real a_u_z = -A_y*r_u_x - W_y*c7 - c5;
+    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot - A_z_own*r_u0_y - c1*r_u_x - c2*r_u_x;
+    const stewart_real a_u_y = A_z_own*r_u_x + c4 + c6*r_u0_z - c2*r_u0_y;
+    const stewart_real a_u_z = W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c5;
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -433,55 +430,53 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real f_leg_x = -C_s*w_x;
     const stewart_real f_leg_y = C_s*(W_y - w_y);
     const stewart_real f_leg_z = C_s*(W_z - w_z);
-    const stewart_real c11 = m_u*L*L;
+    const stewart_real c10 = m_u*L*L;
     /* (15), (16), (19) I_d + I_u */
     const stewart_real I_xy = I_d0_xy + I_u0_xy;
     const stewart_real I_xz = I_d0_xz + I_u0_xz;
-    const stewart_real I_yy = I_d0_yy + I_u0_yy + c11;
+    const stewart_real I_yy = I_d0_yy + I_u0_yy + c10;
     const stewart_real I_yz = I_d0_yz + I_u0_yz;
-    const stewart_real I_zz = I_d0_zz + I_u0_zz + c11;
-    const stewart_real c12 = I_xy*W_y + I_xz*W_z;
+    const stewart_real I_zz = I_d0_zz + I_u0_zz + c10;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_y*I_xy + A_z*I_xz + W_y*(I_yz*W_y + I_zz*W_z) - W_z*(I_yy*W_y + I_yz*W_z);
-    const stewart_real E_y = A_y*I_yy + A_z*I_yz + W_z*c12;
-    const stewart_real E_z = A_y*I_yz + A_z*I_zz - W_y*c12;
-    const stewart_real c13 = I_d0_xy*W_y + I_d0_xz*W_z;
+    const stewart_real E_x = A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 + c6*(I_zz - I_yy) - I_yz*c2;
+    const stewart_real E_y = A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2;
+    const stewart_real E_z = A_y_own*I_yz + A_z_own*I_zz - I_xy*c1 - I_xz*c6;
     /* (17) I_d A + W x I_d W */
-    const stewart_real E_d_x = A_y*I_d0_xy + A_z*I_d0_xz + W_y*(I_d0_yz*W_y + I_d0_zz*W_z)
-        - W_z*(I_d0_yy*W_y + I_d0_yz*W_z);
-    const stewart_real E_d_y = A_y*I_d0_yy + A_z*I_d0_yz + W_z*c13;
-    const stewart_real E_d_z = A_y*I_d0_yz + A_z*I_d0_zz - W_y*c13;
-    const stewart_real c14 = N_d_z*r_d0_y;
-    const stewart_real c15 = N_d_y*r_d0_z;
-    const stewart_real c16 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
-    const stewart_real c17 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
+    const stewart_real E_d_x = A_y_own*I_d0_xy + A_z_own*I_d0_xz + I_d0_yz*c1 + c6*(I_d0_zz - I_d0_yy)
+        - I_d0_yz*c2;
+    const stewart_real E_d_y = A_y_own*I_d0_yy + A_z_own*I_d0_yz + I_d0_xy*c6 + I_d0_xz*c2;
+    const stewart_real E_d_z = A_y_own*I_d0_yz + A_z_own*I_d0_zz - I_d0_xy*c1 - I_d0_xz*c6;
+    const stewart_real c11 = N_d_z*r_d0_y;
+    const stewart_real c12 = N_d_y*r_d0_z;
+    const stewart_real c13 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
+    const stewart_real c14 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = E_x + N_u_z*r_u0_y + c14 + f_leg_x - N_u_y*r_u0_z - c15;
-    const stewart_real C_y = E_y + N_u_x*r_u0_z + c16 + f_leg_y - N_u_z*r_u_x;
-    const stewart_real C_z = E_z + N_u_y*r_u_x + c17 + f_leg_z - N_u_x*r_u0_y;
-    const stewart_real c18 = C_z*inv_L;
-    const stewart_real c19 = C_y*inv_L;
+    const stewart_real C_x = E_x + N_u_z*r_u0_y + c11 + f_leg_x - N_u_y*r_u0_z - c12;
+    const stewart_real C_y = E_y + N_u_x*r_u0_z + c13 + f_leg_y - N_u_z*r_u_x;
+    const stewart_real C_z = E_z + N_u_y*r_u_x + c14 + f_leg_z - N_u_x*r_u0_y;
+    const stewart_real c15 = C_z*inv_L;
+    const stewart_real c16 = C_y*inv_L;
     /* (21) transverse force at the spherical joint, leg frame */
-    const stewart_real K_leg_y = c18;
-    const stewart_real K_leg_z = -c19;
-    const stewart_real c20 = N_u_x - x;
-    const stewart_real c21 = N_u_z + c19;
+    const stewart_real K_leg_y = c15;
+    const stewart_real K_leg_z = -c16;
+    const stewart_real c17 = N_u_x - x;
+    const stewart_real c18 = N_u_z + c16;
     /* F_u, leg frame */
-    const stewart_real F_u_leg_x = N_d_x + c20;
-    const stewart_real F_u_leg_y = N_d_y + N_u_y - c18;
-    const stewart_real F_u_leg_z = N_d_z + c21;
-    const stewart_real c22 = N_u_y - c18;
+    const stewart_real F_u_leg_x = N_d_x + c17;
+    const stewart_real F_u_leg_y = N_d_y + N_u_y - c15;
+    const stewart_real F_u_leg_z = N_d_z + c18;
+    const stewart_real c19 = N_u_y - c15;
     /* F_p, leg frame */
-    const stewart_real F_p_leg_x = C_p*u_x + c20;
-    const stewart_real F_p_leg_y = c22;
-    const stewart_real F_p_leg_z = c21;
+    const stewart_real F_p_leg_x = C_p*u_x + c17;
+    const stewart_real F_p_leg_y = c19;
+    const stewart_real F_p_leg_z = c18;
     /* F_c, leg frame */
-    const stewart_real F_c_leg_y = c22;
-    const stewart_real F_c_leg_z = c21;
+    const stewart_real F_c_leg_y = c19;
+    const stewart_real F_c_leg_z = c18;
     /* M_p, leg frame */
-    const stewart_real M_p_leg_x = C_x + c15 - E_d_x - c14;
-    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c16;
-    const stewart_real M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c17;
+    const stewart_real M_p_leg_x = C_x + c12 - E_d_x - c11;
+    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c13;
+    const stewart_real M_p_leg_z = C_z*bearing*inv_L - E_d_z - N_u_y*bearing - c14;
     out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
     out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
     out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
