@@ -122,7 +122,7 @@ class Robot:
         and for every break of the schema; legs are numbered from 1.  Warns with ``PhysicalityWarning`` about
         inertias that no body can have.
         """
-        source = os.fspath(path)
+        source = tables.file_name(path)
         robot = _from_table(cls, tables.read_toml(source, "robot file"), source)
         _warn(robot, source)
         return robot
@@ -217,8 +217,7 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     """Check the tables of a robot file; ``source: `` begins every message."""
     file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
-    if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
-        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     platform = _body(top["platform"], f"{file}platform.")
     tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")

@@ -92,13 +92,12 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
     every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
     """
-    source = os.fspath(path)
+    source = tables.file_name(path)
     file = f"{source}: "
     top = tables.checked_table(
         tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
     )
-    if isinstance(top["schema"], bool) or top["schema"] != SCHEMA:
-        raise ValueError(f"{file}schema: expected {SCHEMA}, got {tables.shown(top['schema'])}")
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")

@@ -4,13 +4,13 @@ Stands above ``Motion``, which it makes, and below the studies and the command l
 forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
 """
 
+import array
 import csv
 import io
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import real_array
 from .motion import Motion
 from .rotation import rpy_from_rotation
+from .tables import file_name, read_text
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -28,6 +29,8 @@ Vector = tuple[float, float, float]
 _ROUNDING = 1e-12
 # Ten million instants take up a gigabyte as motions do.
 _MOST_STEPS = 10_000_000
+# Of a CSV file; more than two million rows with everything in them.
+_MOST_BYTES = 1 << 30
 
 
 # Straight lines with parabolic blends
@@ -309,8 +312,8 @@ def read_any_csv(path: str | os.PathLike[str]) -> Trajectory | JointTrajectory:
     Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
     else those of a spline; optionally loads.  Raises as ``read_csv``.
     """
-    source = os.fspath(path)
-    columns, rows = _columns(_read_text(source), source)
+    source = file_name(path)
+    columns, rows = _columns(read_text(source, "trajectory", _MOST_BYTES), source)
     loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
     if "L_1" in columns:
         return _joint_trajectory(columns, loads, source, rows)
@@ -323,7 +326,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
     Other columns, such as those that the command ``forces`` writes, are read over. Returns times (n,) and
     forces (n, 6). Raises ``ValueError`` of one line that names the file and the row or column.
     """
-    source = os.fspath(path)
+    source = file_name(path)
     wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
 
     def check(header: list[str], source: str) -> None:
@@ -334,7 +337,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
             if column not in header:
                 raise ValueError(f"{source}: missing column {column}")
 
-    columns, _ = _columns(_read_text(source, "forces"), source, check)
+    columns, _ = _columns(read_text(source, "forces", _MOST_BYTES), source, check)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 
@@ -381,16 +384,6 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
     return ""
 
 
-def _read_text(source: str, what: str = "trajectory") -> str:
-    try:
-        return Path(source).read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
-
-
 def _columns(
     text: str, source: str, check_header: Callable[[list[str], str], None] | None = None
 ) -> tuple[dict[str, Array], tuple[int, ...]]:
@@ -399,26 +392,35 @@ def _columns(
     check_header: refuses a header, given the name of the file; None for that of a trajectory.
     """
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    header: list[str] | None = None
+    # Row after row and as numbers at once: the cells of a long file would take ten times its size.
+    numbers, rows = array.array("d"), array.array("q")
     try:
-        rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+        for cells in reader:
+            if not any(cell.strip() for cell in cells):
+                continue
+            if header is None:
+                header = [cell.strip() for cell in cells]
+                (check_header or _check_header)(header, source)
+                continue
+            rows.append(reader.line_num)
+            numbers.extend(_row(cells, header, f"{source}: row {reader.line_num}: "))
     except csv.Error as error:
         raise ValueError(f"{source}: row {reader.line_num}: not valid CSV: {error}") from None
-    if not rows:
+    if header is None:
         raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-    header = [cell.strip() for cell in rows[0][1]]
-    (check_header or _check_header)(header, source)
-    if len(rows) == 1:
+    if not rows:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
-    table = np.array([_row(cells, header, f"{source}: row {number}: ") for number, cells in rows[1:]])
+    table = np.array(numbers).reshape(len(rows), len(header))
     columns = dict(zip(header, table.T, strict=True))
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
         before, after = columns["time"][i], columns["time"][i + 1]
         raise ValueError(
-            f"{source}: row {rows[i + 2][0]}: time: expected increasing times, got {after:g} after {before:g}"
+            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after:g} after {before:g}"
         )
-    return columns, tuple(number for number, _ in rows[1:])
+    return columns, tuple(rows)
 
 
 def _row(cells: list[str], header: list[str], where: str) -> list[float]:
@@ -476,7 +478,8 @@ def _check_names(header: list[str], known: list[str], source: str) -> None:
                     raise ValueError(f"{source}: expected commas between the columns, got {name}")
             raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
         if header.count(column) > 1:
-            raise ValueError(f"{source}: column {column} is given twice")
+            name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
+            raise ValueError(f"{source}: column {name} is given twice")
 
 
 def _stack(columns: Mapping[str, Array], name: str) -> Array:
