@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import tables
+from .checks import shown
 from .dynamics import Formulation
 from .kernel import FORMULATIONS
 from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
@@ -161,7 +162,7 @@ def _legs(value: object, prefix: str) -> dict[str, Any]:
 def _not_negative(value: object, where: str) -> Any:
     numbers = tables.per_leg(value, where)
     if (np.asarray(numbers) < 0.0).any():
-        raise ValueError(f"{where}: expected numbers >= 0, got {tables.shown(value)}")
+        raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
     return numbers
 
 

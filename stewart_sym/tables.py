@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import shown
+
 Array = NDArray[np.float64]
 
 MOST_BYTES = 1 << 18
@@ -97,16 +99,6 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 
 
 # Single values
-
-
-def shown(value: object) -> str:
-    """Return a value as it may stand in a one-line message."""
-    try:
-        text = " ".join(repr(value).split())
-    except (ValueError, RecursionError):
-        # Python shows no integer of thousands of digits and nothing nested a thousand deep.
-        return f"{type(value).__name__} too long to show"
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def one_line(value: object, where: str) -> str:

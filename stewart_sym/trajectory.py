@@ -17,10 +17,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import real_array, shown
 from .motion import Motion
 from .rotation import rpy_from_rotation
-from .tables import file_name, read_text
+from .tables import file_name, number, read_text
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -66,7 +66,7 @@ class StraightLinePath:
             value = getattr(self, field.name)
             vector = field.name in ("t0", "theta0", "t1", "theta1")
             object.__setattr__(
-                self, field.name, _triple(value, field.name) if vector else _real(value, field.name)
+                self, field.name, _triple(value, field.name) if vector else number(value, field.name)
             )
         if self.tau_f <= 0.0:
             raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")
@@ -107,7 +107,7 @@ class StraightLinePath:
 
     def times(self, dtau: float) -> Array:
         """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last; at most ten million steps."""
-        dtau = _real(dtau, "dtau")
+        dtau = number(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
             raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
         if self.tau_f > _MOST_STEPS * dtau:
@@ -187,17 +187,11 @@ def _line(
 
 
 def _triple(value: object, name: str) -> Vector:
-    if not isinstance(value, list | tuple | np.ndarray) or np.ndim(value) == 0 or len(value) != 3:
-        raise ValueError(f"{name}: expected three numbers, got {value!r}")
-    x, y, z = (_real(item, name) for item in value)
+    items = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(items, list | tuple) or len(items) != 3:
+        raise ValueError(f"{name}: expected three numbers, got {shown(value)}")
+    x, y, z = (number(item, name) for item in items)
     return x, y, z
-
-
-def _real(value: object, name: str) -> float:
-    number = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
-    if not number or not math.isfinite(value):  # type: ignore[arg-type]
-        raise ValueError(f"{name}: expected a finite number, got {value!r}")
-    return float(value)  # type: ignore[arg-type]
 
 
 class PaperPath(NamedTuple):
@@ -431,12 +425,12 @@ def _row(cells: list[str], header: list[str], where: str) -> list[float]:
 
 def _cell(text: str, where: str) -> float:
     try:
-        number = float(text) if "_" not in text else math.nan
+        found = float(text) if "_" not in text else math.nan
     except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
+        found = math.nan
+    if not math.isfinite(found):
         raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}")
-    return number
+    return found
 
 
 def _components(*names: str) -> list[str]:
