@@ -43,11 +43,10 @@ def test_cppcheck_finds_nothing(source: str) -> None:
     assert attack_build.ran(command, attack_build.GENERATED) == ""
 
 
-@pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("source", SOURCES)
-def test_the_analyser_of_gcc_finds_nothing(source: str, precision: list[str]) -> None:
+def test_the_analyser_of_gcc_finds_nothing(source: str) -> None:
     need("gcc")
-    command = ["gcc", "-std=c99", "-O2", "-fanalyzer", *precision, "-S", "-o", "/dev/null", f"{source}.c"]
+    command = ["gcc", "-std=c99", "-O2", "-fanalyzer", "-S", "-o", "/dev/null", f"{source}.c"]
     assert attack_build.ran(command, attack_build.GENERATED) == ""
 
 
