@@ -10,6 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 
+def shown(value: object) -> str:
+    """Return a value as it may stand in a one-line message."""
+    try:
+        text = " ".join(repr(value).split())
+    except (ValueError, RecursionError):
+        # Python shows no integer of thousands of digits and nothing nested a thousand deep.
+        return f"{type(value).__name__} too long to show"
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
 def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:
     """Return a float64 copy; ValueError that says what was ``expected`` if these are no real numbers."""
     try:
@@ -53,9 +63,15 @@ def instance(value: object, kind: type, name: str) -> None:
         raise ValueError(f"{name}: expected a {kind.__name__}, got {type(value).__name__}")
 
 
+def truth(value: object, name: str) -> None:
+    """Refuse, by ValueError, what is no truth value."""
+    if not isinstance(value, bool | np.bool_):
+        raise ValueError(f"{name}: expected True or False, got {shown(value)}")
+
+
 def option(value: object, options: Sequence[str], name: str) -> None:
     """Refuse, by ValueError, what is none of the options."""
     if not isinstance(value, str) or value not in options:
         quoted = [f'"{text}"' for text in options]
         choice = f"{', '.join(quoted[:-1])} or {quoted[-1]}"
-        raise ValueError(f"{name}: expected {choice}, got {value!r}")
+        raise ValueError(f"{name}: expected {choice}, got {shown(value)}")

@@ -134,6 +134,10 @@ class NumpyClosedForm:
 
     def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
+        with np.errstate(all="ignore"):
+            return self._run(what, motion, F)
+
+    def _run(self, what: What, motion: Motion, F: Array | None) -> dict[str, Any]:
         generated = module(f"{NAME}_motion")
         given = loaded(motion)
         if what == "derivatives":
@@ -143,6 +147,8 @@ class NumpyClosedForm:
         if what == "linearisation":
             acceleration = generated.forward_dynamics(self.robot, given, F)["acceleration"]
             given.a, given.alpha = acceleration[..., :3], acceleration[..., 3:]
-            return {"acceleration": acceleration, **generated.linearisation(self.robot, given, F)}
+            found = generated.linearisation(self.robot, given, F)
+            acceleration = np.where((found["status"] == 0)[..., None], acceleration, np.nan)
+            return {"acceleration": acceleration, **found}
         arguments = () if F is None else (F,)
         return dict(getattr(generated, what)(self.robot, given, *arguments))

@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import instance, real_array, shown
 from .robot import Robot
 
 Array = NDArray[np.float64]
@@ -45,12 +45,13 @@ def moments_over(H: ArrayLike, length: float) -> Array:
     """
     scale = real_array(length, "length", "a finite length > 0 m")
     if scale.shape != () or not (math.isfinite(scale) and scale > 0.0):
-        raise ValueError(f"length: expected a finite length > 0 m, got {length!r}")
+        raise ValueError(f"length: expected a finite length > 0 m, got {shown(length)}")
     return np.asarray(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
 
 
 def characteristic_length(robot: Robot) -> float:
     """Return the root mean square distance of the platform points from the reference point, m."""
+    instance(robot, Robot, "robot")
     return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
 
 

@@ -103,21 +103,27 @@ def joint_reactions(
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6)."""
+    """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6).
+
+    NaN where H is singular, a leg has length zero or a force overflows.
+    """
     need_motion(robot, motion)
-    return reference.massless_forces(robot, motion)
+    F0 = reference.massless_forces(robot, motion)
+    return np.where(np.isfinite(F0).all(axis=-1, keepdims=True), F0, np.nan)
 
 
 def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F.
 
-    F: actuator forces along the motion, N, of its shape, (..., 6). Raises ValueError for any other shape.
+    F: actuator forces along the motion, N, of its shape, (..., 6). NaN or infinite where F is 0 or F0 is NaN.
+    Raises ValueError for any other shape.
     """
     F0 = massless_forces(robot, motion)
     forces = real_array(F, "F", f"forces of shape {F0.shape}")
     if forces.shape != F0.shape:
         raise ValueError(f"F: expected forces of shape {F0.shape}, got {forces.shape}")
-    return (forces - F0) / forces
+    with np.errstate(all="ignore"):
+        return (forces - F0) / forces
 
 
 def _prepared(

@@ -200,7 +200,9 @@ class ForwardDynamics:
             finite = np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1)
             status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
             x, definite = solve_positive(M, rest)
-            status = np.where((status == OK) & ~definite, INDEFINITE, status).astype(np.int32)
+            status = np.where((status == OK) & ~definite, INDEFINITE, status)
+            finite = np.isfinite(x).all(axis=-1)
+            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
             x = np.where((status == OK)[..., None], x, np.nan)
         return x[..., :3], x[..., 3:], status
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import finite_array, real_array
+from .checks import finite_array, real_array, shown
 from .conditioning import characteristic_length, scaled_condition_number
 from .dynamics import inverse_dynamics, need_universal
 from .home import home_pose, radius
@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 
 # Widths of the first harmonic's coefficients: share of the base's radius, and rad.
 _WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])
+# Of samples, harmonics and candidates.
+_MOST = 10_000_000
 # A candidate is made smaller by this factor, so often at most, until it keeps within the limits.
 _SMALLER, _TIMES = 0.8, 16
 # Scaled condition number of H along the way, beside that at the home pose.
@@ -60,17 +62,23 @@ class FourierPath:
         _positive(self.period, "period", "a duration > 0 s")
 
     def times(self, samples: int) -> Array:
-        """Instants of one period, s, equally spaced, (samples,)."""
+        """Instants of one period, s, equally spaced, (samples,); at most ten million."""
+        _count(samples, "samples")
         return np.arange(samples) * self.period / samples
 
     def sample(self, tau: ArrayLike) -> Motion:
-        """Return the motion at times tau, s, of any shape; no external load."""
+        """Return the motion at times tau, s, of any shape; no external load.
+
+        Raises ValueError for times that are not finite, and where a harmonic overflows.
+        """
         x = self.coordinates(tau)
         return Motion.from_rpy(*(part for y in x for part in (y[..., :3], y[..., 3:])))
 
     def coordinates(self, tau: ArrayLike) -> tuple[Array, Array, Array]:
         """Position, m, and angles, rad, side by side, (..., 6), and their first and second derivatives."""
-        time = real_array(tau, "tau", "times")[..., None]
+        time = real_array(tau, "tau", "finite times")[..., None]
+        if not np.isfinite(time).all():
+            raise ValueError(f"tau: expected finite times, got {time[~np.isfinite(time)][0]}")
         rate = 2.0 * math.pi / self.period * np.arange(1, len(self.sine) + 1)
         sin, cos = np.sin(rate * time), np.cos(rate * time)
         return (
@@ -116,6 +124,7 @@ def choose_excitation(
     need_universal(robot)
     for name, value in (("harmonics", harmonics), ("samples", samples), ("candidates", candidates)):
         _count(value, name)
+    need_seed(seed)
     period = _own_period(robot) if period is None else _positive(period, "period", "a duration > 0 s")
     base, home, size = base_parameters(robot), home_pose(robot), radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
@@ -193,10 +202,17 @@ def _own_period(robot: Robot) -> float:
 def _positive(value: object, name: str, expected: str) -> float:
     number = real_array(value, name, expected)
     if number.shape != () or not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name}: expected {expected}, got {value!r}")
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
     return float(number)
 
 
+def need_seed(value: object) -> None:
+    """Refuse, by ValueError, what is no whole number >= 0."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 0:
+        raise ValueError(f"seed: expected a whole number >= 0, got {type(value).__name__}")
+
+
 def _count(value: object, name: str) -> None:
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise ValueError(f"{name}: expected a whole number > 0, got {value!r}")
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not 0 < value <= _MOST:  # type: ignore[operator]
+        raise ValueError(f"{name}: expected a whole number > 0 and at most {_MOST:,}, got {shown(value)}")

@@ -4,6 +4,7 @@ Stands below ``forces``, on the table that the derivation wrote. A level drops p
 scene may not need; each has a kernel of its own. Knows names and counts, no equation.
 """
 
+from .checks import shown
 from .generated.fidelities import FIDELITIES as _TABLE
 from .kernel import kernel_name, module
 from .robot import Robot
@@ -40,10 +41,10 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     """
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
-    if name not in names:
+    if not isinstance(name, str) or name not in names:
         joints = f" with {robot.base_joint} base joints" if formulation == "exact" else ""
         raise ValueError(
-            f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {fidelity!r}"
+            f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
         )
     return name
 

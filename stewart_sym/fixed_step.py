@@ -7,6 +7,7 @@ rejected, no limit is watched, and nothing is interpolated. Needs NumPy alone.
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import shown
 from .equations import ForwardDynamics
 from .motion import Motion
 from .rotation import orthonormal, rotation_from_vector, vector_rate
@@ -30,7 +31,7 @@ def advance(
     Raises ValueError for steps below 1.
     """
     if steps < 1:
-        raise ValueError(f"steps: expected at least 1, got {steps!r}")
+        raise ValueError(f"steps: expected at least 1, got {shown(steps)}")
     h = duration / steps
     first = np.zeros(state.shape, dtype=np.int32)
     for _ in range(steps):

@@ -17,7 +17,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import instance, option
+from .checks import instance, option, shown
 from .dynamics import Formulation, damped_terms, need_motion, report_faults
 from .faults import ON_SINGULAR, OnSingular
 from .fidelity import force_kernel_name, model_numbers
@@ -288,5 +288,5 @@ def _lies_plainly(array: Array) -> bool:
 
 def _thread_count(threads: int) -> int:
     if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
-        raise ValueError(f"threads: expected a whole number of at least 1, got {threads!r}")
+        raise ValueError(f"threads: expected a whole number of at least 1, got {shown(threads)}")
     return int(threads)

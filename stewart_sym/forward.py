@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import faults
-from .checks import finite_array, instance, leading_shape, option
+from .checks import finite_array, instance, leading_shape, option, truth
 from .conditioning import characteristic_length, scaled_condition_number
 from .faults import ON_FAULT, OnFault
-from .kinematics import ROUNDING, inverse_kinematics, leg_vectors
+from .kinematics import ROUNDING, leg_vectors, legs_or_overflow
 from .motion import Motion
 from .results import NOT_CONVERGED, NOT_FINITE, OK, OUT_OF_LIMITS, SINGULAR, STATUS_TEXT
 from .robot import Robot
@@ -83,6 +83,7 @@ def forward_kinematics(
     """
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
+    truth(limits, "limits")
     lengths = checked_lengths(L)
     shape = lengths.shape[:-1]
     if guess is None:
@@ -180,7 +181,7 @@ def _rates(
     shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
     with np.errstate(over="ignore", invalid="ignore"):
         # Without accelerations of the platform, what is left of L_ddot is what its velocities make of it.
-        wanted = wanted - np.asarray(inverse_kinematics(robot, motion).L_ddot)
+        wanted = wanted - np.asarray(legs_or_overflow(robot, motion).L_ddot)
         J = jacobian(robot, motion.R, motion.t)
         unsettled = np.broadcast_to(_unsettled(robot, motion.R, motion.t), shape)
         solution, _ = solve(np.broadcast_to(J, (*shape, 6, 6)), np.broadcast_to(wanted, (*shape, 6)))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array
 from .dynamics import inverse_dynamics, need_motion, need_universal
-from .excitation import Excitation, force_regressor
+from .excitation import Excitation, force_regressor, need_seed
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
 from .parameters import inertial_parameters
@@ -85,9 +85,12 @@ def identify(
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
-    weight = 1.0 / _deviations(sigma, forces.shape)
-    A = (force_regressor(robot, motion, base) * weight[..., None]).reshape(-1, base.rank)
-    y = ((forces + _load_forces(robot, motion)) * weight).ravel()
+    deviations = _deviations(sigma, forces.shape)
+    with np.errstate(over="ignore", invalid="ignore"):
+        A = (force_regressor(robot, motion, base) / deviations[..., None]).reshape(-1, base.rank)
+        y = ((forces + _load_forces(robot, motion)) / deviations).ravel()
+    if not (np.isfinite(A).all() and np.isfinite(y).all()):
+        raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
     return _least_squares(A, y, base)
 
 
@@ -97,6 +100,8 @@ def simulated_experiment(robot: Robot, excited: Excitation, sigma: float, seed: 
     sigma: standard deviation of every force, N, > 0. seed: of the noise, which is independent of what
     ``choose_excitation`` draws from the same seed.
     """
+    instance(excited, Excitation, "excited")
+    need_seed(seed)
     exact = inverse_dynamics(robot, excited.motion).F
     deviation = float(_deviations(sigma, ()))
     F = exact + deviation * np.random.default_rng((seed, 1)).normal(size=exact.shape)

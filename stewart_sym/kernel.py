@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import native
+from .checks import shown
 from .motion import Motion
 from .results import Forces, Reactions
 from .robot import Robot
@@ -47,7 +48,7 @@ _UPPER = np.triu_indices(3)
 def kernel_name(formulation: str, base_joint: str) -> str:
     """Name of the generated kernel. Raises ValueError for an unknown formulation."""
     if formulation not in FORMULATIONS:
-        raise ValueError(f'formulation: expected "exact" or "paper", got {formulation!r}')
+        raise ValueError(f'formulation: expected "exact" or "paper", got {shown(formulation)}')
     return formulation if base_joint == "universal" else f"{formulation}_{base_joint}"
 
 

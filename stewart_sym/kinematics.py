@@ -43,10 +43,18 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
     for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
-    rounding units of the largest component of the terms of S = q + t - b, (2).
+    rounding units of the largest component of the terms of S = q + t - b, (2); and when a result overflows.
     """
+    legs = legs_or_overflow(robot, motion)
+    _refuse_overflow(legs.L, legs.L_dot, legs.L_ddot)
+    return legs
+
+
+def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
+    """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
     legs, q, S_dot = _legs(robot, motion)
-    return dataclasses.replace(legs, L_ddot=_second_rate(motion, q, legs, S_dot))
+    with np.errstate(all="ignore"):
+        return dataclasses.replace(legs, L_ddot=_second_rate(motion, q, legs, S_dot))
 
 
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:
@@ -56,6 +64,7 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     wrench H F.  Raises ``ValueError`` as ``inverse_kinematics``.
     """
     legs, q, _ = _legs(robot, motion)
+    _refuse_overflow(legs.L)
     return _columns(legs.s, np.cross(q, legs.s))
 
 
@@ -65,9 +74,12 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].  Raises ``ValueError`` as ``inverse_kinematics``.
     """
     legs, q, S_dot = _legs(robot, motion)
-    s_dot = (S_dot - legs.L_dot[..., None] * legs.s) / legs.L[..., None]
-    q_dot = np.cross(motion.omega[..., None, :], q)
-    return _columns(s_dot, np.cross(q_dot, legs.s) + np.cross(q, s_dot))
+    with np.errstate(all="ignore"):
+        s_dot = (S_dot - legs.L_dot[..., None] * legs.s) / legs.L[..., None]
+        q_dot = np.cross(motion.omega[..., None, :], q)
+        H_dot = _columns(s_dot, np.cross(q_dot, legs.s) + np.cross(q, s_dot))
+    _refuse_overflow(legs.L, H_dot)
+    return H_dot
 
 
 def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
@@ -86,12 +98,15 @@ def _legs(robot: Robot, motion: Motion) -> tuple[LegKinematics, Array, Array]:
     """Lengths, rates and directions, with q of (1) and S_dot of (4), both (..., 6, 3)."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
-    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    with np.errstate(all="ignore"):
+        q, S, L = leg_vectors(robot, motion.R, motion.t)
+        S_dot = tip_velocities(motion, q)
     reach = np.max(np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)), axis=(0, -1))
     _refuse_short(L, ROUNDING * reach)
-    s = S / L[..., None]
-    S_dot = tip_velocities(motion, q)
-    return LegKinematics(L=L, L_dot=_dot(s, S_dot), L_ddot=None, s=s, S=S), q, S_dot
+    with np.errstate(all="ignore"):
+        s = S / L[..., None]
+        L_dot = _dot(s, S_dot)
+    return LegKinematics(L=L, L_dot=L_dot, L_ddot=None, s=s, S=S), q, S_dot
 
 
 def _columns(force: Array, moment: Array) -> Array:
@@ -104,6 +119,11 @@ def _refuse_short(L: Array, rounding: Array) -> None:
         *pose, leg = (int(i) for i in short[0])
         at = f" at motion[{', '.join(map(str, pose))}]" if pose else ""
         raise ValueError(f"motion: leg {leg + 1} has length zero{at}")
+
+
+def _refuse_overflow(*results: Array | None) -> None:
+    if not all(values is None or np.isfinite(values).all() for values in results):
+        raise ValueError("motion: the kinematics of its legs overflow")
 
 
 def _second_rate(motion: Motion, q: Array, legs: LegKinematics, S_dot: Array) -> Array | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import instance, real_array
+from .checks import instance, real_array, shown
 from .dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
 from .kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from .motion import Motion
@@ -55,6 +55,8 @@ class LegSprings:
 
         stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose has no answer.
         """
+        instance(robot, Robot, "robot")
+        instance(pose, Motion, "pose")
         k = of_six(stiffness, "stiffness")
         if not k.all():
             raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
@@ -71,7 +73,10 @@ class LegSprings:
 
     def energy(self, L: ArrayLike) -> Array:
         """Energy in the springs, J, (...), at leg lengths L, m, (..., 6)."""
-        stretch = real_array(L, "L") - self.rest_length
+        lengths = real_array(L, "L", "lengths of shape (..., 6)")
+        if lengths.shape[-1:] != (6,):
+            raise ValueError(f"L: expected lengths of shape (..., 6), got {lengths.shape}")
+        stretch = lengths - self.rest_length
         return np.asarray(np.sum(0.5 * self.stiffness * stretch**2, axis=-1))
 
 
@@ -197,7 +202,7 @@ def _gains(k_p: float, k_d: float) -> None:
     for name, value in (("k_p", k_p), ("k_d", k_d)):
         gain = real_array(value, name, "a finite gain >= 0")
         if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
-            raise ValueError(f"{name}: expected a finite gain >= 0, got {value!r}")
+            raise ValueError(f"{name}: expected a finite gain >= 0, got {shown(value)}")
 
 
 def of_six(value: ArrayLike, name: str) -> Array:
@@ -205,5 +210,5 @@ def of_six(value: ArrayLike, name: str) -> Array:
     expected = "one finite number or six"
     values = real_array(value, name, expected)
     if values.shape not in ((), (6,)) or not np.isfinite(values).all():
-        raise ValueError(f"{name}: expected {expected}, got {value!r}")
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
     return np.broadcast_to(values, (6,))

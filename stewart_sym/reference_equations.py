@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from . import reference
 from .motion import Motion
-from .results import OK, EquationsOfMotion
+from .results import NOT_FINITE, OK, EquationsOfMotion
 from .robot import Robot
 
 Array = NDArray[np.float64]
@@ -40,16 +40,21 @@ def equations_of_motion(
 
 def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
     """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
-    M, bias, status = inertia_and_bias(wrench, robot, motion)
-    bare, weightless = _bare(robot), _weightless(robot)
-    zero = np.zeros_like(motion.t)
-    moving = _with(motion, motion.v, motion.omega, zero, zero)
-    g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
-    inertial, _ = wrench(bare, moving)
-    with_friction, _ = wrench(weightless, moving)
-    C = _coriolis(wrench, robot, motion, M)
+    with np.errstate(all="ignore"):
+        M, bias, status = inertia_and_bias(wrench, robot, motion)
+        bare, weightless = _bare(robot), _weightless(robot)
+        zero = np.zeros_like(motion.t)
+        moving = _with(motion, motion.v, motion.omega, zero, zero)
+        g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
+        inertial, _ = wrench(bare, moving)
+        with_friction, _ = wrench(weightless, moving)
+        C = _coriolis(wrench, robot, motion, M)
+        parts = {"M": M, "C": C, "g": g, "friction": with_friction - inertial, "bias": bias}
+    lead = status.ndim
+    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in parts.values()]
+    overflown = (status == OK) & ~np.logical_and.reduce(finite)
+    status = np.where(overflown, NOT_FINITE, status).astype(np.int32)
     bad = status != OK
-    parts = {"M": M, "C": C, "g": g, "friction": with_friction - inertial, "bias": bias}
     blank = {name: _blank(value, bad) for name, value in parts.items()}
     return EquationsOfMotion(**blank, status=status)
 

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import tables
+from .checks import shown
 
 Array = NDArray[np.float64]
 
@@ -122,7 +123,7 @@ class Robot:
         and for every break of the schema; legs are numbered from 1.  Warns with ``PhysicalityWarning`` about
         inertias that no body can have.
         """
-        source = os.fspath(path)
+        source = tables.file_name(path)
         robot = _from_table(cls, tables.read_toml(source, "robot file"), source)
         _warn(robot, source)
         return robot
@@ -217,7 +218,7 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     """Check the tables of a robot file; ``source: `` begins every message."""
     file = f"{source}: "
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
-    tables.check_schema(top, SCHEMA, file)
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     platform = _body(top["platform"], f"{file}platform.")
     tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")
@@ -225,7 +226,7 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     shared = _shared(defaults, f"{file}leg_defaults.")
     given = top["leg"]
     if not isinstance(given, list | tuple):
-        raise ValueError(f"{file}leg: expected six [[leg]] tables, got {tables.shown(given)}")
+        raise ValueError(f"{file}leg: expected six [[leg]] tables, got {shown(given)}")
     if len(given) != LEGS:
         raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(given)}")
     legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(given, 1)]
@@ -317,16 +318,14 @@ def _vector_text(vector: Array) -> str:
 
 def _base_joint(value: object, where: str) -> str:
     if not isinstance(value, str) or value not in BASE_JOINTS:
-        raise ValueError(f'{where}: expected "universal" or "spherical", got {tables.shown(value)}')
+        raise ValueError(f'{where}: expected "universal" or "spherical", got {shown(value)}')
     return value
 
 
 def _limits(value: object, where: str) -> Array:
     limits = tables.numbers(value, (2,), where)
     if not 0.0 <= limits[0] < limits[1]:
-        raise ValueError(
-            f"{where}: expected [min, max] with 0 <= min < max, got {tables.shown(limits.tolist())}"
-        )
+        raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(limits.tolist())}")
     return limits
 
 

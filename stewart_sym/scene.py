@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import tables
+from .checks import shown
 from .dynamics import Formulation
 from .kernel import FORMULATIONS
 from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
@@ -92,12 +93,12 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
     every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
     """
-    source = os.fspath(path)
+    source = tables.file_name(path)
     file = f"{source}: "
     top = tables.checked_table(
         tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
     )
-    tables.check_schema(top, SCHEMA, file)
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")
@@ -161,7 +162,7 @@ def _legs(value: object, prefix: str) -> dict[str, Any]:
 def _not_negative(value: object, where: str) -> Any:
     numbers = tables.per_leg(value, where)
     if (np.asarray(numbers) < 0.0).any():
-        raise ValueError(f"{where}: expected numbers >= 0, got {tables.shown(value)}")
+        raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
     return numbers
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import reference
-from .checks import instance, option, real_array
+from .checks import instance, option, real_array, shown
 from .conditioning import characteristic_length, condition_number
 from .dynamics import Backend, Formulation
 from .equations import ForwardDynamics
@@ -68,7 +68,7 @@ class Thresholds:
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
-            through = name == "max_condition" and value == math.inf
+            through = name == "max_condition" and isinstance(value, float) and value == math.inf
             if value is not None and not through:
                 _number(value, name, low, high)
 
@@ -526,7 +526,7 @@ def check_rtol(rtol: object) -> None:
     text = f"a number in [{low:g}, {high:g}]"
     number = real_array(rtol, "rtol", text)
     if number.shape != () or not low <= float(number) <= high:
-        raise ValueError(f"rtol: expected {text}, got {rtol!r}")
+        raise ValueError(f"rtol: expected {text}, got {shown(rtol)}")
 
 
 def check_output_step(output_step: float | None, duration: float) -> None:
@@ -537,7 +537,7 @@ def check_output_step(output_step: float | None, duration: float) -> None:
     if duration > MOST_INSTANTS * output_step:
         raise ValueError(
             f"output_step: expected at least {duration / MOST_INSTANTS:g} s, for at most {MOST_INSTANTS} "
-            f"instants in {duration:g} s, got {output_step!r}"
+            f"instants in {duration:g} s, got {shown(output_step)}"
         )
 
 
@@ -560,7 +560,7 @@ def _number(value: object, name: str, low: float, high: float) -> None:
     text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
     number = real_array(value, name, text)
     if number.shape != () or not low < float(number) < high:
-        raise ValueError(f"{name}: expected {text}, got {value!r}")
+        raise ValueError(f"{name}: expected {text}, got {shown(value)}")
 
 
 def _solver(method: str) -> Any:

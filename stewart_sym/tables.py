@@ -1,31 +1,71 @@
-"""Tables of TOML files read and checked key by key, each refusal one line that names file and key.
+"""Text files read within bounds, and tables of TOML checked key by key; each refusal is one line.
 
 The prefix or place handed in begins every message: ``file: key: what was expected``. Stands at the bottom,
-below the readers of robots and scenes; knows nothing of what the keys mean.
+below the readers of robots, scenes and trajectories; knows nothing of what the keys mean.
 """
 
 import difflib
 import math
+import os
+import re
+import stat
 import tomllib
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import shown
+
 Array = NDArray[np.float64]
+
+MOST_BYTES = 1 << 18
+"""Of a TOML file: thirty times what a robot takes with every number of every leg."""
+_CHUNK = 1 << 24
+
+# Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
+_PART = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+'|[\w-]++)"""
+_LONG_KEY = re.compile(rf"(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}}")
+
+
+def file_name(path: object) -> str:
+    """A path as text; ValueError for what is none."""
+    try:
+        return os.fsdecode(path)  # type: ignore[arg-type]
+    except TypeError:
+        raise ValueError(f"path: expected the name of a file, got {type(path).__name__}") from None
+
+
+def read_text(source: str, what: str, most: int) -> str:
+    """Text of a UTF-8 file of ``most`` bytes or fewer; ``what`` it is, for the message that it can't be read.
+
+    A byte order mark is dropped. A pipe is read to its end; a device is refused, since some have none.
+    """
+    try:
+        mode = os.stat(source).st_mode
+        if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
+            raise ValueError("it is a device")
+        data = b""
+        with open(source, "rb") as stream:
+            while len(data) <= most and (chunk := stream.read(_CHUNK)):
+                data += chunk
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
+    if len(data) > most:
+        raise ValueError(f"{source}: cannot read the {what}: longer than {most:,} bytes")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
 
 
 def read_toml(source: str, what: str) -> dict[str, Any]:
     """Tables of a TOML file; ``what`` it is, for the message that it can't be read."""
-    try:
-        text = Path(source).read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
+    text = read_text(source, what, MOST_BYTES)
+    if _LONG_KEY.search(text):
+        raise ValueError(f"{source}: not valid TOML: nested too deeply")
     try:
         return tomllib.loads(text)
     except RecursionError:
@@ -44,7 +84,8 @@ def checked_table(
         if key not in known:
             near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
             hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
-            text = key if isinstance(key, str) and key.isprintable() else shown(key)
+            plain = isinstance(key, str) and key.isprintable() and len(key) <= 60
+            text = key if plain else shown(key)
             raise ValueError(f"{prefix}{text}: unknown key, {hint}")
     require(value, required, prefix, "missing")
     return dict(value)
@@ -57,19 +98,7 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
             raise ValueError(f"{prefix}{key}: {reason}")
 
 
-def check_schema(table: Mapping[str, Any], schema: int, prefix: str) -> None:
-    """Refuse a table whose key ``schema`` is another number."""
-    if isinstance(table["schema"], bool) or table["schema"] != schema:
-        raise ValueError(f"{prefix}schema: expected {schema}, got {shown(table['schema'])}")
-
-
 # Single values
-
-
-def shown(value: object) -> str:
-    """Return a value as it may stand in a one-line message."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 60 else text[:57] + "..."
 
 
 def one_line(value: object, where: str) -> str:
@@ -77,6 +106,12 @@ def one_line(value: object, where: str) -> str:
     if not isinstance(value, str) or not value.strip() or not value.isprintable():
         raise ValueError(f"{where}: expected one line of text, got {shown(value)}")
     return value
+
+
+def need_schema(value: object, known: int, where: str) -> None:
+    """Refuse the number of a schema that is not the known one."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value != known:
+        raise ValueError(f"{where}: expected {known}, got {shown(value)}")
 
 
 def number(value: object, where: str, expected: str = "a finite number") -> float:

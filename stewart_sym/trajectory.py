@@ -4,22 +4,23 @@ Stands above ``Motion``, which it makes, and below the studies and the command l
 forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
 """
 
+import array
 import csv
 import io
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import real_array, shown
 from .motion import Motion
 from .rotation import rpy_from_rotation
+from .tables import file_name, number, read_text
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -28,6 +29,8 @@ Vector = tuple[float, float, float]
 _ROUNDING = 1e-12
 # Ten million instants take up a gigabyte as motions do.
 _MOST_STEPS = 10_000_000
+# Of a CSV file; more than two million rows with everything in them.
+_MOST_BYTES = 1 << 30
 
 
 # Straight lines with parabolic blends
@@ -63,7 +66,7 @@ class StraightLinePath:
             value = getattr(self, field.name)
             vector = field.name in ("t0", "theta0", "t1", "theta1")
             object.__setattr__(
-                self, field.name, _triple(value, field.name) if vector else _real(value, field.name)
+                self, field.name, _triple(value, field.name) if vector else number(value, field.name)
             )
         if self.tau_f <= 0.0:
             raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")
@@ -104,7 +107,7 @@ class StraightLinePath:
 
     def times(self, dtau: float) -> Array:
         """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last; at most ten million steps."""
-        dtau = _real(dtau, "dtau")
+        dtau = number(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
             raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
         if self.tau_f > _MOST_STEPS * dtau:
@@ -184,17 +187,11 @@ def _line(
 
 
 def _triple(value: object, name: str) -> Vector:
-    if not isinstance(value, list | tuple | np.ndarray) or np.ndim(value) == 0 or len(value) != 3:
-        raise ValueError(f"{name}: expected three numbers, got {value!r}")
-    x, y, z = (_real(item, name) for item in value)
+    items = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(items, list | tuple) or len(items) != 3:
+        raise ValueError(f"{name}: expected three numbers, got {shown(value)}")
+    x, y, z = (number(item, name) for item in items)
     return x, y, z
-
-
-def _real(value: object, name: str) -> float:
-    number = isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
-    if not number or not math.isfinite(value):  # type: ignore[arg-type]
-        raise ValueError(f"{name}: expected a finite number, got {value!r}")
-    return float(value)  # type: ignore[arg-type]
 
 
 class PaperPath(NamedTuple):
@@ -309,8 +306,8 @@ def read_any_csv(path: str | os.PathLike[str]) -> Trajectory | JointTrajectory:
     Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
     else those of a spline; optionally loads.  Raises as ``read_csv``.
     """
-    source = os.fspath(path)
-    columns, rows = _columns(_read_text(source), source)
+    source = file_name(path)
+    columns, rows = _columns(read_text(source, "trajectory", _MOST_BYTES), source)
     loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
     if "L_1" in columns:
         return _joint_trajectory(columns, loads, source, rows)
@@ -323,7 +320,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
     Other columns, such as those that the command ``forces`` writes, are read over. Returns times (n,) and
     forces (n, 6). Raises ``ValueError`` of one line that names the file and the row or column.
     """
-    source = os.fspath(path)
+    source = file_name(path)
     wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
 
     def check(header: list[str], source: str) -> None:
@@ -334,7 +331,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
             if column not in header:
                 raise ValueError(f"{source}: missing column {column}")
 
-    columns, _ = _columns(_read_text(source, "forces"), source, check)
+    columns, _ = _columns(read_text(source, "forces", _MOST_BYTES), source, check)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 
@@ -381,16 +378,6 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
     return ""
 
 
-def _read_text(source: str, what: str = "trajectory") -> str:
-    try:
-        return Path(source).read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
-
-
 def _columns(
     text: str, source: str, check_header: Callable[[list[str], str], None] | None = None
 ) -> tuple[dict[str, Array], tuple[int, ...]]:
@@ -399,26 +386,35 @@ def _columns(
     check_header: refuses a header, given the name of the file; None for that of a trajectory.
     """
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    header: list[str] | None = None
+    # Row after row and as numbers at once: the cells of a long file would take ten times its size.
+    numbers, rows = array.array("d"), array.array("q")
     try:
-        rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
+        for cells in reader:
+            if not any(cell.strip() for cell in cells):
+                continue
+            if header is None:
+                header = [cell.strip() for cell in cells]
+                (check_header or _check_header)(header, source)
+                continue
+            rows.append(reader.line_num)
+            numbers.extend(_row(cells, header, f"{source}: row {reader.line_num}: "))
     except csv.Error as error:
         raise ValueError(f"{source}: row {reader.line_num}: not valid CSV: {error}") from None
-    if not rows:
+    if header is None:
         raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-    header = [cell.strip() for cell in rows[0][1]]
-    (check_header or _check_header)(header, source)
-    if len(rows) == 1:
+    if not rows:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
-    table = np.array([_row(cells, header, f"{source}: row {number}: ") for number, cells in rows[1:]])
+    table = np.array(numbers).reshape(len(rows), len(header))
     columns = dict(zip(header, table.T, strict=True))
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
         before, after = columns["time"][i], columns["time"][i + 1]
         raise ValueError(
-            f"{source}: row {rows[i + 2][0]}: time: expected increasing times, got {after:g} after {before:g}"
+            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after:g} after {before:g}"
         )
-    return columns, tuple(number for number, _ in rows[1:])
+    return columns, tuple(rows)
 
 
 def _row(cells: list[str], header: list[str], where: str) -> list[float]:
@@ -429,12 +425,12 @@ def _row(cells: list[str], header: list[str], where: str) -> list[float]:
 
 def _cell(text: str, where: str) -> float:
     try:
-        number = float(text) if "_" not in text else math.nan
+        found = float(text) if "_" not in text else math.nan
     except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
+        found = math.nan
+    if not math.isfinite(found):
         raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}")
-    return number
+    return found
 
 
 def _components(*names: str) -> list[str]:
@@ -476,7 +472,8 @@ def _check_names(header: list[str], known: list[str], source: str) -> None:
                     raise ValueError(f"{source}: expected commas between the columns, got {name}")
             raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
         if header.count(column) > 1:
-            raise ValueError(f"{source}: column {column} is given twice")
+            name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
+            raise ValueError(f"{source}: column {name} is given twice")
 
 
 def _stack(columns: Mapping[str, Array], name: str) -> Array:

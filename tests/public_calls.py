@@ -1,0 +1,147 @@
+"""Every public function of the package with arguments that it accepts, by name, to start attacks from.
+
+Stands beside ``machines``; knows signatures and no mechanics.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from machines import random_motion, random_robot
+
+import stewart_sym as ss
+
+# Of a class or a module that is no function: records that the package fills, types and constants.
+RECORDS = {
+    *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
+    *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
+    *("PATHS", "PhysicalityWarning", "SingularPoseWarning", "results", "robots"),
+}
+
+
+@dataclass(frozen=True)
+class Call:
+    """A function and arguments by name. free: which take anything; other: how a message may call them."""
+
+    function: Callable[..., Any]
+    arguments: dict[str, Any]
+    free: tuple[str, ...] = ()
+    other: dict[str, str] = field(default_factory=dict)
+
+
+def calls() -> dict[str, Call]:
+    """Name, as in ``stewart_sym.__all__`` up to a dot -> call; shapes () where there is a choice."""
+    rng = np.random.default_rng(60)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot)
+    parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")}
+    F = ss.inverse_dynamics(robot, motion).F
+    legs = ss.inverse_kinematics(robot, motion)
+    H = ss.wrench_matrix(robot, motion)
+    pose = {"robot": robot, "R": motion.R, "t": motion.t}
+    both = {"robot": robot, "motion": motion}
+    options = {"formulation": "exact", "backend": "c", "on_singular": "raise"}
+    vector = [0.1, 0.2, 0.3]
+    path = ss.PATHS["I"].path
+    zeros = np.zeros((2, 6))
+    fourier = {"t0": vector, "theta0": vector, "sine": zeros, "cosine": zeros, "period": 2.0}
+    lines = {"t0": vector, "theta0": vector, "t1": (1.0, 0.2, 0.3), "theta1": vector}
+    state = ss.Motion(motion.R, motion.t, np.zeros(3), np.zeros(3))
+    springs = {"robot": robot, "stiffness": 1e6, "rest_length": 1.0, "damping": 10.0}
+    tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
+    rates = {"robot": robot, "L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot}
+    found = {
+        "Motion": Call(ss.Motion, parts),
+        "Motion.from_rpy": Call(
+            ss.Motion.from_rpy,
+            dict.fromkeys(("t", "theta", "v", "theta_dot", "a", "theta_ddot", "F_ext", "M_ext"), vector),
+        ),
+        "Robot.from_dict": Call(ss.Robot.from_dict, {"d": robot.to_dict()}, other={"d": "robot"}),
+        "Robot.from_toml": Call(ss.Robot.from_toml, {"path": "no.toml"}),
+        "StraightLinePath": Call(ss.StraightLinePath, {**lines, "tau_f": 1.0, "V": 1.5, "Omega": 1.0}),
+        "StraightLinePath.sample": Call(path.sample, {"tau": 0.5}),
+        "StraightLinePath.times": Call(path.times, {"dtau": 0.5}),
+        "FourierPath": Call(ss.FourierPath, fourier),
+        "FourierPath.sample": Call(ss.FourierPath(**fourier).sample, {"tau": 0.5}),
+        "FourierPath.times": Call(ss.FourierPath(**fourier).times, {"samples": 3}),
+        "inverse_dynamics": Call(ss.inverse_dynamics, {**both, **options}),
+        "joint_reactions": Call(ss.joint_reactions, {**both, "bearing": 0.1, **options}),
+        "massless_forces": Call(ss.massless_forces, both),
+        "dynamic_fraction": Call(ss.dynamic_fraction, {**both, "F": F}),
+        "equations_of_motion": Call(ss.equations_of_motion, {**both, **options}),
+        "forward_dynamics": Call(ss.forward_dynamics, {**both, "F": F, **options}),
+        "joint_space_inertia": Call(ss.joint_space_inertia, {**both, **options}),
+        "force_derivatives": Call(ss.force_derivatives, {**both, "backend": "c", "on_singular": "raise"}),
+        "linearise": Call(ss.linearise, {**both, "F": F, "backend": "c", "on_singular": "raise"}),
+        "inverse_kinematics": Call(ss.inverse_kinematics, both),
+        "wrench_matrix": Call(ss.wrench_matrix, both),
+        "wrench_matrix_rate": Call(ss.wrench_matrix_rate, both),
+        "forward_kinematics": Call(
+            ss.forward_kinematics,
+            {
+                "robot": robot,
+                "L": legs.L,
+                "guess": (motion.R, motion.t),
+                "on_failure": "raise",
+                "limits": True,
+            },
+        ),
+        "forward_velocity": Call(ss.forward_velocity, {**pose, "L_dot": legs.L_dot, "on_failure": "raise"}),
+        "forward_acceleration": Call(
+            ss.forward_acceleration,
+            {**pose, "v": vector, "omega": vector, "L_ddot": legs.L_ddot, "on_failure": "raise"},
+        ),
+        "motion_from_lengths": Call(
+            ss.motion_from_lengths,
+            {name: value if name == "robot" else value[None] for name, value in rates.items()},
+        ),
+        "condition_number": Call(ss.condition_number, {"H": H}),
+        "scaled_condition_number": Call(ss.scaled_condition_number, {"H": H, "length": 1.0}),
+        "characteristic_length": Call(ss.characteristic_length, {"robot": robot}),
+        "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
+        "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),
+        "prepare": Call(
+            ss.prepare,
+            {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"},
+        ),
+        "ForceKernel.forces": Call(
+            ss.prepare(robot).forces, {"motion": motion, "threads": 1, "on_singular": "raise"}
+        ),
+        "ForceKernel.status": Call(ss.prepare(robot).status, {"motion": motion, "threads": 1}),
+        "LegSprings": Call(ss.LegSprings, springs),
+        "LegSprings.balanced": Call(
+            ss.LegSprings.balanced, {"robot": robot, "pose": motion, "stiffness": 1e6, "damping": 1.0}
+        ),
+        "LegSprings.energy": Call(ss.LegSprings(**springs).energy, {"L": legs.L}),
+        "ComputedTorque": Call(
+            ss.ComputedTorque, {**tracking, "formulation": "exact", "backend": "c"}, free=("wanted",)
+        ),
+        "Thresholds": Call(ss.Thresholds, {"max_condition": 1e6, "min_length": 0.1, "min_pole_sine": 1e-3}),
+        "simulate": Call(
+            ss.simulate,
+            {
+                **{"robot": robot, "initial_state": state, "forces": F, "duration": 1e-3, "rate": 1e3},
+                **{"load": lambda time, state: np.zeros(6), "formulation": "exact", "backend": "c"},
+                **{"method": "DOP853", "rtol": 1e-6, "atol": 1e-6, "output_step": 1e-3},
+                "thresholds": ss.Thresholds(),
+            },
+        ),
+        "base_parameters": Call(ss.base_parameters, {"robot": robot, "motion": motion[None]}),
+        "choose_excitation": Call(
+            ss.choose_excitation,
+            {"robot": robot, "period": 4.0, "harmonics": 1, "samples": 3, "candidates": 1, "seed": 0},
+        ),
+    }
+    excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)
+    deviations = {"F": ss.inverse_dynamics(robot, excited.motion).F, "sigma": 1.0, "base": excited.base}
+    found["identify"] = Call(ss.identify, {"robot": robot, "motion": excited.motion, **deviations})
+    found["simulated_experiment"] = Call(
+        ss.simulated_experiment, {"robot": robot, "excited": excited, "sigma": 1.0, "seed": 0}
+    )
+    return found
+
+
+def public() -> set[str]:
+    """Names of ``stewart_sym.__all__`` that are to be called."""
+    return set(ss.__all__) - RECORDS

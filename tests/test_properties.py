@@ -1,0 +1,403 @@
+"""Properties of every public function: units, frames, order of legs, shapes, extremes, wrong arguments."""
+
+import contextlib
+import dataclasses
+import functools
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from machines import random_motion, random_robot, rotation
+from numpy.typing import NDArray
+from public_calls import RECORDS, Call, calls, public
+
+import stewart_sym as ss
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+Array = NDArray[np.float64]
+
+FEW = settings(derandomize=True, deadline=None, max_examples=12, suppress_health_check=[HealthCheck.too_slow])
+MANY = settings(FEW, max_examples=300)
+NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+BACKENDS = ("c", "numpy", "reference")
+seeds = st.integers(0, 2**32 - 1)
+
+
+@functools.cache
+def cached_calls() -> dict[str, Call]:
+    return calls()
+
+
+def machine(seed: int, shape: tuple[int, ...] = ()) -> tuple[Robot, Motion]:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    return robot, random_motion(rng, robot, shape)
+
+
+def deeply(test: Callable[..., None]) -> Callable[..., None]:
+    """The same property over many more examples, for the slow sweeps."""
+    inner = test.hypothesis.inner_test  # type: ignore[attr-defined]
+    again = given(**test.hypothesis._given_kwargs)(inner)  # type: ignore[attr-defined]
+    return pytest.mark.slow(MANY(again))
+
+
+# --- results of a pose that do not depend on how it is written down
+
+
+Results = dict[str, Array]
+
+
+def results(robot: Robot, motion: Motion, backend: Any = "c") -> Results:
+    """What the functions of a pose return, by name; (...) in front is the motion's shape."""
+    dynamics = ss.inverse_dynamics(robot, motion, backend=backend)
+    equations = ss.equations_of_motion(robot, motion, backend=backend)
+    acceleration, alpha = ss.forward_dynamics(robot, motion, dynamics.F, backend=backend)
+    reactions = ss.joint_reactions(robot, motion, backend=backend)
+    legs = ss.inverse_kinematics(robot, motion)
+    closed = "c" if backend == "reference" else backend
+    derivatives = ss.force_derivatives(robot, motion, backend=closed)
+    linear = ss.linearise(robot, motion, dynamics.F, backend=closed)
+    return {
+        **{name: getattr(dynamics, name) for name in ("F", "D", "x", "K", "H", "c")},
+        **{name: getattr(equations, name) for name in ("M", "C", "g", "friction", "bias")},
+        **{name: getattr(reactions, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")},
+        **{name: getattr(legs, name) for name in ("L", "L_dot", "L_ddot", "s", "S")},
+        **{name: getattr(derivatives, name) for name in ("by_pose", "by_twist", "by_acceleration")},
+        **{name: getattr(linear, name) for name in ("A", "B")},
+        "a": acceleration,
+        "alpha": alpha,
+        "joint_inertia": ss.joint_space_inertia(robot, motion, backend=backend),
+        "massless": ss.massless_forces(robot, motion),
+        "H_dot": ss.wrench_matrix_rate(robot, motion),
+        "Y": ss.regressor(robot, motion),
+    }
+
+
+@FEW
+@given(seed=seeds, shape=st.sampled_from([(1,), (3,), (9,), (2, 3), (0,), (2, 0), (1, 1, 1)]))
+def test_a_batch_is_its_poses_to_the_last_bit(seed: int, shape: tuple[int, ...]) -> None:
+    robot, motion = machine(seed, shape)
+    whole = results(robot, motion)
+    for index in np.ndindex(shape):
+        for name, value in results(robot, motion[index]).items():
+            assert value.tobytes() == np.ascontiguousarray(whole[name][index]).tobytes(), name
+    for name, value in whole.items():
+        assert value.shape[: len(shape)] == shape, name
+
+
+@FEW
+@given(seed=seeds)
+def test_arguments_broadcast(seed: int) -> None:
+    robot, motion = machine(seed, (3,))
+    column = Motion(
+        motion.R[:, None], motion.t[0], motion.omega[0], motion.v, motion.alpha[0], motion.a[:, None]
+    )
+    assert column.shape == (3, 3)
+    F = ss.inverse_dynamics(robot, column).F
+    a, _ = ss.forward_dynamics(robot, column, F[:, :1])
+    assert a.shape == (3, 3, 3)
+    assert (a[1, 2] == ss.forward_dynamics(robot, column[1, 2], F[1, 0])[0]).all()
+    legs = ss.inverse_kinematics(robot, column)
+    v, omega = ss.forward_velocity(robot, motion.R[:, None], motion.t[0], legs.L_dot)
+    assert np.allclose(v, column.v, rtol=0, atol=1e-9 * np.abs(column.v).max())
+    assert np.allclose(omega, column.omega, rtol=0, atol=1e-9 * np.abs(column.omega).max())
+    found = ss.forward_kinematics(robot, legs.L[:, 0], (motion.R, motion.t[0]))
+    assert found.t.shape == (3, 3)
+
+
+# What the solve has no part in: its pivots are chosen among rows of H with units and without, so that another
+# unit of length may make it take the rows in another order.
+UNSOLVED = ("D", "K", "L", "S", "s", "L_dot", "L_ddot")
+UNITS = {  # powers of mass, length and time
+    **dict.fromkeys(("F", "D", "x", "K", "F_s", "F_u", "F_p", "F_c", "massless"), (1, 1, -2)),
+    **dict.fromkeys(("M_p", "M_u"), (1, 2, -2)),
+    **dict.fromkeys(("L", "S"), (0, 1, 0)),
+    "s": (0, 0, 0),
+    "L_dot": (0, 1, -1),
+    "L_ddot": (0, 1, -2),
+    "a": (0, 1, -2),
+    "alpha": (0, 0, -2),
+    "joint_inertia": (1, 0, 0),
+}
+
+
+@FEW
+@given(seed=seeds, mass=st.integers(-12, 12), length=st.integers(-12, 12), time=st.integers(-12, 12))
+def test_other_units_change_no_bit_but_the_exponent(seed: int, mass: int, length: int, time: int) -> None:
+    """Units that are powers of two: every product, sum and root only moves its exponent."""
+    robot, motion = machine(seed)
+
+    def unit(m: int, l: int, t: int) -> float:  # noqa: E741
+        return 2.0 ** (m * mass + l * length + t * time)
+
+    scaled = dataclasses.replace(
+        robot,
+        g=robot.g * unit(0, 1, -2),
+        M=robot.M * unit(1, 0, 0),
+        m_d=robot.m_d * unit(1, 0, 0),
+        m_u=robot.m_u * unit(1, 0, 0),
+        **{name: getattr(robot, name) * unit(0, 1, 0) for name in ("R_0", "b", "p", "r_d0", "r_u0")},
+        **{name: getattr(robot, name) * unit(1, 2, 0) for name in ("I_p", "I_d0", "I_u0")},
+        C_u=robot.C_u * unit(1, 2, -1),
+        C_p=robot.C_p * unit(1, 0, -1),
+        C_s=robot.C_s * unit(1, 2, -1),
+    )
+    powers = {"R": (0, 0, 0), "t": (0, 1, 0), "omega": (0, 0, -1), "v": (0, 1, -1), "alpha": (0, 0, -2)}
+    powers |= {"a": (0, 1, -2), "F_ext": (1, 1, -2), "M_ext": (1, 2, -2)}
+    moved = Motion(**{name: getattr(motion, name) * unit(*power) for name, power in powers.items()})
+    for backend in ("c", "numpy"):
+        here, there = (results(*pair, backend) for pair in ((robot, motion), (scaled, moved)))
+        for name, power in UNITS.items():
+            expected = here[name] * unit(*power)
+            if length == 0 or name in UNSOLVED:
+                assert (there[name] == expected).all(), (backend, name)
+            else:
+                close({name: there[name]}, {name: expected}, robot, motion, (name,))
+
+
+def close(found: Results, expected: Results, robot: Robot, motion: Motion, names: tuple[str, ...]) -> None:
+    """Equal to rounding, errors to the size of the array times the condition of what is solved."""
+    condition = ss.condition_number(ss.wrench_matrix(robot, motion)) * np.linalg.cond(
+        ss.equations_of_motion(robot, motion).M
+    )
+    for name in names:
+        size = np.abs(expected[name]).max()
+        assert np.abs(found[name] - expected[name]).max() <= 1e-12 * condition * size, name
+
+
+SCALARS = ("F", "D", "x", "M_u", "L", "L_dot", "L_ddot", "massless", "joint_inertia")
+VECTORS = ("K", "F_s", "F_u", "F_p", "F_c", "M_p", "s", "S", "a", "alpha")
+
+
+@FEW
+@given(seed=seeds, turn=st.tuples(*[st.floats(-3.0, 3.0)] * 3), shift=st.tuples(*[st.floats(-1, 1)] * 3))
+def test_results_turn_with_the_base_frame(seed: int, turn: tuple, shift: tuple) -> None:
+    robot, motion = machine(seed)
+    Q = rotation(np.array(turn) + 1e-3)
+    away = np.array(shift)
+    turned = dataclasses.replace(robot, b=robot.b @ Q.T + away, k=robot.k @ Q.T, g=Q @ robot.g)
+    vectors = {name: Q @ getattr(motion, name) for name in ("omega", "v", "alpha", "a")}
+    moved = Motion(Q @ motion.R, Q @ motion.t + away, **vectors, F_ext=motion.F_ext, M_ext=motion.M_ext)
+    found, expected = results(turned, moved), results(robot, motion)
+    for name in VECTORS:
+        expected[name] = expected[name] @ Q.T
+    close(found, expected, robot, motion, SCALARS + VECTORS)
+
+
+PER_LEG = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
+
+
+@FEW
+@given(seed=seeds, order=st.permutations(range(6)))
+def test_results_follow_the_order_of_the_legs(seed: int, order: list[int]) -> None:
+    robot, motion = machine(seed)
+    other = dataclasses.replace(robot, **{name: getattr(robot, name)[order] for name in PER_LEG})
+    found, expected = results(other, motion), results(robot, motion)
+    of_platform = ("a", "alpha", "M", "C", "g", "friction", "bias", "c")
+    for name in (set(SCALARS) | set(VECTORS)) - set(of_platform):
+        expected[name] = expected[name][order]
+    expected["joint_inertia"] = expected["joint_inertia"][:, order]
+    close(found, expected, robot, motion, SCALARS + VECTORS + of_platform)
+
+
+@FEW
+@given(seed=seeds)
+def test_a_mirrored_machine_has_mirrored_results(seed: int) -> None:
+    """Of a leg's frame x and z are mirrored as vectors are, y = k x s turns round."""
+    robot, motion = machine(seed)
+    mirror, in_leg = np.diag([-1.0, 1.0, 1.0]), np.diag([1.0, -1.0, 1.0])
+    vectors = ("b", "p", "k", "g", "R_0")
+    other = dataclasses.replace(
+        robot,
+        **{name: getattr(robot, name) @ mirror for name in vectors},
+        I_p=mirror @ robot.I_p @ mirror,
+        **{name: getattr(robot, name) @ in_leg for name in ("r_d0", "r_u0")},
+        **{name: in_leg @ getattr(robot, name) @ in_leg for name in ("I_d0", "I_u0")},
+    )
+    axial = {name: -mirror @ getattr(motion, name) for name in ("omega", "alpha", "M_ext")}
+    polar = {name: mirror @ getattr(motion, name) for name in ("t", "v", "a", "F_ext")}
+    found = results(other, Motion(mirror @ motion.R @ mirror, **polar, **axial))
+    expected = results(robot, motion)
+    for name in VECTORS:
+        expected[name] = expected[name] @ (-mirror if name in ("alpha", "M_p") else mirror)
+    # The normal n = k x y of the joint's axes is mirrored as a vector, a moment the other way.
+    expected["M_u"] = -expected["M_u"]
+    close(found, expected, robot, motion, SCALARS + VECTORS)
+
+
+# --- there and back
+
+
+@FEW
+@given(seed=seeds)
+def test_lengths_lead_back_to_the_motion(seed: int) -> None:
+    robot, motion = machine(seed, (2,))
+    legs = ss.inverse_kinematics(robot, motion)
+    near = (motion.R @ rotation(np.full(3, 1e-3)), motion.t * (1 + 1e-3))
+    pose = ss.forward_kinematics(robot, legs.L, near)
+    condition = ss.condition_number(ss.wrench_matrix(robot, motion))[:, None]
+    assert (np.abs(pose.t - motion.t) <= 1e-13 * condition * np.abs(motion.t).max()).all()
+    v, omega = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
+    a, alpha = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
+    for found, name in ((v, "v"), (omega, "omega"), (a, "a"), (alpha, "alpha")):
+        expected = getattr(motion, name)
+        scale = np.abs(motion.v).max() ** 2 + np.abs(motion.a).max() + np.abs(expected).max()
+        assert (np.abs(found - expected) <= 1e-11 * condition * scale).all(), name
+
+
+@FEW
+@given(seed=seeds, backend=st.sampled_from(BACKENDS))
+def test_forces_lead_back_to_the_accelerations(seed: int, backend: Any) -> None:
+    robot, motion = machine(seed, (2,))
+    F = ss.inverse_dynamics(robot, motion, backend=backend).F
+    a, alpha = ss.forward_dynamics(robot, motion, F, backend=backend)
+    condition = (
+        ss.condition_number(ss.wrench_matrix(robot, motion))
+        * np.linalg.cond(ss.equations_of_motion(robot, motion).M)
+    )[:, None]
+    found, expected = np.hstack([a, alpha]), np.hstack([motion.a, motion.alpha])
+    assert (np.abs(found - expected) <= 1e-12 * condition * np.abs(expected).max()).all()
+    again = ss.inverse_dynamics(robot, dataclasses.replace(motion, a=a, alpha=alpha), backend=backend).F
+    assert (np.abs(again - F) <= 1e-11 * condition * np.abs(F).max()).all()
+
+
+# --- extremes: finite, or a status
+
+
+EXTREME = st.sampled_from(
+    [0.0, 5e-324, 1e-300, 1e-160, 1e-20, 1.0, 1e20, 1e100, 1e154, 1e160, 1e300, 1.7e308]
+)
+
+
+def outputs(found: Any) -> tuple[dict[str, Array], NDArray[np.int32]]:
+    parts = dict(vars(found))
+    return {name: value for name, value in parts.items() if name != "status"}, parts["status"]
+
+
+@pytest.mark.filterwarnings("error")
+@FEW
+@given(seed=seeds, sizes=st.tuples(*[EXTREME] * 7), backend=st.sampled_from(BACKENDS))
+def test_results_are_finite_or_have_a_status(seed: int, sizes: tuple, backend: Any) -> None:
+    robot, motion = machine(seed, (3,))
+    parts = {name: getattr(motion, name).copy() for name in NAMES}
+    for name, size in zip(NAMES[1:], sizes, strict=True):
+        direction = parts[name][1] / np.abs(parts[name][1]).max()
+        parts[name][1] = direction * size
+    extreme = Motion(**parts)
+    F = np.ones((3, 6)) * min(sizes[-1], 1e300)
+    options = {"on_singular": "nan"}
+    found: list[Any] = [
+        ss.inverse_dynamics(robot, extreme, backend=backend, **options),
+        ss.inverse_dynamics(robot, extreme, "paper", backend, **options),
+        ss.joint_reactions(robot, extreme, backend=backend, **options),
+        ss.equations_of_motion(robot, extreme, backend=backend, **options),
+    ]
+    if backend != "reference":
+        found.append(ss.force_derivatives(robot, extreme, backend=backend, **options))
+        found.append(ss.linearise(robot, extreme, F, backend=backend, **options))
+    for result in found:
+        parts, status = outputs(result)
+        for name, value in parts.items():
+            for i in range(3):
+                finite = np.isfinite(value[i])
+                assert finite.all() if status[i] == 0 else np.isnan(value[i]).all(), (type(result), name)
+        assert not status[[0, 2]].any()
+    a, alpha = ss.forward_dynamics(robot, extreme, F, backend=backend, **options)
+    assert (np.isfinite(a).all(axis=-1) == np.isfinite(alpha).all(axis=-1)).all()
+    assert not np.isinf(a).any()
+    inertia = ss.joint_space_inertia(robot, extreme, backend=backend, **options)
+    assert np.isfinite(inertia[[0, 2]]).all()
+    assert not np.isinf(inertia).any()
+    regressor = ss.regressor(robot, extreme, **options)
+    assert not np.isinf(regressor).any()
+    assert not np.isinf(ss.massless_forces(robot, extreme)).any()
+    for kinematics in (ss.inverse_kinematics, ss.wrench_matrix, ss.wrench_matrix_rate):
+        with contextlib.suppress(ValueError):
+            result = kinematics(robot, extreme)
+            values = [result] if isinstance(result, np.ndarray) else list(vars(result).values())
+            assert all(np.isfinite(value).all() for value in values)
+
+
+# --- wrong arguments
+
+
+def circle() -> list[Any]:
+    round_about: list[Any] = []
+    round_about.append(round_about)
+    return round_about
+
+
+WRONG: dict[str, Any] = {
+    "None": None,
+    "text": "x",
+    "bytes": b"x",
+    "complex": 1j,
+    "nothing": [],
+    "table": {},
+    "set": {1.0},
+    "object": object(),
+    "nan": np.nan,
+    "infinite": -np.inf,
+    "five": np.zeros(5),
+    "ragged": [[1], [1, 2]],
+    "empty": np.zeros(0),
+    "True": True,
+    "many digits": 16**5000,
+    "objects": np.array([None] * 6),
+    "dates": np.array(["2020-01-01"] * 6, dtype="M8[D]"),
+    "nan of legs": np.full(6, np.nan),
+    "nan vector": np.full(3, np.nan),
+    "nan matrix": np.full((3, 3), np.nan),
+    "zero matrix": np.zeros((3, 3)),
+    "seven vectors": np.zeros((7, 3)),
+    "a generator": (i for i in range(3)),
+    "a type": float,
+    "a module": np,
+    "texts": ["a"] * 6,
+    "record": np.zeros(3, dtype=[("a", float)]),
+    "circle": circle(),
+}
+# A law or a load may be any function; what it makes of its arguments is its own.
+CALLABLE = {("simulate", "forces"), ("simulate", "load")}
+
+
+def test_every_public_name_is_called_or_a_record() -> None:
+    assert public() == {name.partition(".")[0] for name in cached_calls()}
+    assert set(ss.__all__) >= RECORDS
+
+
+@pytest.mark.parametrize("name", sorted(calls()))
+def test_arguments_of_a_wrong_kind_are_named_in_one_line(name: str) -> None:
+    call = cached_calls()[name]
+    names = (*call.arguments, *call.other.values())
+    for argument in call.arguments:
+        for kind, value in WRONG.items():
+            if argument in call.free or ((name, argument) in CALLABLE and callable(value)):
+                continue
+            told = f"{argument}: "
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    call.function(**{**call.arguments, argument: value})
+            except ValueError as error:
+                told = str(error)
+            if (name, argument) == ("Robot.from_toml", "path") and kind in ("text", "bytes"):
+                told = told.replace("x: cannot read", "path: cannot read")
+            assert told.isprintable(), (argument, kind, told)
+            assert told.startswith(names), (argument, kind, told)
+            assert len(told) < 400
+
+
+test_many_batches_are_their_poses = deeply(test_a_batch_is_its_poses_to_the_last_bit)
+test_many_other_units_change_no_bit = deeply(test_other_units_change_no_bit_but_the_exponent)
+test_many_base_frames = deeply(test_results_turn_with_the_base_frame)
+test_many_orders_of_legs = deeply(test_results_follow_the_order_of_the_legs)
+test_many_mirrored_machines = deeply(test_a_mirrored_machine_has_mirrored_results)
+test_many_lengths_lead_back = deeply(test_lengths_lead_back_to_the_motion)
+test_many_forces_lead_back = deeply(test_forces_lead_back_to_the_accelerations)
+test_many_extremes = deeply(test_results_are_finite_or_have_a_status)

@@ -1,0 +1,82 @@
+"""Static analysis of the generated C: no finding by cppcheck, gcc -fanalyzer, clang-tidy bugprone and cert.
+
+What is suppressed stands in SUPPRESSED, with the reason.
+"""
+
+import shutil
+
+import attack_build
+import pytest
+
+SUPPRESSED = {
+    "cppcheck": {
+        "duplicateValueTernary": "pairs of choices exchange rows; cppcheck takes both rows for the same",
+        "variableScope": "declarations stand at the head of a function, as in all of the emitted C",
+        "missingIncludeSystem": "system headers are not analysed",
+    },
+    "clang-tidy": {
+        "bugprone-easily-swappable-parameters": "static functions whose only callers are emitted with them",
+        "bugprone-implicit-widening-of-multiplication-result": "an index of lane or row times a width",
+    },
+}
+SOURCES = sorted(attack_build.oracles())
+PRECISIONS = [pytest.param([], id="double"), pytest.param(["-DSTEWART_FLOAT"], id="float")]
+
+pytestmark = pytest.mark.slow
+
+
+def need(tool: str) -> None:
+    if shutil.which(tool) is None:
+        pytest.skip(f"{tool} is not installed")
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_cppcheck_finds_nothing(source: str) -> None:
+    need("cppcheck")
+    command = ["cppcheck", "--enable=warning,style,performance,portability", "--std=c99"]
+    # Of the flow of values through the long solves, what can be told in seconds.
+    command += ["--performance-valueflow-max-time=2"]
+    # The macros that choose what is compiled, so that one configuration is checked and not each combination.
+    command += ["-D__GNUC__=12", "-USTEWART_REAL", "-USTEWART_FLOAT", "-U__cplusplus", "--quiet"]
+    command += [f"--suppress={name}" for name in SUPPRESSED["cppcheck"]]
+    command += ["--error-exitcode=3", f"{source}.c"]
+    assert attack_build.ran(command, attack_build.GENERATED) == ""
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_the_analyser_of_gcc_finds_nothing(source: str) -> None:
+    need("gcc")
+    command = ["gcc", "-std=c99", "-O2", "-fanalyzer", "-S", "-o", "/dev/null", f"{source}.c"]
+    assert attack_build.ran(command, attack_build.GENERATED) == ""
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("source", SOURCES)
+def test_clang_tidy_finds_nothing(source: str, precision: list[str]) -> None:
+    need("clang-tidy")
+    checks = ["-*", "bugprone-*", "cert-*", "clang-analyzer-*"]
+    checks += [f"-{name}" for name in SUPPRESSED["clang-tidy"]]
+    command = ["clang-tidy", "--quiet", f"--checks={','.join(checks)}", "--warnings-as-errors=*"]
+    found = attack_build.ran([*command, f"{source}.c", "--", "-std=c99", *precision], attack_build.GENERATED)
+    assert "warning:" not in found
+
+
+@pytest.mark.parametrize(
+    ("tool", "command", "told"),
+    [
+        ("cppcheck", ["--enable=warning", "--error-exitcode=3"], "arrayIndexOutOfBounds"),
+        ("gcc", ["-std=c99", "-O2", "-fanalyzer", "-Werror", "-S", "-o", "/dev/null"], "analyzer-"),
+        ("clang-tidy", ["--checks=-*,bugprone-*,cert-*", "--warnings-as-errors=*"], "cert-flp30-c"),
+    ],
+)
+def test_the_tools_find_what_is_there(tool: str, command: list[str], told: str, tmp_path) -> None:
+    need(tool)
+    (tmp_path / "wrong.c").write_text(
+        "#include <stdlib.h>\n"
+        "float f(int n) { float a[3] = {0}, x; for (x = 0; x < 1; x += 0.1f) { a[0] += x; } return a[n]; }\n"
+        "int g(void) { int a[2] = {1, 2}; return a[2]; }\n"
+        "int h(int *p) { free(p); return *p; }\n"
+    )
+    tail = ["--", "-std=c99"] if tool == "clang-tidy" else []
+    with pytest.raises(AssertionError, match=told):
+        attack_build.ran([tool, *command, "wrong.c", *tail], tmp_path)
