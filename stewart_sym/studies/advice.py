@@ -119,7 +119,10 @@ def report(found: Advice) -> str:
     return "\n\n".join([head, table(economy, found), "\n".join(answer(found))])
 
 
-_WHERE = f"Rounding is measured at {SAMPLED} poses spread over each motion and at its hardest, the model at all poses."
+_WHERE = (
+    f"Rounding is measured at {SAMPLED} poses spread over each motion and at its hardest, "
+    "the model at all poses."
+)
 
 _COLUMNS = (
     *("kernel", "operations", "ns a pose", "in a batch", "bytes"),

@@ -444,7 +444,7 @@ def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], ob
     count = len(poses[0])
     rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
     F = np.zeros(6, dtype=kernel.dtype)
-    function = ctypes.cast(kernel._function("forces"), ctypes.c_void_p)
+    function = ctypes.cast(kernel.function("forces"), ctypes.c_void_p)
     row_bytes = ctypes.c_size_t(rows.strides[0])
 
     def run(repeats: int) -> object:

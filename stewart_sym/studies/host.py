@@ -41,7 +41,7 @@ def software(*packages: str) -> dict[str, Any]:
     return {
         "compiler": compiler.version,
         "command": list(compiler.command),
-        "flags": list(native._FLAGS),
+        "flags": list(native.FLAGS),
         "python": platform.python_version(),
         **{name: version(name) for name in ("stewart-sym", "numpy", *packages)},
     }
