@@ -36,9 +36,12 @@ class _Constants:
     values: dict[sp.Symbol, tuple[mpf, ...]] = field(default_factory=dict)
 
     def add(self, quantity: Quantity, values: tuple[mpf, ...]) -> sp.Symbol:
+        """The symbol of a constant. Raises ValueError where its name already stands for other values."""
         symbol = quantity.symbols[0]
-        self.quantities[symbol] = quantity
-        self.values[symbol] = values[:1] if len(set(values)) == 1 else values
+        values = values[:1] if len(set(values)) == 1 else values
+        if self.values.setdefault(symbol, values) != values:
+            raise ValueError(f"{quantity.name}: expected the values that the name has already, got others")
+        self.quantities.setdefault(symbol, quantity)
         return symbol
 
 

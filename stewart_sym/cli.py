@@ -749,8 +749,9 @@ def _parser() -> argparse.ArgumentParser:
         "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), if "
         "you like margin (default 3: errors times this must be within the tolerance) and rate (Hz: a pose "
         "alone must not take longer). Runs the motions at every fidelity, formulation and precision; the "
-        "cheapest is the one with the fewest operations, float before double. Exit code 2 where nothing is "
-        "good enough. Takes half a minute, less when the kernels are compiled.",
+        "cheapest is the one with the fewest operations, float before double. Rounding is measured at 12 "
+        "poses spread over each motion and at its hardest, the model at all poses. Exit code 2 where nothing "
+        "is good enough. Takes half a minute, less when the kernels are compiled.",
     )
     verb.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
     verb.add_argument("--json", metavar="FILE", type=Path, help="write all figures and the answer to a file")

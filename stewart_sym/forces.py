@@ -72,7 +72,7 @@ class ForceKernel:
         more = self.precision == "float"  # the length that its solve takes moments over
         size = model_numbers(self.robot, self.formulation, self.fidelity) + more
         model = np.zeros(size, dtype=self.dtype)
-        if self._function("prepare")(address(numbers, 0), address(model, 0)) != OK:
+        if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
         model.setflags(write=False)
         object.__setattr__(self, "model", model)
@@ -182,7 +182,7 @@ class ForceKernel:
         self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
     ) -> None:
         pointers = [address(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
-        self._function("forces_batch")(
+        self.function("forces_batch")(
             address(self.model, 0),
             ctypes.c_size_t(count),
             (ctypes.c_void_p * len(pointers))(*pointers),
@@ -195,7 +195,8 @@ class ForceKernel:
         """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
         return force_kernel_name(self.robot, self.formulation, self.fidelity)
 
-    def _function(self, what: str) -> Any:
+    def function(self, what: str) -> Any:
+        """The C function ``stewart_<name>_<what>`` of the compiled library."""
         return _function(self.name, self.precision, what)
 
 
@@ -221,7 +222,7 @@ class OnePose:
             if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
                 raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
         addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
-        object.__setattr__(self, "_call", self.kernel._function("forces"))
+        object.__setattr__(self, "_call", self.kernel.function("forces"))
         object.__setattr__(self, "_addresses", addresses)
 
     def __reduce__(self) -> tuple[Any, ...]:

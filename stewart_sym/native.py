@@ -37,7 +37,8 @@ _STALE_SECONDS = 24 * 3600.0
 _NATIVE = "-march=native"
 # Code on Windows is position independent anyway, and clang refuses the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
-_FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
+FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
+"""Of the compiler, for every library."""
 # A library linked with one of these switches the whole process to flush-to-zero.
 _REFUSED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
@@ -144,7 +145,7 @@ def _recipe(
     if compiler is None:
         raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
     macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
-    return _Recipe(name, dict(sources), compiler, (*_FLAGS, *macros, *flags))
+    return _Recipe(name, dict(sources), compiler, (*FLAGS, *macros, *flags))
 
 
 @dataclass(frozen=True)

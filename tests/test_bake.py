@@ -8,11 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
+from mpmath import mpf
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import fidelity, native
+from stewart_sym.derive.bake import _Constants
 from stewart_sym.derive.emit.kit import robot_symbol
+from stewart_sym.derive.notation import Quantity
 from stewart_sym.kernel import MOTION, address
 from stewart_sym.kit import Choice, Kit, kit
 from stewart_sym.motion import Motion
@@ -107,6 +110,16 @@ def _baked_operations(robot: Robot, level: str) -> int:
     count = kit(robot, Choice(fidelity=level, bake=True)).baked_operations
     assert count is not None
     return count
+
+
+def test_a_constant_keeps_its_values() -> None:
+    constants = _Constants()
+    length, count = Quantity("l", (), "m", "length"), 6
+    symbol = constants.add(length, (mpf(2),) * count)
+    assert constants.add(length, (mpf(2),)) == symbol
+    with pytest.raises(ValueError, match=r"^l: expected the values that the name has already"):
+        constants.add(length, (mpf(3),) * count)
+    assert constants.values == {symbol: (mpf(2),)}
 
 
 @pytest.mark.parametrize("term", ["friction", "gravity", "flat base", "flat platform", "centred platform"])

@@ -25,7 +25,7 @@ from stewart_sym import forces
 from stewart_sym.cli import main
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
-from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, timing
+from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, host, timing
 from stewart_sym.studies.bench_figures import FORWARD, MOST
 from stewart_sym.studies.bench_plot import motion_picture, picture, report
 from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
@@ -414,19 +414,19 @@ def test_tables_without_passes_and_text_are_left_out(monkeypatch: pytest.MonkeyP
 )
 def test_a_run_that_others_disturbed_says_so(work: float, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
     at = itertools.count(0.0, work)
-    monkeypatch.setattr(bench, "_work_of_others", lambda: next(at))
+    monkeypatch.setattr(host, "_work_of_others", lambda: next(at))
     monkeypatch.setattr(bench_passes, "stages", lambda _: ())
     assert said in report(bench.bench(quick=True))
 
 
 def test_own_work_is_not_that_of_others() -> None:
-    work, times = bench._work_of_others(), os.times()
+    work, times = host._work_of_others(), os.times()
     if work is None:
         assert not sys.platform.startswith("linux")
         return
     while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
         pass
-    again = bench._work_of_others()
+    again = host._work_of_others()
     assert again is not None
     assert work is not None
     seconds = os.times().elapsed - times.elapsed

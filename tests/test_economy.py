@@ -34,7 +34,7 @@ from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 from stewart_sym.studies import bound_plot, scales, timing
 from stewart_sym.studies import economy as study
-from stewart_sym.studies.advice import TERMS, Advice, advice, answer, as_json, excess, report, terms
+from stewart_sym.studies.advice import TERMS, Advice, advice, answer, as_json, closest, excess, report, terms
 from stewart_sym.studies.charts import charts
 from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, economy
 from stewart_sym.studies.output import csv_lines
@@ -472,6 +472,19 @@ def test_a_kernel_slower_than_the_rate_is_not_good_enough() -> None:
     assert "a pose takes 100 ns, 10 times what is allowed" in answer(none)[0]
 
 
+def test_both_misses_are_named_and_the_larger_comes_first() -> None:
+    slow = dataclasses.replace(MIDDLE, one_pose=(201.0,))
+    error = "the error is 4.0e-02, 10 times what is allowed"
+    time = "a pose takes 201 ns, {:.3g} times what is allowed".format
+    for rate, expected in (
+        (1e9, f"{time(201)}; {error}"),
+        (1e7, f"{error}; {time(2.01)}"),
+        (1e6, error),
+    ):
+        said = closest(advice(made_up(slow), budget(0.004, 1.0, rate)))
+        assert said == f"exact slender, double, {expected}"
+
+
 def test_where_nothing_is_good_enough_the_closest_is_named() -> None:
     given = made_up(CHEAP, MIDDLE, dataclasses.replace(DEAR, errors={"I": Errors(0.03, 0.01, 0.0)}))
     found = advice(given, budget(0.01))
@@ -544,6 +557,16 @@ def test_the_report_has_every_figure(on_path_i: Economy) -> None:
         assert f" {each.operations} " in line
         assert f"{each.total:.1e}" in line or each.total == 0.0
     assert text.count("chosen") == 1
+
+
+def test_report_and_help_say_where_rounding_is_measured(
+    on_path_i: Economy, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["advise", "--help"])
+    said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and at its hardest"
+    for text in (capsys.readouterr().out, report(advice(on_path_i, budget(0.05)))):
+        assert said in " ".join(text.split())
 
 
 def test_json_holds_what_was_found_and_no_infinity(on_path_i: Economy) -> None:

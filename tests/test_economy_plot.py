@@ -1,6 +1,7 @@
 """The chart of speed against accuracy: every point is named and readable, and the front is the front."""
 
 import csv
+import dataclasses
 import io
 import itertools
 import math
@@ -18,8 +19,8 @@ from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, Implementation
 from stewart_sym.studies.economy_plot import (
-    MODEL,
     ROUNDING,
+    TOTAL,
     Point,
     csv_rows,
     figure,
@@ -95,20 +96,26 @@ def overlapping(found: dict[str, Bbox]) -> list[tuple[str, str]]:
 
 def test_points_are_the_fidelities_and_the_implementations() -> None:
     found = points(made_up())
-    names = {panel: {point.name for point in found if point.panel == panel} for panel in (MODEL, ROUNDING)}
+    names = {panel: {point.name for point in found if point.panel == panel} for panel in (TOTAL, ROUNDING)}
     exact = {name.split()[1] for name, _, _ in LEVELS}
-    assert names[MODEL] == exact | {"paper"}
+    assert names[TOTAL] == {f"{name}{end}" for name in (*exact, "paper") for end in ("", ", float")}
     kinds = {f"{kind}, {precision}" for kind in ("one pose", "batch") for precision in ("double", "float")}
     assert names[ROUNDING] == kinds | {"every output", "NumPy kernel", "vector reference"}
     (slender,) = (point for point in found if point.name == "slender")
-    assert slender.errors == {"I": 0.061, "II": 0.061 * 0.7, "poses.csv": 0.061 * 0.04}
-    assert slender.worst == 0.061
+    entry = made_up().entry("exact", "slender", "double")
+    assert slender.errors == {
+        motion: errors.model + errors.rounding for motion, errors in entry.errors.items()
+    }
+    assert slender.worst == entry.total > 0.061
+    assert {point.name: point.beside for point in found if point.beside} == {
+        f"{name}, float": name for name in (*exact, "paper")
+    }
 
 
 def test_the_front_holds_what_nothing_beats() -> None:
     rng = np.random.default_rng(1)
     given = [
-        Point(MODEL, str(i), float(ns), {"I": float(error)}, "black")
+        Point(TOTAL, str(i), float(ns), {"I": float(error)}, "black")
         for i, (ns, error) in enumerate(rng.uniform(1, 9, (40, 2)).round())
     ]
     best = front(given)
@@ -135,7 +142,7 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
         assert float(row["largest"]) == point.errors[row["motion"]]
     assert {row["name"] for row in rows if row["pareto"] == "1"} >= {
         "general",
-        "frictionless",
+        "frictionless, float",
         "batch, float",
     }
 
@@ -143,9 +150,9 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
 @pytest.mark.parametrize("spread", [1.0, 0.05])
 def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float) -> None:
     found = made_up(spread)
-    for axes, panel in zip(figure(found).axes, (MODEL, ROUNDING), strict=True):
+    for axes, panel in zip(figure(found).axes, (TOTAL, ROUNDING), strict=True):
         names = boxes(axes)
-        assert names.keys() == {point.name for point in points(found) if point.panel == panel}
+        assert names.keys() == {p.name for p in points(found) if p.panel == panel and not p.beside}
         assert not overlapping(names)
         frame = axes.get_window_extent()
         assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in names.values())
@@ -161,10 +168,13 @@ def test_no_name_covers_a_point(picture: Figure) -> None:
                     assert not any(box.contains(x, y) for box in names.values())
 
 
-def test_errors_of_zero_have_a_band_below_all_others(picture: Figure) -> None:
-    axes = picture.axes[0]
+def test_errors_of_zero_have_a_band_below_all_others() -> None:
+    found = made_up()
+    no_error = dict.fromkeys(found.peaks, Errors(0.0, 0.0, 0.0))
+    entries = [dataclasses.replace(e, errors=no_error) if e.model == 0.0 else e for e in found.entries]
+    axes = figure(dataclasses.replace(found, entries=tuple(entries))).axes[0]
     labels = dict(zip(axes.get_yticks(), (t.get_text() for t in axes.get_yticklabels()), strict=True))
-    none = next(y for y, text in labels.items() if text == "no model\nerror")
+    none = next(y for y, text in labels.items() if text == "none")
     assert none == min(labels)
     assert none < 0.04 * 1.3e-5 / 3
     assert any(none in line.get_ydata() for line in axes.get_lines())
@@ -185,8 +195,28 @@ def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     )
     given = Economy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
     left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
-    assert right[-1] == "no answer"
-    assert "no model\nerror" in left
+    assert left[-1] == right[-1] == "no answer"
+
+
+def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> None:
+    every = [point for point in points(made_up()) if point.panel == TOTAL]
+    hollow = {
+        float(line.get_xdata()[0])  # type: ignore[index, arg-type]
+        for line in picture.axes[0].get_lines()
+        if line.get_marker() != "None" and line.get_markerfacecolor() == "white"
+    }
+    assert hollow == {point.ns for point in every if point.beside}
+    assert any(point.beside for point in front(every))
+    assert any(not point.beside for point in front(every))
+
+
+@pytest.mark.parametrize(
+    ("taken", "said"), [(None, ""), (0.01, ""), (0.42, "took 42 % of the cores' time, load 3.2")]
+)
+def test_a_run_that_others_disturbed_says_so(taken: float | None, said: str) -> None:
+    title = figure(dataclasses.replace(made_up(), taken_by_others=taken, load=3.25)).get_suptitle()
+    assert title.count("\n") == bool(said)
+    assert title.endswith(said or "machine")
 
 
 def crowd(
@@ -232,4 +262,4 @@ def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path,
     assert pixels.shape[1] > 1500
     assert pixels.std() > 0.05
     drawing = (tmp_path / "one.svg").read_text()
-    assert all(f">{point.name}<" in drawing for point in points(made_up()))
+    assert all(f">{point.name}<" in drawing for point in points(made_up()) if not point.beside)

@@ -356,9 +356,9 @@ def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
         longer[start : start + 3] *= 3.0 + leg
     kernel = ss.prepare(robot)
     model = np.zeros_like(kernel.model)
-    assert kernel._function("prepare")(address(longer), address(model)) == 0
+    assert kernel.function("prepare")(address(longer), address(model)) == 0
     object.__setattr__(kernel, "model", model)
     assert (relative(kernel.forces(motion), expected) <= 1e-12).all()
     longer[6:9] = 0.0
-    status = kernel._function("prepare")(address(longer), address(model))
+    status = kernel.function("prepare")(address(longer), address(model))
     assert status == ss.results.NOT_FINITE

@@ -30,7 +30,7 @@ from stewart_sym.kernel import module
 from stewart_sym.scene import Scene, read_scene
 from stewart_sym.studies import control, control_report, energy_drift
 from stewart_sym.studies.bench_figures import Figure, MotionFigures
-from stewart_sym.studies.bench_plot import DISTURBED
+from stewart_sym.studies.host import DISTURBED
 from stewart_sym.studies.reproduce import work_energy
 
 PUBLISHED = (

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..budget import Budget
-from .economy import Candidate, Economy, Entry, finite
+from .economy import SAMPLED, Candidate, Economy, Entry, finite
 from .table import aligned
 
 TERMS: Mapping[str, str] = {
@@ -77,8 +77,13 @@ def advice(economy: Economy, budget: Budget) -> Advice:
 
 def excess(entry: Entry, budget: Budget) -> float:
     """How many times a candidate exceeds the budget, in error or in time; good enough up to 1."""
+    return max(_misses(entry, budget))
+
+
+def _misses(entry: Entry, budget: Budget) -> tuple[float, float]:
+    """Error and time over what is allowed; no time is too long where the budget names no rate."""
     error = entry.total * budget.margin / budget.tolerance
-    return error if budget.rate is None else max(error, entry.ns * 1e-9 * budget.rate)
+    return error, 0.0 if budget.rate is None else entry.ns * 1e-9 * budget.rate
 
 
 def terms(candidate: Candidate) -> frozenset[str]:
@@ -114,6 +119,11 @@ def report(found: Advice) -> str:
     return "\n\n".join([head, table(economy, found), "\n".join(answer(found))])
 
 
+_WHERE = (
+    f"Rounding is measured at {SAMPLED} poses spread over each motion and at its hardest, "
+    "the model at all poses."
+)
+
 _COLUMNS = (
     *("kernel", "operations", "ns a pose", "in a batch", "bytes"),
     *("model error", "RMS", "rounding", "total"),
@@ -130,16 +140,13 @@ def table(economy: Economy, found: Advice | None = None) -> str:
             f"{entry.ns:.0f}",
             f"{entry.batch_ns:.0f}",
             "" if entry.text is None else str(entry.text),
-            *(
-                f"{error:.1e}" if error else "0"
-                for error in (entry.model, entry.model_rms, entry.rounding, entry.total)
-            ),
+            *map(_share, (entry.model, entry.model_rms, entry.rounding, entry.total)),
             *([] if found is None else [_mark(entry, found)]),
         )
         for entry in economy.entries
     ]
     note = "Errors are shares of the peak force of their motion, the worst motion counts."
-    return f"{aligned(header, rows)}\n\n{note}"
+    return f"{aligned(header, rows)}\n\n{note}\n{_WHERE}"
 
 
 def _share(error: float) -> str:
@@ -192,11 +199,14 @@ def _costs(entry: Entry, found: Advice) -> str:
 
 
 def _beyond(entry: Entry, budget: Budget) -> str:
-    """How a candidate misses the budget."""
-    error = entry.total * budget.margin / budget.tolerance
-    if error > 1.0 or budget.rate is None:
-        return f"the error is {entry.total:.1e}, {error:.3g} times what is allowed"
-    return f"a pose takes {entry.ns:.0f} ns, {excess(entry, budget):.3g} times what is allowed"
+    """How a candidate misses the budget, the larger miss first."""
+    error, time = _misses(entry, budget)
+    said = [
+        (error, f"the error is {entry.total:.1e}, {error:.3g} times what is allowed"),
+        (time, f"a pose takes {entry.ns:.0f} ns, {time:.3g} times what is allowed"),
+    ]
+    largest, *others = sorted(said, key=lambda miss: -miss[0])
+    return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])
 
 
 # --- for programs -----------------------------------------------------------------------------

@@ -11,7 +11,6 @@ import contextlib
 import functools
 import os
 import sys
-import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -212,7 +211,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     }
     tasks |= {name: Task(*each) for name, each in motion.tasks.items()}
     rounds = QUICK_ROUNDS if quick else ROUNDS
-    others = _Others()
+    others = host.Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
     machine["taken_by_others"] = others.share()
@@ -378,32 +377,7 @@ def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tupl
     return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
-# --- what others take -----------------------------------------------------------------------------
-
-
-class _Others:
-    """What other processes, and a hypervisor, take of all cores from now on."""
-
-    def __init__(self) -> None:
-        self._start, self._work = time.perf_counter(), _work_of_others()
-
-    def share(self) -> float | None:
-        """Share of the cores' time so far, 0 to 1; None where the system doesn't tell."""
-        seconds, work = time.perf_counter() - self._start, _work_of_others()
-        if self._work is None or work is None or seconds <= 0:
-            return None
-        return min(1.0, max(0.0, (work - self._work) / (CORES * seconds)))
-
-
-def _work_of_others() -> float | None:
-    """Core seconds since the machine started, but for this process's own and its children's."""
-    with contextlib.suppress(OSError, ValueError):
-        first, *_ = Path("/proc/stat").read_text(encoding="utf-8").splitlines()
-        # user, nice, system, idle, waiting for a disk, two kinds of interrupts, stolen by the hypervisor
-        user, nice, system, _, _, hard, soft, stolen = map(int, first.split()[1:9])
-        ticks = user + nice + system + hard + soft + stolen
-        return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
-    return None
+# --- memory ---------------------------------------------------------------------------------------
 
 
 def _free_memory() -> int:

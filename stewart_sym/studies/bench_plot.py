@@ -13,12 +13,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 
 from .bench_figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
+from .host import DISTURBED
 from .table import aligned
 
 WIDTH = 110
-
-DISTURBED = 0.03
-"""Share of the cores' time in others' hands from which on the figures are called disturbed."""
 
 _STYLE: Any = {
     "svg.hashsalt": "stewart-sym",

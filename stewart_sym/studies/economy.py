@@ -25,6 +25,7 @@ from ..kernel import FORMULATIONS, MOTION, address, loaded
 from ..kinematics import wrench_matrix
 from ..motion import Motion
 from ..robot import Robot
+from . import host
 from .bench_compile import text_size
 from .timing import Progress, Task, measured
 from .truth import Truth, deviation
@@ -167,7 +168,9 @@ class Economy:
     """All figures of one machine.
 
     peaks: largest actuator force, N, and poses: how many, by motion. entries: the cheapest first, by
-    operations, then precision. implementations: empty unless they were asked for.
+    operations, then precision. implementations: empty unless they were asked for. taken_by_others, load: of
+    the cores' time while times were taken, 0 to 1, and busy processes in the last minute of it; None where
+    the system doesn't tell.
     """
 
     robot: str
@@ -175,6 +178,8 @@ class Economy:
     poses: Mapping[str, int]
     entries: tuple[Entry, ...]
     implementations: tuple[Implementation, ...] = ()
+    taken_by_others: float | None = None
+    load: float | None = None
 
     def entry(self, formulation: str, fidelity: str, precision: str) -> Entry:
         """Figures of one candidate."""
@@ -185,6 +190,8 @@ class Economy:
         """All figures, ready for ``json``; errors are null where poses have no answer."""
         return {
             "robot": self.robot,
+            "taken_by_others": self.taken_by_others,
+            "load": self.load,
             "motions": {
                 name: {"poses": self.poses[name], "peak_force_N": peak} for name, peak in self.peaks.items()
             },
@@ -231,7 +238,9 @@ def economy(
         for way, forces in ways.items():
             rounding[way][name] = case.rounding_of(forces)
     tasks = _tasks(tuple(motions.values()), kernels, ways)
+    others = host.Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
+    taken, load = others.share(), host.load_average()
     entries = [
         Entry(
             candidate,
@@ -249,6 +258,8 @@ def economy(
         {name: len(case.F) for name, case in cases.items()},
         tuple(sorted(entries, key=_cost)),
         tuple(Implementation(way, raw[way, ""], rounding[way]) for way in ways),
+        taken,
+        None if load is None else load[0],
     )
 
 
@@ -444,7 +455,7 @@ def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], ob
     count = len(poses[0])
     rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
     F = np.zeros(6, dtype=kernel.dtype)
-    function = ctypes.cast(kernel._function("forces"), ctypes.c_void_p)
+    function = ctypes.cast(kernel.function("forces"), ctypes.c_void_p)
     row_bytes = ctypes.c_size_t(rows.strides[0])
 
     def run(repeats: int) -> object:

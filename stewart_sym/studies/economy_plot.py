@@ -1,4 +1,4 @@
-"""Speed against accuracy as a picture and as rows: time a pose over error, model and rounding told apart.
+"""Speed against accuracy as a picture and as rows: time a pose over error, total and of rounding alone.
 
 Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .economy import Economy
+from .economy import Economy, Entry
+from .host import DISTURBED
 from .output import csv_text
 
 if TYPE_CHECKING:
@@ -29,19 +30,25 @@ _STYLE: Any = {
 }
 _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = "#1f4e9c", "#c1440e", "#2e7d32", "#5a5a5a", "#9a9a9a"
 _MARKERS = "os^vDPX*"
+_FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
+_HOLLOW: Any = {"markersize": 4.2, "markeredgewidth": 0.8, "markerfacecolor": "white"}
 
-MODEL, ROUNDING = "model", "rounding"
+TOTAL, ROUNDING = "total", "rounding"
 
 
 @dataclass(frozen=True)
 class Point:
-    """A way to compute the forces in one panel: its time, ns, and its errors by motion."""
+    """A way to compute the forces in one panel: its time, ns, and its errors by motion.
+
+    beside: the name of the point that it belongs to, drawn hollow and without a name of its own.
+    """
 
     panel: str
     name: str
     ns: float
     errors: Mapping[str, float]
     color: str
+    beside: str = ""
 
     @property
     def worst(self) -> float:
@@ -50,18 +57,8 @@ class Point:
 
 
 def points(found: Economy) -> list[Point]:
-    """Model errors of every fidelity, one pose in double; rounding errors of every implementation."""
-    of_models = [
-        Point(
-            MODEL,
-            entry.candidate.fidelity if entry.candidate.formulation == "exact" else "paper",
-            entry.ns,
-            {name: errors.model for name, errors in entry.errors.items()},
-            _EXACT if entry.candidate.formulation == "exact" else _PAPER,
-        )
-        for entry in found.entries
-        if entry.candidate.precision == "double"
-    ]
+    """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
+    fidelities = [_of_fidelity(entry) for entry in found.entries]
     general = [entry for entry in found.entries if entry.candidate.fidelity == "general"]
     kernels = [
         Point(
@@ -76,7 +73,21 @@ def points(found: Economy) -> list[Point]:
         for kind, ns in (("one pose", entry.ns), ("batch", entry.batch_ns))
     ]
     others = [Point(ROUNDING, each.name, each.ns, each.rounding, _OTHER) for each in found.implementations]
-    return [*of_models, *kernels, *others]
+    return [*fidelities, *kernels, *others]
+
+
+def _of_fidelity(entry: Entry) -> Point:
+    candidate = entry.candidate
+    in_double, exact = candidate.precision == "double", candidate.formulation == "exact"
+    name = candidate.fidelity if exact else "paper"
+    return Point(
+        TOTAL,
+        name if in_double else f"{name}, {candidate.precision}",
+        entry.ns,
+        {motion: errors.total for motion, errors in entry.errors.items()},
+        (_EXACT if exact else _PAPER) if in_double else _FLOAT,
+        "" if in_double else name,
+    )
 
 
 def front(given: Sequence[Point]) -> list[Point]:
@@ -96,7 +107,7 @@ _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 def csv_rows(found: Economy) -> str:
     """Every point of the picture and motion as CSV, all digits."""
     every = points(found)
-    best = [point for panel in (MODEL, ROUNDING) for point in front(_of(every, panel))]
+    best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
     rows = [
         (point.panel, point.name, point.ns, motion, error, int(point in best))
         for point in every
@@ -113,23 +124,23 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 
 
 def figure(found: Economy) -> "Figure":
-    """Two panels, time a pose over the errors: of the models, and of rounding."""
+    """Two panels, time a pose over the errors: of model and rounding together, and of rounding."""
     import matplotlib
     from matplotlib.figure import Figure
 
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
     with matplotlib.rc_context(_STYLE):
-        picture = Figure(figsize=(11.6, 6.8), layout="constrained")
+        picture = Figure(figsize=(12.4, 7.8), layout="constrained")
         left, right = picture.subplots(1, 2, width_ratios=(1.3, 1.0))
-        picture.suptitle(f"Speed against accuracy: {found.robot}")
-        _draw(left, _of(every, MODEL), marks)
+        picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
+        _draw(left, _of(every, TOTAL), marks)
         _draw(right, _of(every, ROUNDING), marks)
-        left.set_title("error of the model: one pose in C, double", fontsize="medium")
+        left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
         right.set_title("error of rounding: `exact`, general", fontsize="medium")
         left.set_ylabel("largest error, share of the motion's peak force")
         _legend(picture, left, marks)
-        for axes, panel in ((left, MODEL), (right, ROUNDING)):
+        for axes, panel in ((left, TOTAL), (right, ROUNDING)):
             _name(axes, _of(every, panel))
     return picture
 
@@ -143,6 +154,15 @@ def save(picture: "Figure", path: Path) -> None:
         picture.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
 
 
+def _disturbance(found: Economy) -> list[str]:
+    """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
+    taken = found.taken_by_others
+    if taken is None or taken <= DISTURBED:
+        return []
+    load = "" if found.load is None else f", load {found.load:.1f}"
+    return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]
+
+
 def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> None:
     """Each point's errors, joined by a line from motion to motion, and the front."""
     height = _heights(given)
@@ -152,8 +172,13 @@ def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> Non
         heights = {motion: height(error) for motion, error in point.errors.items()}
         ends = min(heights.values()), max(heights.values())
         axes.plot([point.ns, point.ns], ends, color=point.color, linewidth=0.9, alpha=0.45)
+        look = _HOLLOW if point.beside else _FILLED
         for motion, y in heights.items():
-            axes.plot(point.ns, y, marks[motion], color=point.color, markersize=4.5, markeredgewidth=0.0)
+            axes.plot(point.ns, y, marks[motion], color=point.color, **look)
+    named = {point.name: point for point in given}
+    for point, other in ((point, named[point.beside]) for point in given if point.beside in named):
+        both = [height(point.worst), height(other.worst)]
+        axes.plot([point.ns, other.ns], both, ":", color=point.color, linewidth=0.9, alpha=0.7, zorder=1.5)
     best = front(given)
     axes.step(
         [point.ns for point in best],
@@ -191,8 +216,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     if 0.0 in errors:
         none = height(0.0)
         axes.axhspan(none / 10**0.5, none * 10**0.5, color="#e8eef7", zorder=0.0)
-        name = "no model\nerror" if given[0].panel == MODEL else "none"
-        ticks = {y: text for y, text in ticks.items() if y > 3.0 * none} | {none: name}
+        ticks = {y: text for y, text in ticks.items() if y > 3.0 * none} | {none: "none"}
     if math.inf in errors:
         ticks[height(math.inf)] = "no answer"
     axes.yaxis.set_major_locator(FixedLocator(sorted(ticks)))
@@ -212,11 +236,18 @@ def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
         Line2D([], [], color=_OTHER, marker=mark, linestyle="", markersize=5.0, label=_motion_name(name))
         for name, mark in marks.items()
     ]
-    colors = (("`exact`, double", _EXACT), ("`paper`, double", _PAPER), ("float", _FLOAT))
+    colors = (
+        ("`exact`, double", _EXACT),
+        ("`paper`, double", _PAPER),
+        ("float", _FLOAT),
+    )
     handles += [
         Line2D([], [], color=color, linewidth=3.0, label=label)
         for label, color in (*colors, ("other code", _OTHER))
     ]
+    handles.append(
+        Line2D([], [], color=_FLOAT, linestyle=":", marker="o", label="the same in float", **_HOLLOW)
+    )
     handles.append(
         Line2D([], [], color=_FRONT, linewidth=4.0, alpha=0.35, label="Pareto front, worst motion")
     )
@@ -233,7 +264,9 @@ def _name(axes: "Axes", given: Sequence[Point]) -> None:
     from .labels import Label, place
 
     height = _heights(given)
-    labels = [Label(point.name, point.ns, height(point.worst), point.color) for point in given]
+    labels = [
+        Label(point.name, point.ns, height(point.worst), point.color) for point in given if not point.beside
+    ]
     markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
     bars = [(min(of_point), max(of_point)) for of_point in markers]
     place(axes, labels, [marker for of_point in markers for marker in of_point], bars)

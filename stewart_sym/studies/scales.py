@@ -18,7 +18,7 @@ from .. import native, robots
 from ..conditioning import characteristic_length, scaled_condition_number
 from ..dynamics import Formulation, inverse_dynamics
 from ..home import home_pose, radius
-from ..kernel import MOTION, address, c_sources, kernel_name, module, robot_numbers
+from ..kernel import MOTION, address, c_sources, kernel_name, loaded, module, robot_numbers
 from ..kinematics import inverse_kinematics
 from ..motion import Motion
 from ..results import OK
@@ -220,23 +220,19 @@ def _scaled(
     similar = rescaled(robot, longer, heavier, float(slower))
     legs = heaviest / float(max(similar.m_d.max(), similar.m_u.max()))
     parts = {name: getattr(similar, name) * legs for name in ("m_d", "m_u", "I_d0", "I_u0")}
+    given = loaded(motion)
     moved = Motion.unchecked(
         R=motion.R,
         t=motion.t * longer,
         omega=motion.omega / slower,
         v=motion.v * slower,
-        alpha=_given(motion.alpha) / longer,
-        a=_given(motion.a),
-        F_ext=_given(motion.F_ext) * platform,
-        M_ext=_given(motion.M_ext) * platform * longer,
+        alpha=given.alpha / longer,
+        a=given.a,
+        F_ext=given.F_ext * platform,
+        M_ext=given.M_ext * platform * longer,
     )
     rounded = {name: _rounded(getattr(moved, name)) for name in MOTION}
     return dataclasses.replace(similar, **parts), Motion.unchecked(**rounded)
-
-
-def _given(array: Array | None) -> Array:
-    assert array is not None
-    return array
 
 
 def _rounded(array: Array) -> Array:
