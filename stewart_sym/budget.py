@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import tables
+from .checks import shown
 from .dynamics import first_fault
 from .joint_space import on_platform
 from .motion import Motion
@@ -80,11 +81,11 @@ def papers_motions() -> dict[str, Motion]:
 def _names(value: object, where: str) -> list[str]:
     expected = f"one or more of {', '.join(PATHS)} or CSV files"
     if not isinstance(value, list) or not value:
-        raise ValueError(f"{where}: expected a list of {expected}, got {tables.shown(value)}")
+        raise ValueError(f"{where}: expected a list of {expected}, got {shown(value)}")
     names = [tables.one_line(name, where) for name in value]
     for name in names:
         if names.count(name) > 1:
-            raise ValueError(f"{where}: expected each motion once, {tables.shown(name)} is given twice")
+            raise ValueError(f"{where}: expected each motion once, {shown(name)} is given twice")
     return names
 
 

@@ -617,8 +617,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     return is_finite(out->F, 6) ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
-/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). */
-static void pose_reactions(
+/* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status. */
+static int pose_reactions(
     const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
     const stewart_real x[6], stewart_reactions *out)
 {
@@ -635,6 +635,8 @@ static void pose_reactions(
         }
         out->M_u[i] = terms.M_u;
     }
+    return is_finite((const stewart_real *)out, (int)(sizeof *out / sizeof(stewart_real)))
+        ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
@@ -669,6 +671,7 @@ int stewart_exact_spherical_joint_reactions(
     stewart_forces *forces, stewart_reactions *reactions)
 {
     stewart_forces result;
+    stewart_reactions found;
     stewart_motions at;
     int status;
     if (!robot || !motion || !forces || !reactions) {
@@ -677,8 +680,11 @@ int stewart_exact_spherical_joint_reactions(
     at = motion_as_arrays(motion);
     status = pose_forces(robot, &at, &result);
     if (status == STEWART_OK) {
+        status = pose_reactions(robot, &at, bearing, result.x, &found);
+    }
+    if (status == STEWART_OK) {
         *forces = result;
-        pose_reactions(robot, &at, bearing, result.x, reactions);
+        *reactions = found;
     }
     return status;
 }
@@ -726,9 +732,11 @@ int stewart_exact_spherical_joint_reactions_batch(
     }
     for (pose = 0; pose < count; ++pose) {
         const stewart_motions at = pose_at(motions, pose);
-        const int code = pose_forces(robot, &at, &forces);
+        int code = pose_forces(robot, &at, &forces);
         if (code == STEWART_OK) {
-            pose_reactions(robot, &at, bearing, forces.x, &result);
+            code = pose_reactions(robot, &at, bearing, forces.x, &result);
+        }
+        if (code == STEWART_OK) {
             copy(reactions->F_s, pose, (const stewart_real *)result.F_s, 18);
             copy(reactions->F_u, pose, (const stewart_real *)result.F_u, 18);
             copy(reactions->F_p, pose, (const stewart_real *)result.F_p, 18);
