@@ -237,8 +237,8 @@ def gravity_torques(build: Builder, at: JointFrame) -> tuple[sp.Expr, sp.Expr]:
 
 def _turning(
     build: Builder, at: JointFrame, rates: JointRates, accelerations: JointAccelerations, m: JointInertia
-) -> tuple[sp.Expr, sp.Expr]:
-    """M_theta theta_ddot - M_phi,theta phi_dot^2 / 2 and M_phi phi_ddot + M_phi,theta theta_dot phi_dot.
+) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """M_theta theta_ddot - M_phi,theta phi_dot^2 / 2, M_phi phi_ddot and M_phi,theta theta_dot / 2.
 
     Along z without what the turning of the frame about s adds to both terms of each sum, with opposite signs:
     near the pole it grows like 1 / k3.
@@ -246,14 +246,16 @@ def _turning(
     if accelerations.own_theta is None or accelerations.own_phi is None:
         return (
             m.theta * accelerations.theta - m.phi_by_theta * rates.phi2,
-            m.phi * accelerations.phi + rates.phi_twice * m.phi_by_theta * rates.theta,
+            m.phi * accelerations.phi,
+            m.phi_by_theta * rates.theta,
         )
     J, a2 = p.J.value, p.J2_xz.value - at.L * p.h2_z.value
     k33, k13 = build.scalar("k33", at.k3**2), build.scalar("k13", at.k1 * at.k3)
     uneven = J[1, 1] - p.dJ_zx.value
     return (
         m.theta * accelerations.own_theta + rates.phi2 * (k13 * uneven - a2 * (HALF - k33)),
-        m.phi * accelerations.own_phi - rates.phi * rates.theta * (a2 + 2 * at.kappa * J[0, 0]),
+        m.phi * accelerations.own_phi,
+        -rates.theta * (HALF * a2 + at.kappa * J[0, 0]),
     )
 
 
@@ -270,15 +272,15 @@ def joint_forces(
     m = joint_inertia(build, at)
     bend = build.scalar("bend", rates.L * rates.theta)
     about_y, about_k = gravity_torques(build, at)
-    turn_y, turn_k = _turning(build, at, rates, accelerations, m)
+    turn_y, turn_k, slope = _turning(build, at, rates, accelerations, m)
     about_y += m.L_theta * L_ddot + m.mixed * phi_ddot + p.h2_x.value * bend + turn_y
     about_k += (
         m.mixed * theta_ddot
         + m.L_phi * L_ddot
         + m.mixed_by_theta * rates.theta2
         - at.k1 * p.h2_y.value * bend
-        + rates.phi_twice * m.phi_by_L * rates.L
         + turn_k
+        + rates.phi_twice * (m.phi_by_L * rates.L + slope)
     )
     along = m.L_theta * theta_ddot + m.L_phi * phi_ddot - hx * rates.theta2 - m.phi_by_L * rates.phi2
     if friction:

@@ -22,8 +22,8 @@ _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz"
 # Operations of a pose before any solve.
 OPERATIONS: dict[str, int] = {
     "equations": 4655,
-    "bias": 2028,
-    "forward_dynamics": 2910,
+    "bias": 2034,
+    "forward_dynamics": 2916,
     "derivatives": 11249,
 }
 
@@ -1032,7 +1032,7 @@ def bias_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of C twist + g + friction.
 
-    Operations: 304 (183 mul, 117 add, 2 div, 2 sqrt).
+    Operations: 305 (183 mul, 118 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1174,8 +1174,9 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    c2 = J2_xz - L*h2_z
-    a2 = c2
+    c2 = L*h2_z
+    c3 = J2_xz - c2
+    a2 = c3
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1195,13 +1196,13 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     # (20) generalised forces about y and about k
     tau_y = (
         C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
         + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
+        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(0.5*J2_xz + J_xx*kappa - 0.5*c2)) - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
     )
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
@@ -1374,7 +1375,7 @@ def forward_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M and of the right side.
 
-    Operations: 424 (260 mul, 160 add, 2 div, 2 sqrt).
+    Operations: 425 (260 mul, 161 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1517,8 +1518,9 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    c2 = J2_xz - L*h2_z
-    a2 = c2
+    c2 = L*h2_z
+    c3 = J2_xz - c2
+    a2 = c3
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1538,13 +1540,13 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     # (20) generalised forces about y and about k
     tau_y = (
         C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
         + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
+        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(0.5*J2_xz + J_xx*kappa - 0.5*c2)) - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
     )
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
@@ -1555,11 +1557,11 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     K_z = Q_y*y_z + Q_z*z_z
     # (24) known part of the actuator force, to match
     D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot
-    c3 = F - D
+    c4 = F - D
     # force on the platform at the tip
-    push_x = c3*s_x - K_x
-    push_y = c3*s_y - K_y
-    push_z = c3*s_z - K_z
+    push_x = c4*s_x - K_x
+    push_y = c4*s_y - K_y
+    push_z = c4*s_z - K_z
     # inertia at the tip, leg frame
     m_leg_sy = -inv_rho*k3_h
     m_leg_sz = -h_z*inv_L
@@ -1582,19 +1584,19 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y
     m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z
     m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z
-    c4 = m_xy*q_z
-    c5 = m_xz*q_y
-    c6 = -m_yz*q_x
+    c5 = m_xy*q_z
+    c6 = m_xz*q_y
+    c7 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c4 - c5
+    m_q_xx = c5 - c6
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c4 - c6
+    m_q_yy = -c5 - c7
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c5 + c6
+    m_q_zz = c6 + c7
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,

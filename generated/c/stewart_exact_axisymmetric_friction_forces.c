@@ -476,7 +476,7 @@ static void shared_of_pose(const stewart_exact_axisymmetric_friction_model *mode
         - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The legs of one pose side by side: 248 (149 mul, 95 add, 2 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 247 (148 mul, 95 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_axisymmetric_friction_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -594,9 +594,8 @@ static void legs_of_pose(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
-            + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L
+            + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
@@ -640,7 +639,7 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 254 (156 mul, 94 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its pole: 253 (155 mul, 94 add, 2 div, 2 sqrt) operations each. */
 static void legs_near_pole(
     const stewart_exact_axisymmetric_friction_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -733,8 +732,7 @@ static void legs_near_pole(
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real c1 = 2*phi_dot;
-        const stewart_real two_phi_dot = c1;
+        const stewart_real two_phi_dot = 2*phi_dot;
         const stewart_real k33 = k3*k3;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
         const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
@@ -742,8 +740,8 @@ static void legs_near_pole(
         const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             - L_share*two_phi_dot;
         const stewart_real k13 = k1*k3;
-        const stewart_real c2 = 2*h_s;
-        const stewart_real L_h2 = L*c2;
+        const stewart_real c1 = 2*h_s;
+        const stewart_real L_h2 = L*c1;
         const stewart_real a1 = J_ts + L_h2;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_s + a1*k33;
@@ -758,10 +756,10 @@ static void legs_near_pole(
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + M_theta*own_theta_ddot + bend*c2 + g_k*w_n + gamma_n*w_k
+        const stewart_real tau_y = C_us*theta_dot + M_theta*own_theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             + k13*phi_dot2*(J_t - J_ts) - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*own_phi_ddot
-            - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - J_s*c1*kappa*theta_dot - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L
+            - J_s*kappa*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1197,7 +1195,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 248 (149 mul, 95 add, 2 div, 2 sqrt) operations each:
+/* One leg of eight poses side by side, 247 (148 mul, 95 add, 2 div, 2 sqrt) operations each:
  * its column of H, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_axisymmetric_friction_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
@@ -1321,9 +1319,8 @@ static void leg_of_block(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
-            + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L
+            + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;

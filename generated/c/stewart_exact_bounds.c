@@ -883,9 +883,9 @@ static void leg_of_pose(
     const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
         + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
         - M_phi_theta*phi_dot2;
-    const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-        + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x
-        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
+        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
@@ -2326,16 +2326,17 @@ static void leg_errors(
         + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max
         + g_k_max*w_n_err + gamma_n_err*w_k_max + gamma_n_max*w_k_err + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
-    const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-        + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x
-        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(10*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
+    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
+        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_k_own = STEWART_UNIT*(9*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
         + k_z_max*omega_z_max) + C_s_max*(3*k_x_max*omega_x_max + 3*k_y_max*omega_y_max
-        + 3*k_z_max*omega_z_max) + 10*C_us_max*phi_dot_max + 10*L_ddot_max*k3_h_max
-        + 11*L_dot_max*M_phi_L_max*two_phi_dot_max + 10*M_mixed_max*theta_ddot_max
-        + 10*M_mixed_theta_max*theta_dot2_max + 10*M_phi_max*phi_ddot_max
-        + 11*M_phi_theta_max*theta_dot_max*two_phi_dot_max + 11*bend_max*h2_y_max*k1_max
-        + 10*gamma_n_max*w_y_max + 10*gamma_y_max*w_n_max + STEWART_FABS(tau_k));
+        + 3*k_z_max*omega_z_max) + 9*C_us_max*phi_dot_max + 9*L_ddot_max*k3_h_max
+        + 9*M_mixed_max*theta_ddot_max + 9*M_mixed_theta_max*theta_dot2_max + 9*M_phi_max*phi_ddot_max
+        + 10*bend_max*h2_y_max*k1_max + 9*gamma_n_max*w_y_max + 9*gamma_y_max*w_n_max
+        + 9*two_phi_dot_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
+        + two_phi_dot_max*(2*L_dot_max*M_phi_L_max + 2*M_phi_theta_max*theta_dot_max)
+        + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
         + C_s_max*k_z_err*omega_z_max + C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max
         + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max

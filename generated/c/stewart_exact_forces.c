@@ -515,7 +515,7 @@ static void shared_of_pose(const stewart_exact_model *model, const stewart_motio
         - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The legs of one pose side by side: 288 (170 mul, 114 add, 2 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 287 (169 mul, 114 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -642,10 +642,9 @@ static void legs_of_pose(
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
             + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
             - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-            + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot
-            - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
+            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
@@ -690,7 +689,7 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 310 (186 mul, 120 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its pole: 311 (186 mul, 121 add, 2 div, 2 sqrt) operations each. */
 static void legs_near_pole(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -805,8 +804,9 @@ static void legs_near_pole(
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real c2 = J2_xz - L*h2_z;
-        const stewart_real a2 = c2;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -825,12 +825,12 @@ static void legs_near_pole(
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
-            + c2);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
+            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1267,7 +1267,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 288 (170 mul, 114 add, 2 div, 2 sqrt) operations each:
+/* One leg of eight poses side by side, 287 (169 mul, 114 add, 2 div, 2 sqrt) operations each:
  * its column of H, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
@@ -1400,10 +1400,9 @@ static void leg_of_block(
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
             + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
             - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-            + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot
-            - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
+            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;

@@ -722,7 +722,7 @@ static void bias_of_pose(
     sum[5] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
 }
 
-/* The legs side by side: 304 (183 mul, 117 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 305 (183 mul, 118 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void bias_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
@@ -836,8 +836,9 @@ STEWART_APART static void bias_of_legs(
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real c2 = J2_xz - L*h2_z;
-        const stewart_real a2 = c2;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -856,12 +857,12 @@ STEWART_APART static void bias_of_legs(
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
-            + c2);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
+            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1027,7 +1028,7 @@ static void forward_dynamics_of_pose(
     sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
 }
 
-/* The legs side by side: 424 (260 mul, 160 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 425 (260 mul, 161 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void forward_dynamics_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const forward_dynamics_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, forward_dynamics_legs *STEWART_RESTRICT out)
@@ -1142,8 +1143,9 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real c2 = J2_xz - L*h2_z;
-        const stewart_real a2 = c2;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -1162,12 +1164,12 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
-            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
-            + c2);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
+            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1178,11 +1180,11 @@ STEWART_APART static void forward_dynamics_of_legs(
         /* (24) known part of the actuator force, to match */
         const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
             - k3_h*phi_ddot;
-        const stewart_real c3 = F - D;
+        const stewart_real c4 = F - D;
         /* force on the platform at the tip */
-        const stewart_real push_x = c3*s_x - K_x;
-        const stewart_real push_y = c3*s_y - K_y;
-        const stewart_real push_z = c3*s_z - K_z;
+        const stewart_real push_x = c4*s_x - K_x;
+        const stewart_real push_y = c4*s_y - K_y;
+        const stewart_real push_z = c4*s_z - K_z;
         /* inertia at the tip, leg frame */
         const stewart_real m_leg_sy = -inv_rho*k3_h;
         const stewart_real m_leg_sz = -h_z*inv_L;
@@ -1205,19 +1207,19 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
         const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
         const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
-        const stewart_real c4 = m_xy*q_z;
-        const stewart_real c5 = m_xz*q_y;
-        const stewart_real c6 = -m_yz*q_x;
+        const stewart_real c5 = m_xy*q_z;
+        const stewart_real c6 = m_xz*q_y;
+        const stewart_real c7 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c4 - c5;
+        const stewart_real m_q_xx = c5 - c6;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c4 - c6;
+        const stewart_real m_q_yy = -c5 - c7;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c5 + c6;
+        const stewart_real m_q_zz = c6 + c7;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;

@@ -12,8 +12,8 @@
  *
  * Operations of a pose before any solve      with friction                                without
  * equations         4655 (2625 mul, 2006 add, 12 div, 12 sqrt)   4310
- * bias              2028 (1197 mul, 807 add, 12 div, 12 sqrt)    1812
- * forward_dynamics  2910 (1677 mul, 1209 add, 12 div, 12 sqrt)   2694
+ * bias              2034 (1197 mul, 813 add, 12 div, 12 sqrt)    1818
+ * forward_dynamics  2916 (1677 mul, 1215 add, 12 div, 12 sqrt)   2700
  * derivatives       11249 (6300 mul, 4925 add, 12 div, 12 sqrt)  8952
  */
 #ifndef STEWART_EXACT_MOTION_H

@@ -458,7 +458,7 @@ static void shared_of_pose(const stewart_exact_point_masses_friction_model *mode
         - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The legs of one pose side by side: 246 (149 mul, 93 add, 2 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 245 (148 mul, 93 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -575,9 +575,8 @@ static void legs_of_pose(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
-            + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L
+            + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
@@ -1173,7 +1172,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 246 (149 mul, 93 add, 2 div, 2 sqrt) operations each:
+/* One leg of eight poses side by side, 245 (148 mul, 93 add, 2 div, 2 sqrt) operations each:
  * its column of H, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
@@ -1296,9 +1295,8 @@ static void leg_of_block(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
-            + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-            - gamma_y*w_n;
+        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L
+            + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
