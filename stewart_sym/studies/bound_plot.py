@@ -4,8 +4,6 @@ Takes a robot, draws random motions around its home pose and returns records; dr
 ``plot``). Truth is quadruple precision (``quad``). Writes no file.
 """
 
-import csv
-import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -19,6 +17,7 @@ from ..home import home_pose, radius
 from ..motion import Motion
 from ..results import OK
 from ..robot import Robot
+from .output import csv_text
 from .quad import error, quad_forces
 from .reproduce import paper_machine
 
@@ -44,13 +43,16 @@ class Precise:
     """What one precision says of n poses; those without an answer or without a bound are left out.
 
     error: largest error of the six forces, N, (n,). bound: largest bound, N, (n,). rcond: reciprocal
-    condition of H, (n,). covered: whether every force lies within its own bound, (n,).
+    condition of H, (n,). covered: whether every force lies within its own bound, (n,). robot: its name.
+    left_out: how many poses.
     """
 
     error: Array
     bound: Array
     rcond: Array
     covered: NDArray[np.bool_]
+    robot: str
+    left_out: int
 
     @property
     def ratio(self) -> Array:
@@ -95,6 +97,8 @@ def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np
         bound=bound.max(axis=-1),
         rcond=given.rcond[kept].astype(np.float64),
         covered=(errors <= bound).all(axis=-1),
+        robot=robot.name,
+        left_out=int(np.count_nonzero(~kept)),
     )
 
 
@@ -128,13 +132,12 @@ def summary(data: Bounds) -> str:
 
 def csv_rows(data: Bounds) -> str:
     """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(["precision", "error", "bound", "rcond"])
-    for precision, found in data.items():
-        for row in zip(found.error.tolist(), found.bound.tolist(), found.rcond.tolist(), strict=True):
-            writer.writerow([precision, *map(repr, row)])
-    return stream.getvalue()
+    rows = [
+        (precision, *row)
+        for precision, found in data.items()
+        for row in zip(found.error.tolist(), found.bound.tolist(), found.rcond.tolist(), strict=True)
+    ]
+    return csv_text([("precision", "error", "bound", "rcond"), *rows])
 
 
 def figure(data: Bounds) -> "Figure":
@@ -154,16 +157,24 @@ def figure(data: Bounds) -> "Figure":
             markersize=2.6,
             markeredgewidth=0.0,
             alpha=0.45,
-            label=f"{precision}: {np.median(found.ratio):.0f} times the error in the middle",
+            label=f"{precision}: {np.median(found.ratio):.0f} times the error in the middle\n"
+            + _undrawn(found),
         )
     _draw_limits(axes, data)
     axes.set_xlabel("true rounding error, largest of six forces, N")
     axes.set_ylabel("bound, largest of six, N")
-    axes.set_title("Rounding error of the forces and its bound", fontsize=10.0)
+    (name,) = {found.robot for found in data.values()}
+    axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper left", frameon=False, fontsize=9.0, markerscale=2.5)
+    picture.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8.0, markerscale=2.5)
     return picture
+
+
+def _undrawn(found: Precise) -> str:
+    """How many poses the picture leaves out; its axes have no place for an error of zero either."""
+    count = found.left_out + int(np.count_nonzero(found.error == 0.0))
+    return f"{count} of {found.left_out + found.error.size} poses left out: no answer, bound or error"
 
 
 def _draw_limits(axes: "Axes", data: Bounds) -> None:
