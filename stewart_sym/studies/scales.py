@@ -25,6 +25,7 @@ from ..results import OK
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..units import rescaled
+from .output import csv_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -293,8 +294,8 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
 # --- table and picture ------------------------------------------------------------------------
 
 
-def csv_rows(data: Scales) -> list[tuple[str | float, ...]]:
-    """Rows of a table, header first: size, masses, and each arithmetic's median and largest error there."""
+def csv_rows(data: Scales) -> str:
+    """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
     header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
     names = {DOUBLE: "double", FLOAT: "float", UNSCALED: "float_unscaled"}
     for name in data.errors:
@@ -307,7 +308,7 @@ def csv_rows(data: Scales) -> list[tuple[str | float, ...]]:
                 for errors in data.errors.values():
                     row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
                 rows.append(tuple(row))
-    return rows
+    return csv_text(rows)
 
 
 # Okabe and Ito's colours, told apart by marks and dashes as well.
