@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from ..bounds import forces_with_bounds
 from ..forces import Precision
-from ..home import home_pose, radius
+from ..home import radius
 from ..motion import Motion
 from ..results import OK
 from ..robot import Robot
+from .draws import Spread, random_motions
 from .output import csv_text
 from .quad import error, quad_forces
 from .reproduce import paper_machine
@@ -28,8 +29,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 CASES = 2000
-SHIFT, TURN, RATE = 0.3, 0.5, 0.5
-"""Spread of the poses over the size of the base and in rad, and of the rates in the machine's own time."""
+SPREAD = Spread(0.3, 0.5, 0.5)
+"""Of the motions; a machine without gravity takes a second to fall its own size."""
 
 FAR = 1000.0
 """Times the error that a bound should not exceed."""
@@ -78,7 +79,8 @@ def bounds_study(
     quadruple precision.
     """
     robot = paper_machine() if robot is None else robot
-    motion = _random_motions(robot, cases, np.random.default_rng(seed))
+    gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
+    motion = random_motions(np.random.default_rng(seed), robot, cases, SPREAD, gravity)
     found: dict[Precision, Precise] = {}
     for precision, dtype in _PRECISIONS.items():
         progress(f"bounding the rounding errors of {precision}")
@@ -99,24 +101,6 @@ def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np
         covered=(errors <= bound).all(axis=-1),
         robot=robot.name,
         left_out=int(np.count_nonzero(~kept)),
-    )
-
-
-def _random_motions(robot: Robot, cases: int, rng: np.random.Generator) -> Motion:
-    """Motions around the home pose, rates to the time in which the machine falls its own size."""
-    size = radius(robot.b)
-    rate = np.sqrt(np.linalg.norm(robot.g) / size) if robot.g.any() else 1.0
-
-    def vectors(scale: float) -> Array:
-        return np.asarray(scale * rng.normal(size=(cases, 3)))
-
-    return Motion.from_rpy(
-        home_pose(robot).t + vectors(SHIFT * size),
-        vectors(TURN),
-        vectors(RATE * rate * size),
-        vectors(RATE * rate),
-        vectors(RATE * rate**2 * size),
-        vectors(RATE * rate**2),
     )
 
 
