@@ -16,6 +16,9 @@ from .rotation import cross
 
 Array = NDArray[np.float64]
 
+MIN_SIN_POLE = 0.3
+"""Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
+
 ROUNDING = 16 * np.finfo(np.float64).eps
 """A leg no longer than this share of the terms it is the sum of is rounding error and nothing else."""
 
@@ -92,6 +95,15 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
 def tip_velocities(motion: Motion, q: Array) -> Array:
     """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
+
+
+def clear_of_poles(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+    """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
+
+    Clear: the sine of the angle between k and s is ``MIN_SIN_POLE`` or more.
+    """
+    sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
+    return np.asarray((sines >= MIN_SIN_POLE).all(axis=-1) | (robot.base_joint == "spherical"))
 
 
 def _legs(robot: Robot, motion: Motion) -> tuple[LegKinematics, Array, Array]:

@@ -31,7 +31,7 @@ from .derive.generate import generator_version, shared_blocks
 from .derive.operations import force_operations
 from .dynamics import Formulation, inverse_dynamics
 from .kernel import c_sources, kernel_name, module
-from .kinematics import inverse_kinematics
+from .kinematics import clear_of_poles, inverse_kinematics
 from .motion import Motion
 from .publish import staged_folder
 from .results import Forces
@@ -42,7 +42,6 @@ Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
-MIN_SIN_POLE = 0.3
 # Errors of the forces in float, over rounding unit, condition number and largest force, stay below a quarter.
 TOLERANCE_FACTOR = 8.0
 
@@ -240,10 +239,8 @@ def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
 def _leg_checks(robot: Robot, poses: Motion) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """For each pose: are all legs clear of their universal axes, are all within their length limits."""
     legs = inverse_kinematics(robot, poses)
-    sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    clear = (sines >= MIN_SIN_POLE).all(axis=-1) | (robot.base_joint == "spherical")
     within = np.clip(legs.L, *robot.length_limits.T) == legs.L
-    return clear, within.all(axis=-1)
+    return clear_of_poles(robot, legs), within.all(axis=-1)
 
 
 def _candidates(robot: Robot) -> Motion:

@@ -312,8 +312,22 @@ def test_study_finds_every_force_within_its_bound_and_draws_it(tmp_path: Path) -
     rows = list(csv.DictReader(csv_rows(data).splitlines()))
     assert [float(row["bound"]) for row in rows] == [b for found in data.values() for b in found.bound]
     assert {row["precision"] for row in rows} == set(PRECISIONS)
-    figure(data).savefig(tmp_path / "bounds.png")
+    picture = figure(data)
+    assert next(iter(data.values())).robot in picture.axes[0].get_title()
+    (legend,) = picture.legends
+    for text, found in zip(legend.get_texts(), data.values(), strict=True):
+        undrawn = found.left_out + np.count_nonzero(found.error == 0.0)
+        assert f"{undrawn} of 60 poses left out" in text.get_text()
+    picture.savefig(tmp_path / "bounds.png")
     assert (tmp_path / "bounds.png").stat().st_size > 0
+
+
+def test_the_picture_says_how_many_poses_it_leaves_out() -> None:
+    data = bounds_study(cases=20)
+    fewer = {name: dataclasses.replace(found, left_out=7) for name, found in data.items()}
+    for text, found in zip(figure(fewer).legends[0].get_texts(), fewer.values(), strict=True):
+        undrawn = 7 + np.count_nonzero(found.error == 0.0)
+        assert f"{undrawn} of {7 + found.error.size} poses left out" in text.get_text()
 
 
 # ---------------------------------------------------------------- the truth, and the slopes

@@ -5,11 +5,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import random_robot
+from machines import dasgupta, random_robot
 from numpy.typing import NDArray
 
 from stewart_sym.dynamics import inverse_dynamics
-from stewart_sym.kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
+from stewart_sym.kinematics import (
+    MIN_SIN_POLE,
+    clear_of_poles,
+    inverse_kinematics,
+    wrench_matrix,
+    wrench_matrix_rate,
+)
 from stewart_sym.motion import Motion
 from stewart_sym.rotation import rotation_from_rpy
 from stewart_sym.trajectory import PATHS
@@ -138,3 +144,17 @@ def test_H_of_a_batch_is_that_of_its_poses() -> None:
     motion = PATHS["I"].path.sample(np.linspace(0.0, 6.0, 6).reshape(2, 3))
     for function in (wrench_matrix, wrench_matrix_rate):
         np.testing.assert_allclose(function(robot, motion)[1, 2], function(robot, motion[1, 2]), rtol=1e-13)
+
+
+def test_a_leg_near_its_universal_axis_is_not_clear_of_it() -> None:
+    robot = dasgupta()
+    motion = Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), np.zeros(3), np.zeros(3))
+    legs = inverse_kinematics(robot, motion)
+    across = np.cross(legs.s, [1.0, 0.0, 0.0])
+    across /= np.linalg.norm(across, axis=-1)[:, None]
+    for off, expected in ((1.01 * MIN_SIN_POLE, True), (0.99 * MIN_SIN_POLE, False)):
+        k = across.copy()
+        k[3] = off * across[3] + np.sqrt(1 - off**2) * legs.s[3]
+        assert clear_of_poles(dataclasses.replace(robot, k=k), legs) == expected
+    spherical = random_robot(np.random.default_rng(0), "spherical")
+    assert clear_of_poles(spherical, legs)

@@ -4,8 +4,6 @@ Takes a robot, draws random motions around its home pose and returns records; dr
 ``plot``). Truth is quadruple precision (``quad``). Writes no file.
 """
 
-import csv
-import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -15,10 +13,12 @@ from numpy.typing import NDArray
 
 from ..bounds import forces_with_bounds
 from ..forces import Precision
-from ..home import home_pose, radius
+from ..home import radius
 from ..motion import Motion
 from ..results import OK
 from ..robot import Robot
+from .draws import Spread, random_motions
+from .output import csv_text
 from .quad import error, quad_forces
 from .reproduce import paper_machine
 
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 CASES = 2000
-SHIFT, TURN, RATE = 0.3, 0.5, 0.5
-"""Spread of the poses over the size of the base and in rad, and of the rates in the machine's own time."""
+SPREAD = Spread(0.3, 0.5, 0.5)
+"""Of the motions; a machine without gravity takes a second to fall its own size."""
 
 FAR = 1000.0
 """Times the error that a bound should not exceed."""
@@ -44,13 +44,16 @@ class Precise:
     """What one precision says of n poses; those without an answer or without a bound are left out.
 
     error: largest error of the six forces, N, (n,). bound: largest bound, N, (n,). rcond: reciprocal
-    condition of H, (n,). covered: whether every force lies within its own bound, (n,).
+    condition of H, (n,). covered: whether every force lies within its own bound, (n,). robot: its name.
+    left_out: how many poses.
     """
 
     error: Array
     bound: Array
     rcond: Array
     covered: NDArray[np.bool_]
+    robot: str
+    left_out: int
 
     @property
     def ratio(self) -> Array:
@@ -76,7 +79,8 @@ def bounds_study(
     quadruple precision.
     """
     robot = paper_machine() if robot is None else robot
-    motion = _random_motions(robot, cases, np.random.default_rng(seed))
+    gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
+    motion = random_motions(np.random.default_rng(seed), robot, cases, SPREAD, gravity)
     found: dict[Precision, Precise] = {}
     for precision, dtype in _PRECISIONS.items():
         progress(f"bounding the rounding errors of {precision}")
@@ -95,24 +99,8 @@ def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np
         bound=bound.max(axis=-1),
         rcond=given.rcond[kept].astype(np.float64),
         covered=(errors <= bound).all(axis=-1),
-    )
-
-
-def _random_motions(robot: Robot, cases: int, rng: np.random.Generator) -> Motion:
-    """Motions around the home pose, rates to the time in which the machine falls its own size."""
-    size = radius(robot.b)
-    rate = np.sqrt(np.linalg.norm(robot.g) / size) if robot.g.any() else 1.0
-
-    def vectors(scale: float) -> Array:
-        return np.asarray(scale * rng.normal(size=(cases, 3)))
-
-    return Motion.from_rpy(
-        home_pose(robot).t + vectors(SHIFT * size),
-        vectors(TURN),
-        vectors(RATE * rate * size),
-        vectors(RATE * rate),
-        vectors(RATE * rate**2 * size),
-        vectors(RATE * rate**2),
+        robot=robot.name,
+        left_out=int(np.count_nonzero(~kept)),
     )
 
 
@@ -128,13 +116,12 @@ def summary(data: Bounds) -> str:
 
 def csv_rows(data: Bounds) -> str:
     """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(["precision", "error", "bound", "rcond"])
-    for precision, found in data.items():
-        for row in zip(found.error.tolist(), found.bound.tolist(), found.rcond.tolist(), strict=True):
-            writer.writerow([precision, *map(repr, row)])
-    return stream.getvalue()
+    rows = [
+        (precision, *row)
+        for precision, found in data.items()
+        for row in zip(found.error.tolist(), found.bound.tolist(), found.rcond.tolist(), strict=True)
+    ]
+    return csv_text([("precision", "error", "bound", "rcond"), *rows])
 
 
 def figure(data: Bounds) -> "Figure":
@@ -154,16 +141,24 @@ def figure(data: Bounds) -> "Figure":
             markersize=2.6,
             markeredgewidth=0.0,
             alpha=0.45,
-            label=f"{precision}: {np.median(found.ratio):.0f} times the error in the middle",
+            label=f"{precision}: {np.median(found.ratio):.0f} times the error in the middle\n"
+            + _undrawn(found),
         )
     _draw_limits(axes, data)
     axes.set_xlabel("true rounding error, largest of six forces, N")
     axes.set_ylabel("bound, largest of six, N")
-    axes.set_title("Rounding error of the forces and its bound", fontsize=10.0)
+    (name,) = {found.robot for found in data.values()}
+    axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper left", frameon=False, fontsize=9.0, markerscale=2.5)
+    picture.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8.0, markerscale=2.5)
     return picture
+
+
+def _undrawn(found: Precise) -> str:
+    """How many poses the picture leaves out; its axes have no place for an error of zero either."""
+    count = found.left_out + int(np.count_nonzero(found.error == 0.0))
+    return f"{count} of {found.left_out + found.error.size} poses left out: no answer, bound or error"
 
 
 def _draw_limits(axes: "Axes", data: Bounds) -> None:

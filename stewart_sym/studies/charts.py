@@ -12,7 +12,6 @@ from ..native import CompilerError
 from ..robot import Robot
 from . import bound_plot, economy_plot, scales
 from .economy import Economy
-from .output import csv_text
 from .timing import Progress
 
 if TYPE_CHECKING:
@@ -43,7 +42,7 @@ def charts(found: Economy, robot: Robot, progress: Progress = lambda _: None) ->
 
 def _scales(name: str, robot: Robot, progress: Progress) -> Chart:
     found = scales.scales_study(progress, robot)
-    return Chart(name, csv_text(scales.csv_rows(found)), lambda: scales.figure(found))
+    return Chart(name, scales.csv_rows(found), lambda: scales.figure(found))
 
 
 def _bounds(name: str, robot: Robot, progress: Progress) -> Chart:

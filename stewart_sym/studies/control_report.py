@@ -3,14 +3,13 @@
 Takes the studies of one or several machines by label. The picture needs the extra ``plot``; writes no file.
 """
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 from .control import Run, Settings, Study
+from .output import csv_text
 from .table import aligned
 
 if TYPE_CHECKING:
@@ -73,11 +72,7 @@ def vector(values: Sequence[float]) -> str:
 def csv_rows(studies: Mapping[str, Study]) -> str:
     """The table as CSV, every figure with all its digits."""
     rows = [{"machine": label, **row} for label, study in studies.items() for row in study.rows()]
-    stream = io.StringIO()
-    writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return stream.getvalue()
+    return csv_text([list(rows[0]), *(list(row.values()) for row in rows)])
 
 
 def as_json(studies: Mapping[str, Study]) -> dict[str, Any]:

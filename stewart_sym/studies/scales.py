@@ -17,14 +17,15 @@ from numpy.typing import NDArray
 from .. import native, robots
 from ..conditioning import characteristic_length, scaled_condition_number
 from ..dynamics import Formulation, inverse_dynamics
-from ..home import home_pose, radius
+from ..home import radius
 from ..kernel import MOTION, address, c_sources, kernel_name, loaded, module, robot_numbers
-from ..kinematics import inverse_kinematics
+from ..kinematics import clear_of_poles, inverse_kinematics
 from ..motion import Motion
 from ..results import OK
 from ..robot import Robot
-from ..rotation import rotation_from_rpy
 from ..units import rescaled
+from .draws import Spread, random_motions
+from .output import csv_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,8 +44,8 @@ BOUND = 100.0
 """Error, in rounding units times condition number, that no arithmetic is to exceed."""
 
 MAX_CONDITION = 60.0
-MIN_SIN_POLE = 0.35
 _DRAWS = 40
+_SPREAD = Spread(0.15, 0.2, 0.5)
 _COPIES = 50
 _STANDARD_GRAVITY = 9.81
 _RAGGED = 0.08
@@ -185,27 +186,10 @@ def _ragged(rng: np.random.Generator, robot: Robot) -> Robot:
 
 def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
     """Well-posed motions, ``count`` or fewer, as fast as gravity makes them, loads for a platform of 1 kg."""
-    size, home = radius(robot.b), home_pose(robot).t
-    draws = _DRAWS * count
-    rate = np.sqrt(_STANDARD_GRAVITY / size)
-
-    def vectors(scale: float) -> Array:
-        return scale * rng.normal(size=(draws, 3))
-
-    motion = Motion(
-        rotation_from_rpy(vectors(0.2)),
-        home + vectors(0.15 * size),
-        omega=vectors(0.5 * rate),
-        v=vectors(0.5 * rate * size),
-        alpha=vectors(0.5 * rate**2),
-        a=vectors(0.5 * rate**2 * size),
-        F_ext=vectors(_STANDARD_GRAVITY),
-        M_ext=vectors(_STANDARD_GRAVITY * size),
-    )
+    motion = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
     found = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(found.H, characteristic_length(robot))
-    sines = np.linalg.norm(np.cross(robot.k, inverse_kinematics(robot, motion).s), axis=-1).min(axis=-1)
-    clear = (sines >= MIN_SIN_POLE) | (robot.base_joint == "spherical")
+    clear = clear_of_poles(robot, inverse_kinematics(robot, motion))
     good = np.flatnonzero((found.status == OK) & (condition < MAX_CONDITION) & clear)[:count]
     return motion[good]
 
@@ -293,8 +277,8 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
 # --- table and picture ------------------------------------------------------------------------
 
 
-def csv_rows(data: Scales) -> list[tuple[str | float, ...]]:
-    """Rows of a table, header first: size, masses, and each arithmetic's median and largest error there."""
+def csv_rows(data: Scales) -> str:
+    """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
     header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
     names = {DOUBLE: "double", FLOAT: "float", UNSCALED: "float_unscaled"}
     for name in data.errors:
@@ -307,7 +291,7 @@ def csv_rows(data: Scales) -> list[tuple[str | float, ...]]:
                 for errors in data.errors.values():
                     row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
                 rows.append(tuple(row))
-    return rows
+    return csv_text(rows)
 
 
 # Okabe and Ito's colours, told apart by marks and dashes as well.
