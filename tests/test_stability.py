@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from machines import random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.cli import main
+from stewart_sym.derive.thresholds import CASES, THRESHOLDS
 from stewart_sym.kernel import robot_numbers
 from stewart_sym.native import CompilerError
 from stewart_sym.results import OK
@@ -21,6 +23,8 @@ from stewart_sym.studies.stability.machines import LEGS, random_machine
 from stewart_sym.studies.stability.solves import CANDIDATES
 from stewart_sym.studies.stability.sweep import sweep
 from stewart_sym.studies.truth import Truth, deviation
+
+REPOSITORY = Path(__file__).parent.parent
 
 try:
     judge._library()
@@ -187,3 +191,15 @@ def test_the_command_writes_the_atlas(tmp_path: Path) -> None:
     names = {family["name"] for family in figures["families"]}
     assert {path.stem for path in tmp_path.glob("*.csv")} == names
     assert {path.stem for path in tmp_path.glob("*.png")} == names | {"basins"}
+
+
+def test_the_header_s_reasons_for_its_thresholds_are_what_the_committed_sweep_saw() -> None:
+    sweep_s = json.loads((REPOSITORY / ".docs" / "stability.json").read_text())["sweep"]["counts"]
+    double = [count for count in sweep_s if count["precision"] == "double"]
+    kinds = len({count["kind"] for count in double})
+    assert kinds * double[0]["cases"] == CASES
+    for each in THRESHOLDS:
+        worst = max(
+            (count for count in double if count["kind"] == each.kind), key=lambda count: count["worst"]
+        )
+        assert (math.ceil(worst["worst"]), f"{worst['where']:.1e}") == (each.worst, each.where)

@@ -9,6 +9,7 @@ from ..block import Block, Output, Quantity, Step
 from ..formulation import UNIVERSAL
 from ..kernels import Kernel
 from ..operations import KernelOperations
+from ..thresholds import comment
 from .infix import infix, wrap
 
 STATUS = (
@@ -45,6 +46,7 @@ def common_header(version: str) -> str:
     """``stewart.h``: arithmetic, status codes and data types, the same for every kernel."""
     return _COMMON.format(
         version=version,
+        thresholds=comment(),
         status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
         leg="\n".join(_member(quantity) for quantity in n.LEG),
         platform="\n".join(_member(quantity) for quantity in n.PLATFORM),
@@ -273,6 +275,8 @@ typedef double stewart_real;
 
 /* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were. */
 {status}
+
+{thresholds}
 
 /* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
  * leg and y along the rotating axis of the universal joint. */
