@@ -14,11 +14,15 @@ In the order of the flow, each knowing only what stands before it:
     joint_leg       the `exact` leg in the coordinates of its joints
     printed_leg     the `paper` leg with prepared constants
     regroup         the actuator forces alone, from fewer operations
+    axial_leg       legs alike all round their axis: no leg frame, no universal axis
+    fidelity        levels of less physics, reductions of one derivation
+    bake            a robot's numbers folded in
     adjoint         slopes of a block's outputs along all its steps, by reverse differentiation
     rounding        what every step of a block rounds away
     tip             one leg at its tip: inertia, Coriolis matrix, derivatives
     motion          the closed form: M, C, g, forward dynamics, derivatives
     operations      what a whole kernel costs
+    thresholds      where each status begins, and why there
     emit            blocks as C, as NumPy, as a kit for one robot
     generate        all of it, written to files
     passes          what each reduction is worth

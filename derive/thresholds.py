@@ -38,9 +38,9 @@ THRESHOLDS = (
 def comment() -> str:
     """The thresholds as lines of a C comment."""
     lines = [
-        f"Where a status begins, and the worst error seen on this side of it among 10^{len(str(CASES)) - 1} random",
-        "poses near failure, in rounding units times the condition number of the problem itself, at which",
-        "distance from the failure (`stewart-sym stability`):",
+        f"Where a status begins, and the worst error seen on this side of it among 10^{len(str(CASES)) - 1}",
+        "random poses near failure, in rounding units times the condition number of the problem itself, at",
+        "which distance from the failure (`stewart-sym stability`):",
         *(f"STEWART_{each.status}: {each.begins}; {each.worst}, at {each.where}" for each in THRESHOLDS),
     ]
     return "/* " + "\n * ".join(lines) + " */"

@@ -30,9 +30,9 @@ typedef double stewart_real;
 #define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
 #define STEWART_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
 
-/* Where a status begins, and the worst error seen on this side of it among 10^6 random
- * poses near failure, in rounding units times the condition number of the problem itself, at which
- * distance from the failure (`stewart-sym stability`):
+/* Where a status begins, and the worst error seen on this side of it among 10^6
+ * random poses near failure, in rounding units times the condition number of the problem itself, at
+ * which distance from the failure (`stewart-sym stability`):
  * STEWART_SHORT_LEG: within 16 rounding units of the vectors it is the sum of; 79, at 1.0e-14
  * STEWART_POLE: sine below 4096 rounding units; 136, at 6.5e-11
  * STEWART_SINGULAR: pivot within 16 rounding units of its row; 152, at 9.9e-08 */
