@@ -9,7 +9,7 @@ Klein, J. Robotic Systems 5 (1988) 527-552.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import real_array, shown
 from .conditioning import moments_over
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     naming the argument.
     """
     if isinstance(share, bool) or not (isinstance(share, int | float) and 0.0 < share < 1.0):
-        raise ValueError(f"share: expected a number > 0 and < 1, got {share!r}")
+        raise ValueError(f"share: expected a number > 0 and < 1, got {shown(share)}")
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
     if wrench.shape[-1:] != (6,):
         raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array
+from .checks import instance, real_array
 from .motion import Motion
 from .rotation import (
     angular_motion_from_vector,
@@ -32,6 +32,7 @@ def between(trajectory: Trajectory) -> Path:
     Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
     loads change linearly. Raises ValueError for fewer than two instants, and the function for times outside.
     """
+    instance(trajectory, Trajectory, "trajectory")
     time, motion = trajectory.time, trajectory.motion
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")

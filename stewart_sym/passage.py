@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import instance, real_array
+from .checks import instance, option, real_array
 from .conditioning import characteristic_length, moments_over
 from .dynamics import Formulation, need_motion
 from .interpolation import Path
@@ -138,8 +138,7 @@ def force_pole(robot: Robot, motion: Motion, formulation: Formulation = "exact")
     ``inverse_dynamics``.
     """
     need_motion(robot, motion)
-    if formulation not in FORMULATIONS:
-        raise ValueError(f'formulation: expected "exact" or "paper", got {formulation!r}')
+    option(formulation, FORMULATIONS, "formulation")
     length = characteristic_length(robot) or 1.0
     terms = NumpyKernel.prepare(robot, formulation).terms(motion)
     u, _, v = last_directions(moments_over(terms["H"], length))

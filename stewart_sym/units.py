@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import shown
 from .motion import Motion
 from .robot import Robot
 
@@ -67,9 +68,8 @@ class Units:
             unit = getattr(self, field.name)
             good = isinstance(unit, float) and math.isfinite(unit) and math.frexp(unit)[0] == 0.5
             if not (good and abs(math.log2(unit)) <= _LARGEST):
-                raise ValueError(
-                    f"{field.name}: expected a power of two from 2^-{_LARGEST} to 2^{_LARGEST}, got {unit!r}"
-                )
+                wanted = f"a power of two from 2^-{_LARGEST} to 2^{_LARGEST}"
+                raise ValueError(f"{field.name}: expected {wanted}, got {shown(unit)}")
 
     @classmethod
     def of(cls, robot: Robot) -> "Units":

@@ -24,6 +24,8 @@ def oracles() -> dict[str, tuple[str, str]]:
         kernel = path.stem.removeprefix("stewart_")
         if kernel.endswith("_motion"):
             found[path.stem] = (kernel.removesuffix("_motion"), "motion")
+        elif kernel.endswith("_bounds"):
+            found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
         elif kernel.endswith("_forces"):
             found[path.stem] = (kernel.removesuffix("_forces"), "forces")
         else:

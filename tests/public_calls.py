@@ -11,11 +11,13 @@ import numpy as np
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
+from stewart_sym.trajectory import Trajectory
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
     *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
+    *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "Passage", "Singularity"),
     *("PATHS", "PhysicalityWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -51,6 +53,7 @@ def calls() -> dict[str, Call]:
     springs = {"robot": robot, "stiffness": 1e6, "rest_length": 1.0, "damping": 10.0}
     tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
     rates = {"robot": robot, "L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot}
+    trajectory = Trajectory(np.arange(3.0), path.sample(np.arange(3.0)), "three", (2, 3, 4))
     found = {
         "Motion": Call(ss.Motion, parts),
         "Motion.from_rpy": Call(
@@ -127,6 +130,19 @@ def calls() -> dict[str, Call]:
                 "thresholds": ss.Thresholds(),
             },
         ),
+        "forces_with_bounds": Call(
+            ss.forces_with_bounds, {**both, "precision": "double", "on_singular": "raise"}
+        ),
+        "singularity": Call(ss.singularity, {"robot": robot, "pose": motion}),
+        "crossings": Call(ss.crossings, {"robot": robot, "path": path.sample, "times": [0.0, 1.0]}),
+        "singularities_along": Call(
+            ss.singularities_along, {"robot": robot, "path": path.sample, "times": [0.0, 1.0]}
+        ),
+        "force_pole": Call(ss.force_pole, {**both, "formulation": "exact"}),
+        "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
+        "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
+        "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
+        "between": Call(ss.between, {"trajectory": trajectory}),
         "base_parameters": Call(ss.base_parameters, {"robot": robot, "motion": motion[None]}),
         "choose_excitation": Call(
             ss.choose_excitation,

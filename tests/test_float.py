@@ -74,14 +74,20 @@ on_x86 = pytest.mark.skipif(
 )
 
 
+FAST = ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]
+GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c", "stewart_paper_forces.c"]
+BUILDS = [("gcc", FAST, source) for source in SOURCES]
+# One printer writes all of them: other builds of a few will do.
+BUILDS += [("gcc", ["-O2"], source) for source in GENERAL]
+BUILDS += [(compiler, FAST, source) for compiler in COMPILERS if compiler != "gcc" for source in GENERAL]
+
+
 @on_x86
-@pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize(
-    "flags", [["-O2"], ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]], ids=lambda f: f[0]
+    ("compiler", "flags", "source"), BUILDS, ids=[f"{build[2]}-{build[0]}{build[1][0]}" for build in BUILDS]
 )
-@pytest.mark.parametrize("source", SOURCES)
 def test_float_object_code_holds_no_double(
-    source: str, flags: list[str], compiler: str, tmp_path: Path
+    compiler: str, flags: list[str], source: str, tmp_path: Path
 ) -> None:
     target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
     assert double_instructions(disassembled(target)) == set()
@@ -106,9 +112,9 @@ def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promoti
 @pytest.mark.parametrize("flags", [FLOAT, [*FLOAT, "-DSTEWART_UNSCALED"], ["-DSTEWART_SCALED"]], ids=str)
 @pytest.mark.parametrize("source", SOURCES)
 def test_every_arithmetic_compiles_without_a_silent_conversion(
-    source: str, flags: list[str], compiler: str, tmp_path: Path
+    source: str, flags: list[str], compiler: str
 ) -> None:
-    command = [compiler, *STRICT, *flags, "-c", source, "-o", str(tmp_path / "kernel.o")]
+    command = [compiler, *STRICT, *flags, "-fsyntax-only", source]
     done = subprocess.run(command, capture_output=True, text=True, cwd=c_folder())
     assert (done.returncode, done.stderr) == (0, "")
 
