@@ -57,21 +57,23 @@ void JOINED(attack_, KERNEL, _bounds)(const attack_case *it)
     MODEL *model = prepared(it);
     stewart_real F[MOST_POSES][6], found[MOST_POSES][6];
     int expected[MOST_POSES], status[MOST_POSES];
+    /* A bound takes a hundred times as long as a force: of a batch, two poses. */
+    const size_t count = it->count < 2 ? it->count : 2;
     attack_arrays arrays;
     size_t pose;
     if (!model) {
         return;
     }
-    for (pose = 0; pose < it->count; ++pose) {
+    for (pose = 0; pose < count; ++pose) {
         expected[pose] = one_pose(it, model, pose, F[pose]);
     }
     attack_arrays_make(it, &arrays);
     if (!(it->flags & ~(NULL_ARRAY(ARRAY_F_EXT) | NULL_ARRAY(ARRAY_M_EXT) | ONE_OFF))) {
         memset(found, ATTACK_UNTOUCHED, sizeof found);
-        EXPECT(KERNEL_NAME(_forces_bounded_batch)(model, it->count, &arrays.motions, found[0], 0, 0, status)
-            == attack_first(expected, it->count));
-        EXPECT(memcmp(found, F, it->count * sizeof *F) == 0);
-        EXPECT(memcmp(status, expected, it->count * sizeof *status) == 0);
+        EXPECT(KERNEL_NAME(_forces_bounded_batch)(model, count, &arrays.motions, found[0], 0, 0, status)
+            == attack_first(expected, count));
+        EXPECT(memcmp(found, F, count * sizeof *F) == 0);
+        EXPECT(memcmp(status, expected, count * sizeof *status) == 0);
     }
     EXPECT(KERNEL_NAME(_forces_bounded)(0, &it->pose[0], found[0], 0, 0) == STEWART_BAD_ARGUMENT);
     EXPECT(KERNEL_NAME(_forces_bounded)(model, 0, found[0], 0, 0) == STEWART_BAD_ARGUMENT);
