@@ -78,8 +78,7 @@ def test_kit_builds_silently_and_its_example_agrees(
     assert "6 of 6 forces agree" in output
 
 
-@pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("bake", [False, True])
+@pytest.mark.parametrize(("bake", "precision"), [(False, "double"), (True, "float")])
 @pytest.mark.parametrize("level", fidelity.FIDELITIES)
 def test_kit_of_every_level_builds_silently_and_its_example_agrees(
     tmp_path: Path, level: str, bake: bool, precision: str

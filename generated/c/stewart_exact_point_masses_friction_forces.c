@@ -57,10 +57,10 @@
 
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
-#define STEWART_CHOOSE_LENGTH(made) (made)->per_length = 1 / unit_of_length(made)
+#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = 1 / unit_of_length(made))
 #else
 #define STEWART_OVER_LENGTH(value) (value)
-#define STEWART_CHOOSE_LENGTH(made) (void)(made)
+#define STEWART_CHOOSE_LENGTH(made) ((void)(made))
 #endif
 
 /* Motions of eight poses, component by component. */
