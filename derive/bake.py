@@ -18,7 +18,7 @@ from . import notation as n
 from .block import Block, Output, Quantity, rebuilt
 from .prepared import ADDED
 from .reduce import specialised
-from .regroup import ForceKernel
+from .regroup import ForceKernel, without_zeros
 
 LEGS = 6
 DIGITS = 50
@@ -47,7 +47,7 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     kernel = replace(kernel, per_length=_per_length(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
-    kernel = kernel.changed(lambda block: _with_numbers(block, simple, constants))
+    kernel = without_zeros(kernel.changed(lambda block: _with_numbers(block, simple, constants)))
     used = {q for block in kernel.blocks() for q in block.inputs}
     numbers = {
         q: tuple(float(value) for value in constants.values[symbol])
@@ -62,7 +62,7 @@ def _with_numbers(block: Block, simple: Mapping[sp.Symbol, sp.Integer], constant
     found = set().union(*(expr.free_symbols for expr in folded.expressions()))
     inputs = [q for q in block.inputs if not constants.values.keys() & set(q.symbols)]
     inputs += [q for symbol, q in constants.quantities.items() if symbol in found]
-    return rebuilt(folded, folded.steps, _kept(folded), inputs)
+    return rebuilt(folded, folded.steps, folded.outputs, inputs)
 
 
 def _per_length(robot: Numbers) -> float:
@@ -70,12 +70,6 @@ def _per_length(robot: Numbers) -> float:
     largest = max(abs(float(x)) for point in robot[n.p.name] for x in point)
     fraction, exponent = math.frexp(largest)
     return math.ldexp(1.0, (fraction == 0.5) - exponent) if largest else 1.0
-
-
-def _kept(block: Block) -> list[Output]:
-    """Outputs of a leg that are zero are not handed out."""
-    needed = (n.H_force, n.H_moment)
-    return [out for out in block.outputs if out.quantity in needed or any(e != 0 for e in out.exprs)]
 
 
 def _is_simple(values: tuple[mpf, ...]) -> bool:

@@ -13,7 +13,7 @@ import sympy as sp
 from . import axial_leg, regroup
 from . import notation as n
 from . import prepared as p
-from .block import Block, Builder, Quantity, rebuilt
+from .block import Block, Builder, Quantity
 from .formulation import EXACT, Formulation
 from .leg import cross
 from .reduce import specialised
@@ -87,9 +87,9 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     kernel = regroup.with_constants(form, level.friction, _platform(level), _leg(level), riding)
     near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
     kernel = regroup.about_base_point(replace(kernel, leg_near_pole=near))
-    kernel = kernel.changed(
-        lambda block: _without_zeros(block if level.moving else specialised(block, _AT_REST))
-    )
+    if not level.moving:
+        kernel = kernel.changed(lambda block: specialised(block, _AT_REST))
+    kernel = regroup.without_zeros(kernel)
     final = regroup.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
     return replace(
         final,
@@ -103,12 +103,6 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
 _AT_REST: Mapping[sp.Symbol, sp.Expr] = {
     symbol: _ZERO for quantity in (n.omega, n.v, n.alpha, n.a, p.B) for symbol in quantity.symbols
 }
-
-
-def _without_zeros(block: Block) -> Block:
-    """The block without outputs that are zero."""
-    kept = [out for out in block.outputs if any(expr != 0 for expr in out.exprs)]
-    return rebuilt(block, block.steps, kept, block.inputs)
 
 
 def _platform(level: Fidelity) -> Block:

@@ -16,7 +16,7 @@ import sympy as sp
 from . import notation as n
 from . import prepared as p
 from .block import Builder
-from .leg import cross, perpendicular
+from .leg import axes, cross
 
 HALF = sp.Rational(1, 2)
 
@@ -42,7 +42,8 @@ class JointFrame:
 
 @dataclass(frozen=True)
 class JointRates:
-    """Rates of L, theta, phi; squares of the angles' rates; rates of L and rho as shares of them."""
+    """Rates of L, theta, phi; squares of the angles' rates; rates of L and rho as shares of them; their
+    difference, ``lean``."""
 
     L: sp.Expr
     theta: sp.Expr
@@ -51,7 +52,23 @@ class JointRates:
     phi2: sp.Expr
     phi_twice: sp.Expr
     L_share: sp.Expr
+    lean: sp.Expr
     rho_share: sp.Expr
+
+
+@dataclass(frozen=True)
+class JointAccelerations:
+    """Accelerations of L, theta, phi.
+
+    own_theta, own_phi: without what the turning of the frame about s adds to them, k1 k3 phi_dot^2 and
+    -2 kappa theta_dot phi_dot; None where nothing is measured along z.
+    """
+
+    L: sp.Expr
+    theta: sp.Expr
+    phi: sp.Expr
+    own_theta: sp.Expr | None = None
+    own_phi: sp.Expr | None = None
 
 
 @dataclass(frozen=True)
@@ -91,11 +108,11 @@ class JointForces:
     about_k: sp.Expr
 
 
-def joint_frame(build: Builder, near_pole: bool = False) -> JointFrame:
+def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
-    near_pole: with z, and with y made perpendicular to s once more. What is measured along the fixed axis
-    loses digits like k1 / k3 near the joint's pole; what is measured along z does not.
+    with_z: with the leg's third axis. What is measured along the fixed axis loses digits like k1 / k3 near
+    the joint's pole; what is measured along z does not.
     """
     k = n.k.value
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
@@ -103,19 +120,20 @@ def joint_frame(build: Builder, near_pole: bool = False) -> JointFrame:
     meaning = "leg vector along the fixed axis, and normal to both"
     zeta = build.scalar("zeta", k.dot(S), "(10)", meaning)
     normal = build.vector("k_cross_S", cross(k, S), "(10)", meaning)
-    rho2 = build.scalar("rho2", normal.dot(normal))
     meaning = "leg length, and distance of its tip from the fixed axis"
-    L = build.scalar("L", sp.sqrt(rho2 + zeta**2), "(2)", meaning)
-    rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
-    inv_L = build.scalar("inv_L", 1 / L)
-    inv_rho = build.scalar("inv_rho", 1 / rho)
-    s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
-    meaning, z = "second axis of the leg frame", None
-    if near_pole:
-        y = perpendicular(build, normal * inv_rho, s, meaning)
-        z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
+    if with_z:
+        L = build.scalar("L", sp.sqrt(S.dot(S)), "(2)", meaning)
     else:
-        y = build.vector("y", normal * inv_rho, "(10)", meaning)
+        rho2 = build.scalar("rho2", normal.dot(normal))
+        L = build.scalar("L", sp.sqrt(rho2 + zeta**2), "(2)", meaning)
+        rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
+    inv_L = build.scalar("inv_L", 1 / L)
+    s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
+    if with_z:
+        y, z, rho, inv_rho = axes(build, s, normal, "rho", meaning)
+    else:
+        inv_rho, z = build.scalar("inv_rho", 1 / rho), None
+        y = build.vector("y", normal * inv_rho, "(10)", "second axis of the leg frame")
     meaning = "k = (k1, 0, k3) in the leg frame"
     return JointFrame(
         q,
@@ -150,14 +168,15 @@ def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:
         phi2=build.scalar("phi_dot2", phi_dot**2),
         phi_twice=build.scalar("two_phi_dot", 2 * phi_dot),
         L_share=L_share,
+        lean=lean,
         rho_share=build.scalar("rho_share", L_share + lean, "", "rho_dot / rho"),
     )
 
 
 def joint_accelerations(
     build: Builder, at: JointFrame, rates: JointRates, S_ddot: sp.Matrix
-) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """L_ddot, theta_ddot, phi_ddot, (8), (9)."""
+) -> JointAccelerations:
+    """(8), (9)."""
     meaning = "accelerations of the joint coordinates"
     k33 = build.scalar("k33", at.k3**2)
     L_ddot = build.scalar(
@@ -166,13 +185,18 @@ def joint_accelerations(
     if at.z is None:
         across = at.inv_rho * (at.k1 * L_ddot - n.k.value.dot(S_ddot))
         across -= rates.theta * (rates.rho_share + rates.L_share)
-    else:
-        across = at.k1 * at.k3 * rates.phi2 - at.inv_L * at.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
-    theta_ddot = build.scalar("theta_ddot", across, "(9)", meaning)
-    phi_ddot = build.scalar(
-        "phi_ddot", at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.rho_share, "(9)", meaning
-    )
-    return L_ddot, theta_ddot, phi_ddot
+        theta_ddot = build.scalar("theta_ddot", across, "(9)", meaning)
+        about_k = at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.rho_share
+        return JointAccelerations(L_ddot, theta_ddot, build.scalar("phi_ddot", about_k, "(9)", meaning))
+    own = "accelerations of the joint coordinates but for the turning of the leg frame about s"
+    across = -at.inv_L * at.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
+    about_k = at.inv_rho * at.y.dot(S_ddot) - rates.phi_twice * rates.L_share
+    own_theta = build.scalar("own_theta_ddot", across, "(9)", own)
+    own_phi = build.scalar("own_phi_ddot", about_k, "(9)", own)
+    turning = at.k1 * at.k3 * rates.phi2
+    theta_ddot = build.scalar("theta_ddot", own_theta + turning, "(9)", meaning)
+    phi_ddot = build.scalar("phi_ddot", own_phi - rates.phi_twice * rates.lean, "(9)", meaning)
+    return JointAccelerations(L_ddot, theta_ddot, phi_ddot, own_theta, own_phi)
 
 
 def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
@@ -211,33 +235,50 @@ def gravity_torques(build: Builder, at: JointFrame) -> tuple[sp.Expr, sp.Expr]:
     return w_n * p.g_k.value + w_k * gamma_n, -wy * gamma_n - w_n * gamma_y
 
 
+def _turning(
+    build: Builder, at: JointFrame, rates: JointRates, accelerations: JointAccelerations, m: JointInertia
+) -> tuple[sp.Expr, sp.Expr]:
+    """M_theta theta_ddot - M_phi,theta phi_dot^2 / 2 and M_phi phi_ddot + M_phi,theta theta_dot phi_dot.
+
+    Along z without what the turning of the frame about s adds to both terms of each sum, with opposite signs:
+    near the pole it grows like 1 / k3.
+    """
+    if accelerations.own_theta is None or accelerations.own_phi is None:
+        return (
+            m.theta * accelerations.theta - m.phi_by_theta * rates.phi2,
+            m.phi * accelerations.phi + rates.phi_twice * m.phi_by_theta * rates.theta,
+        )
+    J, a2 = p.J.value, p.J2_xz.value - at.L * p.h2_z.value
+    k33, k13 = build.scalar("k33", at.k3**2), build.scalar("k13", at.k1 * at.k3)
+    uneven = J[1, 1] - p.dJ_zx.value
+    return (
+        m.theta * accelerations.own_theta + rates.phi2 * (k13 * uneven - a2 * (HALF - k33)),
+        m.phi * accelerations.own_phi - rates.phi * rates.theta * (a2 + 2 * at.kappa * J[0, 0]),
+    )
+
+
 def joint_forces(
     build: Builder,
     at: JointFrame,
     rates: JointRates,
-    accelerations: tuple[sp.Expr, sp.Expr, sp.Expr],
+    accelerations: JointAccelerations,
     friction: bool,
 ) -> JointForces:
     """Lagrange's equations of the leg with gravity and friction, (17)-(20), (23)."""
-    L_ddot, theta_ddot, phi_ddot = accelerations
+    L_ddot, theta_ddot, phi_ddot = accelerations.L, accelerations.theta, accelerations.phi
     hx = p.h.value[0]
     m = joint_inertia(build, at)
     bend = build.scalar("bend", rates.L * rates.theta)
     about_y, about_k = gravity_torques(build, at)
-    about_y += (
-        m.L_theta * L_ddot
-        + m.theta * theta_ddot
-        + m.mixed * phi_ddot
-        + p.h2_x.value * bend
-        - m.phi_by_theta * rates.phi2
-    )
+    turn_y, turn_k = _turning(build, at, rates, accelerations, m)
+    about_y += m.L_theta * L_ddot + m.mixed * phi_ddot + p.h2_x.value * bend + turn_y
     about_k += (
         m.mixed * theta_ddot
-        + m.phi * phi_ddot
         + m.L_phi * L_ddot
         + m.mixed_by_theta * rates.theta2
         - at.k1 * p.h2_y.value * bend
-        + rates.phi_twice * (m.phi_by_L * rates.L + m.phi_by_theta * rates.theta)
+        + rates.phi_twice * m.phi_by_L * rates.L
+        + turn_k
     )
     along = m.L_theta * theta_ddot + m.L_phi * phi_ddot - hx * rates.theta2 - m.phi_by_L * rates.phi2
     if friction:
@@ -256,7 +297,7 @@ def joint_forces(
 def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.Expr, sp.Matrix]:
     """D and K at the spherical joint, (21), (24); K = Q_k k + Q_y y carries a part along s, D is to match."""
     if at.z is not None:
-        return _tip_force_near_pole(build, at, at.z, forces)
+        return _transverse_tip_force(build, at, at.z, forces)
     meaning = "K = Q_k k + Q_y y, up to a part along s"
     Q_k = build.scalar("Q_k", -at.inv_rho * forces.about_y, "(21)", meaning)
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
@@ -265,16 +306,15 @@ def tip_force(build: Builder, at: JointFrame, forces: JointForces) -> tuple[sp.E
     return D, K
 
 
-def _tip_force_near_pole(
+def _transverse_tip_force(
     build: Builder, at: JointFrame, z: sp.Matrix, forces: JointForces
 ) -> tuple[sp.Expr, sp.Matrix]:
-    """The same with K = Q_y y + Q_z z; what rounding leaves of it along s is taken from D."""
+    """The same with K = Q_y y + Q_z z, which has no part along s."""
     meaning = "K = Q_y y + Q_z z"
     Q_y = build.scalar("Q_y", at.inv_rho * forces.about_k, "(21)", meaning)
     Q_z = build.scalar("Q_z", -at.inv_L * forces.about_y, "(21)", meaning)
     K = build.vector("K", Q_y * at.y + Q_z * z, "(21)", "force at the spherical joint, base frame")
-    D = build.scalar("D", forces.along - at.s.dot(K), "(24)", "known part of the actuator force, to match")
-    return D, K
+    return build.scalar("D", forces.along, "(24)", "known part of the actuator force, to match"), K
 
 
 def friction_moment(at: JointFrame, rates: JointRates, friction: bool) -> sp.Matrix:

@@ -129,25 +129,25 @@ def leg_frame(build: Builder, s: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix, sp.Ex
     """T = [x y z] of (10), the axis k in it, 1 / k3, and kappa = k1 / k3."""
     k = n.k.value
     ks = build.vector("k_cross_s", cross(k, s), "(10)", "normal to the fixed axis and the leg")
-    k3 = build.scalar("k3", sp.sqrt(ks.dot(ks)), "(10)", "k = (k1, 0, k3) in the leg frame")
+    y, z, k3, inv_k3 = axes(build, s, ks, "k3", "k = (k1, 0, k3) in the leg frame")
     k1 = build.scalar("k1", k.dot(s), "(10)", "k = (k1, 0, k3) in the leg frame")
-    inv_k3 = build.scalar("inv_k3", 1 / k3)
     kappa = build.scalar("kappa", k1 * inv_k3, "", "spin of the leg about s for each turn about z")
-    y = perpendicular(build, ks * inv_k3, s, "rotating axis of the universal joint")
-    z = build.vector("z", cross(s, y), "(10)", "third axis of the leg frame")
     return sp.Matrix.hstack(s, y, z), sp.Matrix([k1, 0, k3]), inv_k3, kappa
 
 
-def perpendicular(build: Builder, normal: sp.Matrix, s: sp.Matrix, meaning: str) -> sp.Matrix:
-    """y of (10) from (k x s) / |k x s|, both of length one, made perpendicular to s once more.
+def axes(
+    build: Builder, s: sp.Matrix, normal: sp.Matrix, size: str, meaning: str
+) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
+    """y and z of (10) from a normal along k x s, its length, named ``size``, and one over it.
 
-    The smaller |k x s|, the more rounding leaves of k x s along s. Taking that part away makes y shorter by
-    its square, which the factor puts back; in exact arithmetic there is no such part.
+    The smaller |k x s|, the more rounding leaves of the normal along s. s x normal has no such part, and z
+    and y made of it are perpendicular to s and to each other to all digits.
     """
-    raw = build.vector("y_raw", normal, "(10)", "k x s, of length one")
-    along = build.scalar("y_s", s.dot(raw), "", "rounding: nothing of k x s lies along s")
-    size = build.scalar("y_size", 1 + sp.Rational(1, 2) * along**2)
-    return build.vector("y", size * raw - along * s, "(10)", meaning)
+    across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
+    length = build.scalar(size, sp.sqrt(across.dot(across)), "(10)", meaning)
+    inverse = build.scalar(f"inv_{size}", 1 / length)
+    z = build.vector("z", across * inverse, "(10)", "third axis of the leg frame")
+    return build.vector("y", cross(z, s), "(10)", "rotating axis of the universal joint"), z, length, inverse
 
 
 # ---------------------------------------------------------------- rotation of the leg

@@ -164,24 +164,29 @@ def _centripetal(build: Builder) -> sp.Matrix:
 
 @dataclass(frozen=True)
 class _Leg:
-    """A leg on its way: frame with third axis, rates, tip velocity."""
+    """A leg on its way: frame with third axis, tip velocity."""
 
     at: JointFrame
-    z: sp.Matrix
     S_dot: sp.Matrix
 
     @property
+    def z(self) -> sp.Matrix:
+        """Third axis of the leg frame."""
+        assert self.at.z is not None
+        return self.at.z
+
+    @property
     def T(self) -> sp.Matrix:
+        """Leg frame, columns s, y, z."""
         return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
 
 
 def _leg(build: Builder) -> _Leg:
-    at = joint_frame(build)
-    z = build.vector("z", cross(at.s, at.y), "(10)", "third axis of the leg frame")
+    at = joint_frame(build, with_z=True)
     S_dot = build.vector(
         "S_dot", cross(n.omega.value, at.q) + n.v.value, "(4)", "velocity of the platform point"
     )
-    return _Leg(at, z, S_dot)
+    return _Leg(at, S_dot)
 
 
 def _judged(at: JointFrame) -> list[tuple[Quantity, sp.Expr | sp.Matrix]]:

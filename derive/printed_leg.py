@@ -11,7 +11,7 @@ from . import notation as n
 from . import prepared as p
 from .block import Builder
 from .formulation import Formulation
-from .leg import cross, leg_vector, perpendicular
+from .leg import axes, cross, leg_vector
 
 
 def printed_leg(
@@ -56,13 +56,11 @@ def printed_leg(
 def _frame(build: Builder, s: sp.Matrix, near_pole: bool) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
     """y, z and k3 of (10)."""
     normal = build.vector("k_cross_s", cross(n.k.value, s), "(10)", "normal to the fixed axis and the leg")
-    k3 = build.scalar("k3", sp.sqrt(normal.dot(normal)), "(10)", "|k x s|")
-    inv_k3 = build.scalar("inv_k3", 1 / k3)
-    meaning = "second axis of the leg frame"
     if near_pole:
-        y = perpendicular(build, normal * inv_k3, s, meaning)
-    else:
-        y = build.vector("y", normal * inv_k3, "(10)", meaning)
+        y, z, k3, _ = axes(build, s, normal, "k3", "|k x s|")
+        return y, z, k3
+    k3 = build.scalar("k3", sp.sqrt(normal.dot(normal)), "(10)", "|k x s|")
+    y = build.vector("y", normal * build.scalar("inv_k3", 1 / k3), "(10)", "second axis of the leg frame")
     return y, build.vector("z", cross(s, y), "(10)", "third axis of the leg frame"), k3
 
 

@@ -79,7 +79,7 @@ def dependencies() -> dict[str, dict[str, sp.Expr]]:
 
 def _leg() -> Block:
     build = Builder()
-    at = joint_frame(build)
+    at = joint_frame(build, with_z=True)
     omega, alpha, q = n.omega.value, n.alpha.value, at.q
     spin = build.vector("w_q", cross(omega, q), "(4)", "omega x q")
     S_dot = build.vector("S_dot", spin + n.v.value, "(4)", "velocity of the platform point")
@@ -92,8 +92,8 @@ def _leg() -> Block:
     rates = joint_rates(build, at, S_dot)
     joint_accelerations(build, at, rates, S_ddot)
     _projections(build, at)
-    z = build.vector("z", cross(at.s, at.y), "(10)", "third axis of the leg frame")
-    T = sp.Matrix.hstack(at.s, -at.inv_L * z, at.inv_rho * at.y)
+    assert at.z is not None
+    T = sp.Matrix.hstack(at.s, -at.inv_L * at.z, at.inv_rho * at.y)
     slopes = {name: _named_torques(build, name, torques) for name, torques in _torques_by_parameter().items()}
     W = build.vector("W", rates.phi * n.k.value + rates.theta * at.y, "(6)", "angular velocity of the leg")
     forces = {

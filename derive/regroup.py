@@ -140,6 +140,28 @@ def with_constants(
     )
 
 
+def without_zeros(kernel: ForceKernel) -> ForceKernel:
+    """The kernel without outputs that are zero; a leg keeps what it has on either road."""
+    legs = [leg for leg in (kernel.leg, kernel.leg_near_pole) if leg is not None]
+    of_legs = {
+        n.H_force,
+        n.H_moment,
+        *(out.quantity for leg in legs for out in leg.outputs if _is_not_zero(out)),
+    }
+
+    def change(block: Block) -> Block:
+        outputs = [
+            out for out in block.outputs if (out.quantity in of_legs if block in legs else _is_not_zero(out))
+        ]
+        return rebuilt(block, block.steps, outputs, block.inputs)
+
+    return kernel.changed(change)
+
+
+def _is_not_zero(out: Output) -> bool:
+    return any(expr != 0 for expr in out.exprs)
+
+
 # ---------------------------------------------------------------- moments about base point 1
 
 
@@ -322,7 +344,7 @@ def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
 
 
 def joint_leg(friction: bool, near_pole: bool = False) -> Block:
-    """The general leg in the coordinates of its joints; ``near_pole`` as in ``joint_frame``."""
+    """The general leg in the coordinates of its joints; ``near_pole``: measured along its third axis."""
     build = Builder()
     at = joint_frame(build, near_pole)
     S_dot, S_ddot = tip_motion(build, at.q)

@@ -7,12 +7,12 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
-leg      416 (233 mul, 179 add, 2 div, 2 sqrt)     366 (208 mul, 154 add, 2 div, 2 sqrt)
+leg      408 (228 mul, 176 add, 2 div, 2 sqrt)     358 (203 mul, 151 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
 solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2954 (1627 mul, 1297 add, 18 div, 12 sqrt) 2654 (1477 mul, 1147 add, 18 div, 12 sqrt)
+total    2906 (1597 mul, 1279 add, 18 div, 12 sqrt) 2606 (1447 mul, 1129 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -24,40 +24,40 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (233, 179, 2, 2),
+        "leg": (228, 176, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1627, 1297, 18, 12),
+        "total": (1597, 1279, 18, 12),
     },
     "frictionless": {
-        "leg": (208, 154, 2, 2),
+        "leg": (203, 151, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1477, 1147, 18, 12),
+        "total": (1447, 1129, 18, 12),
     },
 }
 
 # The same of stewart_exact_forces.h, and how many numbers its prepared model holds.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (169, 114, 2, 2),
+        "leg": (170, 114, 2, 2),
         "platform": (99, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1197, 889, 18, 12),
+        "total": (1203, 889, 18, 12),
     },
     "frictionless": {
-        "leg": (149, 99, 2, 2),
+        "leg": (150, 99, 2, 2),
         "platform": (96, 93, 0, 0),
         "sum of c": (0, 36, 0, 0),
         "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1074, 796, 18, 12),
+        "total": (1080, 796, 18, 12),
     },
 }
 MODEL_NUMBERS = 284
@@ -78,7 +78,7 @@ def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[s
 def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
 
-    Operations: 416 (233 mul, 179 add, 2 div, 2 sqrt).
+    Operations: 408 (228 mul, 176 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -170,27 +170,28 @@ def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
     k_cross_s_x = k_y*s_z - k_z*s_y
     k_cross_s_y = k_z*s_x - k_x*s_z
     k_cross_s_z = k_x*s_y - k_y*s_x
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z
+    s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x
+    s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y
     # (10) k = (k1, 0, k3) in the leg frame
-    k3 = np.sqrt(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z)
-    k1 = k_x*s_x + k_y*s_y + k_z*s_z
+    k3 = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
     inv_k3 = 1/k3
+    # (10) third axis of the leg frame
+    z_x = inv_k3*s_cross_normal_x
+    z_y = inv_k3*s_cross_normal_y
+    z_z = inv_k3*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = k_x*s_x + k_y*s_y + k_z*s_z
     # spin of the leg about s for each turn about z
     kappa = inv_k3*k1
-    # (10) k x s, of length one
-    y_raw_x = inv_k3*k_cross_s_x
-    y_raw_y = inv_k3*k_cross_s_y
-    y_raw_z = inv_k3*k_cross_s_z
-    # rounding: nothing of k x s lies along s
-    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
-    y_size = 0.5*y_s*y_s + 1
-    # (10) rotating axis of the universal joint
-    y_x = y_raw_x*y_size - s_x*y_s
-    y_y = y_raw_y*y_size - s_y*y_s
-    y_z = y_raw_z*y_size - s_z*y_s
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
     # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
@@ -397,7 +398,7 @@ def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
 def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
     """One leg: joint reactions, (21), (26)-(29), (17).
 
-    Operations: 507 (281 mul, 222 add, 2 div, 2 sqrt).
+    Operations: 499 (276 mul, 219 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -489,27 +490,28 @@ def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str
     k_cross_s_x = k_y*s_z - k_z*s_y
     k_cross_s_y = k_z*s_x - k_x*s_z
     k_cross_s_z = k_x*s_y - k_y*s_x
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z
+    s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x
+    s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y
     # (10) k = (k1, 0, k3) in the leg frame
-    k3 = np.sqrt(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z)
-    k1 = k_x*s_x + k_y*s_y + k_z*s_z
+    k3 = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
     inv_k3 = 1/k3
+    # (10) third axis of the leg frame
+    z_x = inv_k3*s_cross_normal_x
+    z_y = inv_k3*s_cross_normal_y
+    z_z = inv_k3*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = k_x*s_x + k_y*s_y + k_z*s_z
     # spin of the leg about s for each turn about z
     kappa = inv_k3*k1
-    # (10) k x s, of length one
-    y_raw_x = inv_k3*k_cross_s_x
-    y_raw_y = inv_k3*k_cross_s_y
-    y_raw_z = inv_k3*k_cross_s_z
-    # rounding: nothing of k x s lies along s
-    y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z
-    y_size = 0.5*y_s*y_s + 1
-    # (10) rotating axis of the universal joint
-    y_x = y_raw_x*y_size - s_x*y_s
-    y_y = y_raw_y*y_size - s_y*y_s
-    y_z = y_raw_z*y_size - s_z*y_s
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
     # (4), (5) velocity of the platform point, leg frame; u_x is L_dot
     u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z

@@ -21,10 +21,10 @@ _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz"
 
 # Operations of a pose before any solve.
 OPERATIONS: dict[str, int] = {
-    "equations": 4601,
-    "bias": 1890,
-    "forward_dynamics": 2826,
-    "derivatives": 11201,
+    "equations": 4655,
+    "bias": 2028,
+    "forward_dynamics": 2910,
+    "derivatives": 11249,
 }
 
 _ADDED = ("M_add", "h_add_x", "h_add_y", "h_add_z", "J_add_xx", "J_add_xy", "J_add_xz", "J_add_yy",
@@ -576,7 +576,7 @@ def equations_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M, C, g and friction, its column of H and the column's rate.
 
-    Operations: 672 (416 mul, 252 add, 2 div, 2 sqrt).
+    Operations: 681 (422 mul, 255 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -648,29 +648,36 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     k_cross_S_x = S_z*k_y - S_y*k_z
     k_cross_S_y = S_x*k_z - S_z*k_x
     k_cross_S_z = S_y*k_x - S_x*k_y
-    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(rho2 + zeta*zeta)
-    rho = np.sqrt(rho2)
+    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
     inv_L = 1/L
-    inv_rho = 1/rho
     # (3) unit vector along the leg
     s_x = S_x*inv_L
     s_y = S_y*inv_L
     s_z = S_z*inv_L
-    # (10) second axis of the leg frame
-    y_x = inv_rho*k_cross_S_x
-    y_y = inv_rho*k_cross_S_y
-    y_z = inv_rho*k_cross_S_z
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
+    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
+    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
+    inv_rho = 1/rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho*s_cross_normal_x
+    z_y = inv_rho*s_cross_normal_y
+    z_z = inv_rho*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
     # (4) velocity of the platform point
     S_dot_x = omega_y*q_z + v_x - omega_z*q_y
     S_dot_y = omega_z*q_x + v_y - omega_x*q_z
@@ -679,7 +686,7 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
     phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
     c1 = k3*k3
     k33 = c1
     k13 = k1*k3
@@ -727,18 +734,19 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     c8 = 2*J_xz - c7*h_z
     c9 = 0.5*k1*(c8*k1 + 2*k3*(J_zz + c7*h_x - J_xx)) - 0.5*c1*c8
     C_xi_23 = -c9*phi_dot
-    C_xi_31 = c6*phi_dot - h_y*k1*theta_dot
-    C_xi_32 = c9*phi_dot + theta_dot*(J_yz*k1 - c2*k3) - L_dot*h_y*k1
+    c10 = h_y*k1
+    C_xi_31 = c6*phi_dot - c10*theta_dot
+    C_xi_32 = c9*phi_dot + theta_dot*(J_yz*k1 - c2*k3) - L_dot*c10
     C_xi_33 = L_dot*c6 + c9*theta_dot
-    c10 = k3*phi_dot
-    G_dot_12 = c10
+    c11 = k3*phi_dot
+    G_dot_12 = c11
     G_dot_21 = -inv_L*theta_dot
-    c11 = k1*phi_dot
-    G_dot_22 = c11*inv_L
+    c12 = k1*phi_dot
+    G_dot_22 = c12*inv_L
     G_dot_23 = L_dot*c4
-    G_dot_31 = -c10*inv_rho
+    G_dot_31 = -c11*inv_rho
     G_dot_32 = -L_dot*c3 - inv_rho*kappa*theta_dot
-    G_dot_33 = c11*inv_rho
+    G_dot_33 = c12*inv_rho
     C_leg_11 = G_dot_21*h_z - G_dot_31*k3_h
     C_leg_12 = C_xi_13*inv_rho + G_dot_22*h_z - G_dot_32*k3_h
     C_leg_13 = G_dot_23*h_z - C_xi_12*inv_L - G_dot_33*k3_h
@@ -771,68 +779,68 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     w_q_x = S_dot_x - v_x
     w_q_y = S_dot_y - v_y
     w_q_z = S_dot_z - v_z
-    c12 = C_tip_xy*q_z
-    c13 = m_xy*w_q_z
-    c14 = C_tip_xz*q_y
-    c15 = m_xz*w_q_y
-    C_q_xx = c14 + c15 - c12 - c13
-    c16 = C_tip_xx*q_z
-    C_q_xy = c16 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x
-    c17 = C_tip_xx*q_y
-    C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c17 - m_xx*w_q_y
-    c18 = C_tip_yy*q_z
-    C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c18 - m_yy*w_q_z
-    c19 = C_tip_yx*q_z
-    c20 = -C_tip_yz*q_x
-    c21 = -m_yz*w_q_x
-    C_q_yy = c13 + c19 + c20 + c21
-    c22 = -C_tip_yy*q_x
-    C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c22 - m_xy*w_q_y
-    c23 = -C_tip_zz*q_y
-    C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c23 - m_yz*w_q_z
-    c24 = -C_tip_zz*q_x
-    C_q_zy = C_tip_zx*q_z + c24 + m_xz*w_q_z - m_zz*w_q_x
-    c25 = C_tip_zx*q_y
-    c26 = -C_tip_zy*q_x
-    C_q_zz = -c15 - c21 - c25 - c26
+    c13 = C_tip_xy*q_z
+    c14 = m_xy*w_q_z
+    c15 = C_tip_xz*q_y
+    c16 = m_xz*w_q_y
+    C_q_xx = c15 + c16 - c13 - c14
+    c17 = C_tip_xx*q_z
+    C_q_xy = c17 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x
+    c18 = C_tip_xx*q_y
+    C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c18 - m_xx*w_q_y
+    c19 = C_tip_yy*q_z
+    C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c19 - m_yy*w_q_z
+    c20 = C_tip_yx*q_z
+    c21 = -C_tip_yz*q_x
+    c22 = -m_yz*w_q_x
+    C_q_yy = c14 + c20 + c21 + c22
+    c23 = -C_tip_yy*q_x
+    C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c23 - m_xy*w_q_y
+    c24 = -C_tip_zz*q_y
+    C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c24 - m_yz*w_q_z
+    c25 = -C_tip_zz*q_x
+    C_q_zy = C_tip_zx*q_z + c25 + m_xz*w_q_z - m_zz*w_q_x
+    c26 = C_tip_zx*q_y
+    c27 = -C_tip_zy*q_x
+    C_q_zz = -c16 - c22 - c26 - c27
     # gravity along k x y and along y
     gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
     gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
     # first moment along k and against k x y
     w_k = k1*w_x + k3*w_z
     w_n = k3*w_x - k1*w_z
-    c27 = inv_L*(g_k*w_n + gamma_n*w_k)
-    c28 = -gamma_n*w_y - gamma_y*w_n
+    c28 = inv_L*(g_k*w_n + gamma_n*w_k)
+    c29 = -gamma_n*w_y - gamma_y*w_n
     # against gravity
-    held_x = c28*inv_rho*y_x - c27*z_x
-    held_y = c28*inv_rho*y_y - c27*z_y
-    held_z = c28*inv_rho*y_z - c27*z_z
-    c29 = L_dot*s_x
-    c30 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z))
-    c31 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z))
-    c32 = L_dot*s_y
-    c33 = L_dot*s_z
+    held_x = c29*inv_rho*y_x - c28*z_x
+    held_y = c29*inv_rho*y_y - c28*z_y
+    held_z = c29*inv_rho*y_z - c28*z_z
+    c30 = L_dot*s_x
+    c31 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z))
+    c32 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z))
+    c33 = L_dot*s_y
+    c34 = L_dot*s_z
     # against friction
-    rubbed_x = C_p*c29 + c30*y_x - c31*z_x
-    rubbed_y = C_p*c32 + c30*y_y - c31*z_y
-    rubbed_z = C_p*c33 + c30*y_z - c31*z_z
+    rubbed_x = C_p*c30 + c31*y_x - c32*z_x
+    rubbed_y = C_p*c33 + c31*y_y - c32*z_y
+    rubbed_z = C_p*c34 + c31*y_z - c32*z_z
     # (3) rate of s
-    s_dot_x = inv_L*(S_dot_x - c29)
-    s_dot_y = inv_L*(S_dot_y - c32)
-    s_dot_z = inv_L*(S_dot_z - c33)
-    c34 = m_xy*q_z
-    c35 = m_xz*q_y
-    c36 = -m_yz*q_x
+    s_dot_x = inv_L*(S_dot_x - c30)
+    s_dot_y = inv_L*(S_dot_y - c33)
+    s_dot_z = inv_L*(S_dot_z - c34)
+    c35 = m_xy*q_z
+    c36 = m_xz*q_y
+    c37 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c34 - c35
+    m_q_xx = c35 - c36
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c34 - c36
+    m_q_yy = -c35 - c37
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c35 + c36
+    m_q_zz = c36 + c37
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -873,15 +881,15 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
         "C_vw_zx": C_q_zx,
         "C_vw_zy": C_q_zy,
         "C_vw_zz": C_q_zz,
-        "C_wv_xx": c25 - c19,
-        "C_wv_xy": C_tip_zy*q_y - c18,
-        "C_wv_xz": -C_tip_yz*q_z - c23,
-        "C_wv_yx": c16 - C_tip_zx*q_x,
-        "C_wv_yy": c12 + c26,
-        "C_wv_yz": C_tip_xz*q_z + c24,
-        "C_wv_zx": C_tip_yx*q_x - c17,
-        "C_wv_zy": -C_tip_xy*q_y - c22,
-        "C_wv_zz": -c14 - c20,
+        "C_wv_xx": c26 - c20,
+        "C_wv_xy": C_tip_zy*q_y - c19,
+        "C_wv_xz": -C_tip_yz*q_z - c24,
+        "C_wv_yx": c17 - C_tip_zx*q_x,
+        "C_wv_yy": c13 + c27,
+        "C_wv_yz": C_tip_xz*q_z + c25,
+        "C_wv_zx": C_tip_yx*q_x - c18,
+        "C_wv_zy": -C_tip_xy*q_y - c23,
+        "C_wv_zz": -c15 - c21,
         "C_ww_xx": C_q_zx*q_y - C_q_yx*q_z,
         "C_ww_xy": C_q_zy*q_y - C_q_yy*q_z,
         "C_ww_xz": C_q_zz*q_y - C_q_yz*q_z,
@@ -1024,7 +1032,7 @@ def bias_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of C twist + g + friction.
 
-    Operations: 281 (166 mul, 111 add, 2 div, 2 sqrt).
+    Operations: 304 (183 mul, 117 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1104,20 +1112,31 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     k_cross_S_x = S_z*k_y - S_y*k_z
     k_cross_S_y = S_x*k_z - S_z*k_x
     k_cross_S_z = S_y*k_x - S_x*k_y
-    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(rho2 + zeta*zeta)
-    rho = np.sqrt(rho2)
+    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
     inv_L = 1/L
-    inv_rho = 1/rho
     # (3) unit vector along the leg
     s_x = S_x*inv_L
     s_y = S_y*inv_L
     s_z = S_z*inv_L
-    # (10) second axis of the leg frame
-    y_x = inv_rho*k_cross_S_x
-    y_y = inv_rho*k_cross_S_y
-    y_z = inv_rho*k_cross_S_z
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
+    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
+    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
+    inv_rho = 1/rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho*s_cross_normal_x
+    z_y = inv_rho*s_cross_normal_y
+    z_z = inv_rho*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
@@ -1131,15 +1150,13 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
     phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
     # L_dot / L
     L_share = L_dot*inv_L
     lean = kappa*theta_dot
     theta_dot2 = theta_dot*theta_dot
     phi_dot2 = phi_dot*phi_dot
     two_phi_dot = 2*phi_dot
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point, a = alpha = 0
     S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
     S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
@@ -1147,15 +1164,18 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     k33 = k3*k3
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c1 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = (
-        inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share + rho_share)
-    )
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
-    k13 = k1*k3
+    theta_ddot = c1*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    a2 = J2_xz - L*h2_z
+    c2 = J2_xz - L*h2_z
+    a2 = c2
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1163,7 +1183,6 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     M_mixed = J_yz*k3 + a3*k1
     k3_h = h_y*k3
     # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
-    M_phi_theta = a1*k13 + a2*(0.5 - k33)
     M_phi_L = h_x*k33 - h_z*k13
     M_mixed_theta = J_yz*k1 - a3*k3
     bend = L_dot*theta_dot
@@ -1175,23 +1194,24 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     w_n = k3*w_x - k1*w_z
     # (20) generalised forces about y and about k
     tau_y = (
-        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2
+        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
+        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
     )
-    # (21) K = Q_k k + Q_y y, up to a part along s
-    Q_k = -inv_rho*tau_y
+    # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
+    Q_z = -inv_L*tau_y
     # (21) force at the spherical joint, base frame
-    K_x = Q_k*k_x + Q_y*y_x
-    K_y = Q_k*k_y + Q_y*y_y
-    K_z = Q_k*k_z + Q_y*y_z
+    K_x = Q_y*y_x + Q_z*z_x
+    K_y = Q_y*y_y + Q_z*z_y
+    K_z = Q_y*y_z + Q_z*z_z
     # (24) known part of the actuator force, to match
-    D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot
+    D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot
     # force at the tip
     R_tip_x = D*s_x + K_x
     R_tip_y = D*s_y + K_y
@@ -1354,7 +1374,7 @@ def forward_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M and of the right side.
 
-    Operations: 410 (249 mul, 157 add, 2 div, 2 sqrt).
+    Operations: 424 (260 mul, 160 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1435,29 +1455,36 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     k_cross_S_x = S_z*k_y - S_y*k_z
     k_cross_S_y = S_x*k_z - S_z*k_x
     k_cross_S_z = S_y*k_x - S_x*k_y
-    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(rho2 + zeta*zeta)
-    rho = np.sqrt(rho2)
+    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
     inv_L = 1/L
-    inv_rho = 1/rho
     # (3) unit vector along the leg
     s_x = S_x*inv_L
     s_y = S_y*inv_L
     s_z = S_z*inv_L
-    # (10) second axis of the leg frame
-    y_x = inv_rho*k_cross_S_x
-    y_y = inv_rho*k_cross_S_y
-    y_z = inv_rho*k_cross_S_z
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
+    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
+    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
+    inv_rho = 1/rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho*s_cross_normal_x
+    z_y = inv_rho*s_cross_normal_y
+    z_z = inv_rho*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
     # (4) velocity of the platform point
     S_dot_x = omega_y*q_z + v_x - omega_z*q_y
     S_dot_y = omega_z*q_x + v_y - omega_x*q_z
@@ -1466,15 +1493,13 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
     phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
     # L_dot / L
     L_share = L_dot*inv_L
     lean = kappa*theta_dot
     theta_dot2 = theta_dot*theta_dot
     phi_dot2 = phi_dot*phi_dot
     two_phi_dot = 2*phi_dot
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point, a = alpha = 0
     S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
     S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
@@ -1482,15 +1507,18 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     k33 = k3*k3
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c1 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = (
-        inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share + rho_share)
-    )
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
-    k13 = k1*k3
+    theta_ddot = c1*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    k13 = c1
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    a2 = J2_xz - L*h2_z
+    c2 = J2_xz - L*h2_z
+    a2 = c2
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -1498,7 +1526,6 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     M_mixed = J_yz*k3 + a3*k1
     k3_h = h_y*k3
     # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
-    M_phi_theta = a1*k13 + a2*(0.5 - k33)
     M_phi_L = h_x*k33 - h_z*k13
     M_mixed_theta = J_yz*k1 - a3*k3
     bend = L_dot*theta_dot
@@ -1510,28 +1537,29 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     w_n = k3*w_x - k1*w_z
     # (20) generalised forces about y and about k
     tau_y = (
-        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2
+        C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + omega_z*y_z)
     )
     tau_k = (
-        C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
+        C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+        + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+        - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa + c2)
     )
-    # (21) K = Q_k k + Q_y y, up to a part along s
-    Q_k = -inv_rho*tau_y
+    # (21) K = Q_y y + Q_z z
     Q_y = inv_rho*tau_k
+    Q_z = -inv_L*tau_y
     # (21) force at the spherical joint, base frame
-    K_x = Q_k*k_x + Q_y*y_x
-    K_y = Q_k*k_y + Q_y*y_y
-    K_z = Q_k*k_z + Q_y*y_z
+    K_x = Q_y*y_x + Q_z*z_x
+    K_y = Q_y*y_y + Q_z*z_y
+    K_z = Q_y*y_z + Q_z*z_z
     # (24) known part of the actuator force, to match
-    D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot
-    c1 = F - D
+    D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot
+    c3 = F - D
     # force on the platform at the tip
-    push_x = c1*s_x - K_x
-    push_y = c1*s_y - K_y
-    push_z = c1*s_z - K_z
+    push_x = c3*s_x - K_x
+    push_y = c3*s_y - K_y
+    push_z = c3*s_z - K_z
     # inertia at the tip, leg frame
     m_leg_sy = -inv_rho*k3_h
     m_leg_sz = -h_z*inv_L
@@ -1554,19 +1582,19 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y
     m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z
     m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z
-    c2 = m_xy*q_z
-    c3 = m_xz*q_y
-    c4 = -m_yz*q_x
+    c4 = m_xy*q_z
+    c5 = m_xz*q_y
+    c6 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c2 - c3
+    m_q_xx = c4 - c5
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c2 - c4
+    m_q_yy = -c4 - c6
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c3 + c4
+    m_q_zz = c5 + c6
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -1887,7 +1915,7 @@ def derivatives_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench.
 
-    Operations: 1717 (1016 mul, 697 add, 2 div, 2 sqrt).
+    Operations: 1725 (1022 mul, 699 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -1972,29 +2000,36 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     k_cross_S_x = S_z*k_y - S_y*k_z
     k_cross_S_y = S_x*k_z - S_z*k_x
     k_cross_S_z = S_y*k_x - S_x*k_y
-    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(rho2 + zeta*zeta)
-    rho = np.sqrt(rho2)
+    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
     inv_L = 1/L
-    inv_rho = 1/rho
     # (3) unit vector along the leg
     s_x = S_x*inv_L
     s_y = S_y*inv_L
     s_z = S_z*inv_L
-    # (10) second axis of the leg frame
-    y_x = inv_rho*k_cross_S_x
-    y_y = inv_rho*k_cross_S_y
-    y_z = inv_rho*k_cross_S_z
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
+    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
+    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
+    inv_rho = 1/rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho*s_cross_normal_x
+    z_y = inv_rho*s_cross_normal_y
+    z_z = inv_rho*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
     # (4) velocity of the platform point
     S_dot_x = omega_y*q_z + v_x - omega_z*q_y
     S_dot_y = omega_z*q_x + v_y - omega_x*q_z
@@ -2003,7 +2038,7 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
     phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
     c1 = L_dot*inv_L
     # L_dot / L
     L_share = c1
@@ -2015,8 +2050,6 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     phi_dot2 = c4
     c5 = 2*phi_dot
     two_phi_dot = c5
-    # rho_dot / rho
-    rho_share = L_share + lean
     # (7) acceleration of the platform point
     S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x
     S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y
@@ -2025,34 +2058,36 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     k33 = c6
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    c7 = 2*theta_dot
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c8 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = (
-        inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share + rho_share)
-    )
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
-    c7 = k1*k3
-    k13 = c7
+    theta_ddot = c8*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    k13 = c8
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
     a2 = J2_xz - L*h2_z
-    c8 = J_xy - L*h_y
-    a3 = c8
-    c9 = J_yz*k3
+    c9 = J_xy - L*h_y
+    a3 = c9
+    c10 = J_yz*k3
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
     M_theta = J_yy + L_h2
-    M_mixed = a3*k1 + c9
-    c10 = h_y*k3
-    k3_h = c10
-    c11 = inv_rho*inv_rho
-    c12 = inv_L*inv_rho
-    c13 = inv_L*inv_L
+    M_mixed = a3*k1 + c10
+    c11 = h_y*k3
+    k3_h = c11
+    c12 = inv_rho*inv_rho
+    c13 = inv_L*inv_rho
+    c14 = inv_L*inv_L
     # inertia at the tip, leg frame
     m_leg_sy = -inv_rho*k3_h
     m_leg_sz = -h_z*inv_L
-    m_leg_yy = M_phi*c11
-    m_leg_yz = -M_mixed*c12
-    m_leg_zz = M_theta*c13
+    m_leg_yy = M_phi*c12
+    m_leg_yz = -M_mixed*c13
+    m_leg_zz = M_theta*c14
     m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x
     m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x
     m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x
@@ -2080,16 +2115,15 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z
     w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
     w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
-    c14 = c6*h_x
-    c15 = c14 - h_z*k1*k3
-    tau_L = C_p*L_dot + h_z*theta_ddot - c10*phi_ddot - c15*c4 - c3*h_x
-    c17 = 2*h_x
-    c18 = c17*theta_dot
+    c15 = c6*h_x
+    c16 = c15 - h_z*k1*k3
+    tau_L = C_p*L_dot + h_z*theta_ddot - c11*phi_ddot - c16*c4 - c3*h_x
+    c18 = c7*h_x
     c19 = 2*L
     c20 = c19*h_x
     c21 = k1*w_x + k3*w_z
     c22 = k1*w_z - k3*w_x
-    c24 = c8*k1 + c9
+    c24 = c10 + c9*k1
     c25 = 2*J_xz - c19*h_z
     c26 = c25*k1
     c27 = J_zz + c20 - J_xx
@@ -2103,14 +2137,14 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     )
     c33 = h_y*theta_dot
     c34 = c33*k1
-    c35 = L_dot*c15
+    c35 = L_dot*c16
     c36 = c31*theta_dot
-    c37 = L_dot*k1
-    c38 = c37*h_y
-    c39 = theta_dot*(J_yz*k1 - c8*k3)
+    c37 = L_dot*h_y
+    c38 = c37*k1
+    c39 = theta_dot*(J_yz*k1 - c9*k3)
     tau_phi = (
-        C_us*phi_dot + L_dot*(c15*phi_dot - c34) + c22*gamma_y + c24*theta_ddot + phi_ddot*(J_xx + c25*c7
-        + c27*c6) + phi_dot*(c35 + c36) + theta_dot*(c31*phi_dot + c39 - c38) - C_s*w_k_omega - L_ddot*c10
+        C_us*phi_dot + L_dot*(c16*phi_dot - c34) + c22*gamma_y + c24*theta_ddot + phi_ddot*(J_xx + c25*c8
+        + c27*c6) + phi_dot*(c35 + c36) + theta_dot*(c31*phi_dot + c39 - c38) - C_s*w_k_omega - L_ddot*c11
         - gamma_n*w_y
     )
     c40 = k3*phi_dot
@@ -2119,82 +2153,83 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     G_dot_21 = -c41
     c42 = k1*phi_dot
     G_dot_22 = c42*inv_L
-    c43 = L_dot*c13
+    c43 = L_dot*c14
     G_dot_23 = c43
     c44 = c40*inv_rho
     G_dot_31 = -c44
-    c45 = -c1*inv_rho - c2*inv_rho
-    G_dot_32 = c45
-    c46 = c42*inv_rho
-    G_dot_33 = c46
-    c47 = c4*c6
-    G_ddot_11 = -c3 - c47
-    c48 = k3*phi_ddot
-    G_ddot_12 = c48 + c5*k1*theta_dot
-    c49 = c4*c7
-    G_ddot_13 = c49 - theta_ddot
-    G_ddot_21 = 2*L_dot*c13*theta_dot - c49*inv_L - inv_L*theta_ddot
-    G_ddot_22 = inv_L*k1*phi_ddot - c13*c37*c5 - c41*c5*k3
-    c50 = c4*k1*k1
-    G_ddot_23 = L_ddot*c13 + c3*inv_L + c50*inv_L - 2*L_dot*L_dot*inv_L*inv_L*inv_L
-    G_ddot_31 = c1*c44 + c46*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c46) - c40*c45 - c48*inv_rho
-    c51 = inv_rho*kappa
-    c52 = -c1 - c2
-    c53 = inv_rho*theta_dot
+    c45 = c1*inv_rho
+    c46 = -c2*inv_rho - c45
+    G_dot_32 = c46
+    c47 = c42*inv_rho
+    G_dot_33 = c47
+    c48 = c4*c6
+    G_ddot_11 = -c3 - c48
+    c49 = k3*phi_ddot
+    c50 = c5*k1
+    G_ddot_12 = c49 + c50*theta_dot
+    c51 = c4*c8
+    G_ddot_13 = c51 - theta_ddot
+    G_ddot_21 = 2*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot
+    G_ddot_22 = inv_L*k1*phi_ddot - c41*c5*k3 - c43*c50
+    c52 = c4*k1*k1
+    G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L - 2*L_dot*L_dot*inv_L*inv_L*inv_L
+    G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47) - c40*c46 - c49*inv_rho
+    c53 = inv_rho*kappa
+    c54 = -c1 - c2
+    c55 = inv_rho*theta_dot
     G_ddot_32 = (
-        L_dot*(c43*inv_rho - c12*c52) + theta_dot*(-c51*c52 - c53*(-kappa*kappa - 1)) - L_ddot*c12
-        - c47*inv_rho - c50*inv_rho - c51*theta_ddot
+        L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54 - c55*(-kappa*kappa - 1)) - L_ddot*c13
+        - c48*inv_rho - c52*inv_rho - c53*theta_ddot
     )
-    G_ddot_33 = (
-        c42*c45 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44 - c46*kappa) - c12*c37*phi_dot
-    )
+    G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44 - c47*kappa) - c42*c45
     tau_rate_12 = -c18
-    tau_rate_13 = -c15*c5
+    tau_rate_13 = -c16*c5
     tau_rate_21 = c18
-    tau_rate_22 = C_us + L_dot*c17
+    c56 = 2*h_x
+    tau_rate_22 = C_us + L_dot*c56
     tau_rate_23 = -c31*c5
-    tau_rate_31 = 2*c15*phi_dot - 2*c34
+    tau_rate_31 = 2*c16*phi_dot - 2*c34
     tau_rate_32 = c31*c5 + 2*c39 - 2*c38
     tau_rate_33 = C_us + 2*c35 + 2*c36
-    c54 = h_y*phi_ddot
-    c55 = c17*k3 - h_z*k1
-    tau_place_12 = k1*(-c4*c55 - c54) - c47*h_z
-    c56 = 4*h_x
-    c57 = c30*(c56*k3 - 2*h_z*k1) + c6*h_z
-    tau_place_21 = c17*theta_ddot - c4*c57 - c54*k1
-    c58 = c30*(2*J_zz + L*c56 - 2*J_xx) - c25*k3
-    c59 = c26 + c28
+    c57 = h_y*phi_ddot
+    c58 = c56*k3 - h_z*k1
+    tau_place_12 = k1*(-c4*c58 - c57) - c48*h_z
+    c59 = 4*h_x
+    c60 = c30*(c59*k3 - 2*h_z*k1) + c6*h_z
+    tau_place_21 = c56*theta_ddot - c4*c60 - c57*k1
+    c61 = c30*(2*J_zz + L*c59 - 2*J_xx) - c25*k3
+    c62 = c26 + c28
     tau_place_22 = (
-        k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c58) - k3*(c8*phi_ddot + gamma_n*w_x - c4*c59
+        k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61) - k3*(c9*phi_ddot + gamma_n*w_x - c4*c62
         - g_k*w_z)
     )
     tau_place_23 = -C_s*w_n_omega - c21*gamma_y
-    c60 = c57*phi_dot
+    c63 = c60*phi_dot
     tau_place_31 = (
-        c60*theta_dot + phi_ddot*(2*c14 - 2*c7*h_z) + theta_dot*(c10*theta_dot + c60) - h_y*k1*theta_ddot
+        c63*theta_dot + phi_ddot*(2*c15 - 2*c8*h_z) + theta_dot*(c11*theta_dot + c63) - h_y*k1*theta_ddot
     )
-    c61 = L_dot*c55
+    c64 = L_dot*c58
     tau_place_32 = (
-        k1*(J_yz*theta_ddot + c29*phi_ddot + c61*phi_dot + phi_dot*(c58*theta_dot + c61)
-        + theta_dot*(c58*phi_dot - c8*theta_dot) - L_ddot*h_y - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z)
-        + c25*c48 + c8*theta_ddot + gamma_y*w_z + phi_dot*(c59*theta_dot - L_dot*h_z*k3)
-        + theta_dot*(J_yz*theta_dot + c59*phi_dot - L_dot*h_y))
+        k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot + phi_dot*(c61*theta_dot + c64)
+        + theta_dot*(c61*phi_dot - c9*theta_dot) - L_ddot*h_y - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z)
+        + c25*c49 + c9*theta_ddot + gamma_y*w_z + phi_dot*(c62*theta_dot - L_dot*h_z*k3)
+        + theta_dot*(J_yz*theta_dot + c62*phi_dot - c37))
     )
     tau_place_33 = c22*gamma_n + gamma_y*w_y
-    c62 = inv_rho*tau_phi
-    c63 = inv_L*tau_theta
-    c64 = tau_L - F
+    c65 = inv_rho*tau_phi
+    c66 = inv_L*tau_theta
+    c67 = tau_L - F
     # force at the tip, less the actuator's
-    R_tip_x = c62*y_x + c64*s_x - c63*z_x
-    R_tip_y = c62*y_y + c64*s_y - c63*z_y
-    R_tip_z = c62*y_z + c64*s_z - c63*z_z
-    c65 = C_s*inv_rho
-    c66 = c65*k1
-    A_3_leg_21 = -c66
-    c67 = c65*k3
-    A_3_leg_23 = -c67
-    c68 = C_s*inv_L
-    A_3_leg_32 = c68
+    R_tip_x = c65*y_x + c67*s_x - c66*z_x
+    R_tip_y = c65*y_y + c67*s_y - c66*z_y
+    R_tip_z = c65*y_z + c67*s_z - c66*z_z
+    c68 = C_s*inv_rho
+    c69 = c68*k1
+    A_3_leg_21 = -c69
+    c70 = c68*k3
+    A_3_leg_23 = -c70
+    c71 = C_s*inv_L
+    A_3_leg_32 = c71
     A_3_T_xs = A_3_leg_21*y_x
     A_3_T_xy = A_3_leg_32*z_x
     A_3_T_xz = A_3_leg_23*y_x
@@ -2214,17 +2249,17 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x
     A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y
     A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z
-    c69 = C_s*k1
-    f_S_leg_11 = G_dot_31*c69
-    f_S_leg_12 = C_s*(G_dot_32*k1 - c53*k3)
-    f_S_leg_13 = G_dot_33*c69
+    c72 = C_s*k1
+    f_S_leg_11 = G_dot_31*c72
+    f_S_leg_12 = C_s*(G_dot_32*k1 - c55*k3)
+    f_S_leg_13 = G_dot_33*c72
     f_S_leg_21 = C_s*G_dot_21
     f_S_leg_22 = C_s*G_dot_22
     f_S_leg_23 = C_s*G_dot_23
-    c70 = C_s*k3
-    f_S_leg_31 = G_dot_31*c70
-    f_S_leg_32 = C_s*(G_dot_32*k3 + c53*k1)
-    f_S_leg_33 = G_dot_33*c70
+    c73 = C_s*k3
+    f_S_leg_31 = G_dot_31*c73
+    f_S_leg_32 = C_s*(G_dot_32*k3 + c55*k1)
+    f_S_leg_33 = G_dot_33*c73
     f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x
     f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x
     f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x
@@ -2244,9 +2279,9 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x
     f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y
     f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z
-    f_S_dot_leg_12 = c66
-    f_S_dot_leg_23 = -c68
-    f_S_dot_leg_32 = c67
+    f_S_dot_leg_12 = c69
+    f_S_dot_leg_23 = -c71
+    f_S_dot_leg_32 = c70
     f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x
     f_S_dot_T_xz = f_S_dot_leg_23*y_x
     f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y
@@ -2266,33 +2301,33 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     A_0_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13 - G_ddot_31*k3_h
     A_0_leg_12 = (
         C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12 + G_dot_32*tau_rate_13 - G_ddot_32*k3_h
-        - c11*k3*tau_phi
+        - c12*k3*tau_phi
     )
-    c71 = c13*tau_theta
+    c74 = c14*tau_theta
     A_0_leg_13 = (
-        G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c71 - C_p*theta_dot - G_ddot_33*k3_h
+        G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c74 - C_p*theta_dot - G_ddot_33*k3_h
         - inv_L*tau_place_12
     )
-    c72 = c12*tau_phi
+    c75 = c13*tau_phi
     A_0_leg_21 = (
         inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32 + G_dot_31*tau_rate_33
-        + tau_place_31 - G_ddot_11*k3_h) - c72
+        + tau_place_31 - G_ddot_11*k3_h) - c75
     )
-    c73 = inv_rho*k3
+    c76 = inv_rho*k3
     A_0_leg_22 = (
-        c12*k1*tau_theta + c73*tau_L + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi + G_dot_12*tau_rate_31
-        + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c73
+        c13*k1*tau_theta + c76*tau_L + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi + G_dot_12*tau_rate_31
+        + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c76
     )
     A_0_leg_23 = (
-        c72*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
+        c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
         + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32 - tau_rate_31*theta_dot)
     )
     A_0_leg_31 = (
-        c71 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed + G_dot_21*tau_rate_22
+        c74 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed + G_dot_21*tau_rate_22
         + G_dot_31*tau_rate_23 + tau_place_21)
     )
     A_0_leg_32 = (
-        c11*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed + G_dot_12*tau_rate_21
+        c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed + G_dot_12*tau_rate_21
         + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23)
     )
     A_0_leg_33 = (
@@ -2318,20 +2353,20 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x
     A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y
     A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z
-    c74 = 2*h_z
-    c75 = 2*k3_h
-    A_1_leg_11 = C_p + G_dot_21*c74 - G_dot_31*c75
-    A_1_leg_12 = G_dot_22*c74 + inv_rho*tau_rate_13 - G_dot_32*c75
-    A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c75 - inv_L*tau_rate_12
-    c76 = 2*M_mixed
-    c77 = 2*M_phi
-    A_1_leg_21 = inv_rho*(G_dot_21*c76 + G_dot_31*c77 + tau_rate_31)
-    A_1_leg_22 = inv_rho*(G_dot_22*c76 + G_dot_32*c77 + inv_rho*tau_rate_33 - G_dot_12*c75)
-    A_1_leg_23 = inv_rho*(G_dot_23*c76 + G_dot_33*c77 + c75*theta_dot - inv_L*tau_rate_32)
-    c78 = 2*M_theta
-    A_1_leg_31 = -inv_L*(G_dot_21*c78 + G_dot_31*c76 + tau_rate_21)
-    A_1_leg_32 = -inv_L*(G_dot_12*c74 + G_dot_22*c78 + G_dot_32*c76 + inv_rho*tau_rate_23)
-    A_1_leg_33 = -inv_L*(G_dot_23*c78 + G_dot_33*c76 - c74*theta_dot - inv_L*tau_rate_22)
+    c77 = 2*h_z
+    c78 = 2*k3_h
+    A_1_leg_11 = C_p + G_dot_21*c77 - G_dot_31*c78
+    A_1_leg_12 = G_dot_22*c77 + inv_rho*tau_rate_13 - G_dot_32*c78
+    A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12
+    c79 = 2*M_mixed
+    c80 = 2*M_phi
+    A_1_leg_21 = inv_rho*(G_dot_21*c79 + G_dot_31*c80 + tau_rate_31)
+    A_1_leg_22 = inv_rho*(G_dot_22*c79 + G_dot_32*c80 + inv_rho*tau_rate_33 - G_dot_12*c78)
+    A_1_leg_23 = inv_rho*(G_dot_23*c79 + G_dot_33*c80 + c7*k3_h - inv_L*tau_rate_32)
+    c81 = 2*M_theta
+    A_1_leg_31 = -inv_L*(G_dot_21*c81 + G_dot_31*c79 + tau_rate_21)
+    A_1_leg_32 = -inv_L*(G_dot_12*c77 + G_dot_22*c81 + G_dot_32*c79 + inv_rho*tau_rate_23)
+    A_1_leg_33 = -inv_L*(G_dot_23*c81 + G_dot_33*c79 - c7*h_z - inv_L*tau_rate_22)
     A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x
     A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x
     A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x
@@ -2365,18 +2400,18 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y
     X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z
     X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x
-    c79 = m_xy*omega_z
-    c80 = m_xz*omega_y
-    Y_xx = A_1_xx + c79 - c80
+    c82 = m_xy*omega_z
+    c83 = m_xz*omega_y
+    Y_xx = A_1_xx + c82 - c83
     Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z
     Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x
     Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y
-    c81 = m_yz*omega_x
-    Y_yy = A_1_yy + c81 - c79
+    c84 = m_yz*omega_x
+    Y_yy = A_1_yy + c84 - c82
     Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x
     Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y
     Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z
-    Y_zz = A_1_zz + c80 - c81
+    Y_zz = A_1_zz + c83 - c84
     Z_xx = X_xz*q_y - X_xy*q_z
     Z_xy = X_xx*q_z - X_xz*q_x
     Z_xz = X_xy*q_x - X_xx*q_y
@@ -2386,43 +2421,43 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     Z_zx = X_zz*q_y - X_zy*q_z
     Z_zy = X_zx*q_z - X_zz*q_x
     Z_zz = X_zy*q_x - X_zx*q_y
-    c82 = m_xz*w_q_y
-    c83 = m_xy*w_q_z
-    V_xx = A_3_xx + Y_xz*q_y + c82 - Y_xy*q_z - c83
+    c85 = m_xz*w_q_y
+    c86 = m_xy*w_q_z
+    V_xx = A_3_xx + Y_xz*q_y + c85 - Y_xy*q_z - c86
     V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x
     V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y
     V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z
-    c84 = m_yz*w_q_x
-    V_yy = A_3_yy + Y_yx*q_z + c83 - Y_yz*q_x - c84
+    c87 = m_yz*w_q_x
+    V_yy = A_3_yy + Y_yx*q_z + c86 - Y_yz*q_x - c87
     V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y
     V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z
     V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x
-    V_zz = A_3_zz + Y_zy*q_x + c84 - Y_zx*q_y - c82
-    c85 = m_xy*q_z
-    c86 = m_xz*q_y
-    c87 = -m_yz*q_x
+    V_zz = A_3_zz + Y_zy*q_x + c87 - Y_zx*q_y - c85
+    c88 = m_xy*q_z
+    c89 = m_xz*q_y
+    c90 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c85 - c86
+    m_q_xx = c88 - c89
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c85 - c87
+    m_q_yy = -c88 - c90
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c86 + c87
-    c88 = R_tip_y*q_y
-    c89 = R_tip_z*q_z
-    c90 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c91 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c92 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c93 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c94 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c95 = R_tip_x*q_x
-    c96 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c97 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c98 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c99 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    m_q_zz = c89 + c90
+    c91 = R_tip_y*q_y
+    c92 = R_tip_z*q_z
+    c93 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c94 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c95 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c96 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c97 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c98 = R_tip_x*q_x
+    c99 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c100 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c101 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c102 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -2472,15 +2507,15 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
         "W_mt_zx": A_0_yx*q_x - A_0_xx*q_y - f_S_zx,
         "W_mt_zy": A_0_yy*q_x - A_0_xy*q_y - f_S_zy,
         "W_mt_zz": A_0_yz*q_x - A_0_xz*q_y - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c91*q_z - Z_yx*q_z - c88 - c89 - c90*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c90*q_x - Z_yy*q_z - c92*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c92*q_y - Z_yz*q_z - c91*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c93*q_z - Z_zx*q_x - c94*q_y,
-        "W_mr_yy": Z_xy*q_z + c94*q_x - Z_zy*q_x - c89 - c95 - c96*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c96*q_y - Z_zz*q_x - c93*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c97*q_z - Z_xx*q_y - c98*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c98*q_x - Z_xy*q_y - c99*q_z,
-        "W_mr_zz": Z_yz*q_x + c99*q_y - Z_xz*q_y - c88 - c95 - c97*q_x,
+        "W_mr_xx": Z_zx*q_y + c94*q_z - Z_yx*q_z - c91 - c92 - c93*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c93*q_x - Z_yy*q_z - c95*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c95*q_y - Z_yz*q_z - c94*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c96*q_z - Z_zx*q_x - c97*q_y,
+        "W_mr_yy": Z_xy*q_z + c97*q_x - Z_zy*q_x - c92 - c98 - c99*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c99*q_y - Z_zz*q_x - c96*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c100*q_z - Z_xx*q_y - c101*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c101*q_x - Z_xy*q_y - c102*q_z,
+        "W_mr_zz": Z_yz*q_x + c102*q_y - Z_xz*q_y - c100*q_x - c91 - c98,
         "W_fv_xx": A_1_xx,
         "W_fv_xy": A_1_xy,
         "W_fv_xz": A_1_xz,

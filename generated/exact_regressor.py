@@ -110,7 +110,7 @@ def columns(found: dict[str, Array], parameters: tuple[tuple[str, str], ...]) ->
 def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     """Columns of one leg's parameters.
 
-    Operations: 615 (401 mul, 210 add, 2 div, 2 sqrt).
+    Operations: 624 (408 mul, 212 add, 2 div, 2 sqrt).
     """
     b_x = robot.b[:, 0]
     b_y = robot.b[:, 1]
@@ -161,20 +161,31 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     k_cross_S_x = S_z*k_y - S_y*k_z
     k_cross_S_y = S_x*k_z - S_z*k_x
     k_cross_S_z = S_y*k_x - S_x*k_y
-    rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(rho2 + zeta*zeta)
-    rho = np.sqrt(rho2)
+    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
     inv_L = 1/L
-    inv_rho = 1/rho
     # (3) unit vector along the leg
     s_x = S_x*inv_L
     s_y = S_y*inv_L
     s_z = S_z*inv_L
-    # (10) second axis of the leg frame
-    y_x = inv_rho*k_cross_S_x
-    y_y = inv_rho*k_cross_S_y
-    y_z = inv_rho*k_cross_S_z
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
+    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
+    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (
+        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z)
+    )
+    inv_rho = 1/rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho*s_cross_normal_x
+    z_y = inv_rho*s_cross_normal_y
+    z_z = inv_rho*s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z*z_y - s_y*z_z
+    y_y = s_x*z_z - s_z*z_x
+    y_z = s_y*z_x - s_x*z_y
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
@@ -196,7 +207,7 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
     phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
+    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
     # L_dot / L
     L_share = L_dot*inv_L
     lean = kappa*theta_dot
@@ -206,17 +217,18 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     phi_dot2 = c2
     c3 = 2*phi_dot
     two_phi_dot = c3
-    # rho_dot / rho
-    rho_share = L_share + lean
     c4 = k3*k3
     k33 = c4
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    c5 = 2*theta_dot
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -L_share*c5 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
+    c6 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = (
-        inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share + rho_share)
-    )
-    phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot
+    theta_ddot = c6*phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean*two_phi_dot
     # gravity along the fixed axis
     g_k = g_x*k_x + g_y*k_y + g_z*k_z
     # g x k, base frame
@@ -229,62 +241,56 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     # omega along k x y, y and k
     w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
     w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
-    # (10) third axis of the leg frame
-    z_x = s_y*y_z - s_z*y_y
-    z_y = s_z*y_x - s_x*y_z
-    z_z = s_x*y_y - s_y*y_x
-    c5 = g_k*k3 + gamma_n*k1
-    c6 = -gamma_y*k3
+    c7 = g_k*k3 + gamma_n*k1
+    c8 = -gamma_y*k3
     # (20) torques by h_d_x
-    tau_theta_h_d_x = c5
-    tau_phi_h_d_x = c6
-    c7 = g_k*k1
+    tau_theta_h_d_x = c7
+    tau_phi_h_d_x = c8
+    c9 = g_k*k1
     # (20) torques by h_d_z
-    tau_theta_h_d_z = gamma_n*k3 - c7
+    tau_theta_h_d_z = gamma_n*k3 - c9
     tau_phi_h_d_z = gamma_y*k1
-    c8 = c2*c4
-    c9 = 2*L
-    c10 = 2*theta_dot
-    c11 = k1*k3
-    c12 = c11*c2
-    c13 = c4*phi_ddot
-    c14 = c3*c4
+    c10 = c2*c4
+    c11 = 2*L
+    c12 = L_dot*c5
+    c13 = c2*c6
+    c14 = c4*phi_ddot
+    c15 = c3*c4
     # (20) torques by h_u_x
-    tau_L_h_u_x = -c1 - c8
-    tau_theta_h_u_x = L_dot*c10 + c5 + c9*theta_ddot - c12*c9
-    tau_phi_h_u_x = 4*L*c11*phi_dot*theta_dot + L_dot*c14 + c13*c9 + c6
-    c15 = k3*phi_ddot
-    c16 = k1*phi_ddot
-    c17 = k1*theta_ddot
-    c18 = L_dot*k1
+    tau_L_h_u_x = -c1 - c10
+    tau_theta_h_u_x = c11*theta_ddot + c12 + c7 - c11*c13
+    tau_phi_h_u_x = 4*L*c6*phi_dot*theta_dot + L_dot*c15 + c11*c14 + c8
+    c16 = k3*phi_ddot
+    c17 = k1*phi_ddot
+    c18 = k1*theta_ddot
     # (20) torques by h_u_y
-    tau_L_h_u_y = -c15
-    tau_theta_h_u_y = -L*c16
-    tau_phi_h_u_y = L*c1*k3 - L*c17 - L_ddot*k3 - c10*c18 - gamma_n
+    tau_L_h_u_y = -c16
+    tau_theta_h_u_y = -L*c17
+    tau_phi_h_u_y = L*c1*k3 - L*c18 - L_ddot*k3 - c12*k1 - gamma_n
     c19 = k1*k1
     c20 = c19*c2
-    c21 = c15*k1
+    c21 = c16*k1
     c22 = c3*theta_dot
     c23 = c19*c22
     # (20) torques by h_u_z
-    tau_L_h_u_z = c12 + theta_ddot
-    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c8 - c7
-    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - c18*c3*k3 - c21*c9
-    c24 = c11*c22 + c13
+    tau_L_h_u_z = c13 + theta_ddot
+    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c10 - c9
+    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c3*c6 - c11*c21
+    c24 = c14 + c22*c6
     # (20) torques by J_u_xx
-    tau_theta_J_u_xx = c12
+    tau_theta_J_u_xx = c13
     tau_phi_J_u_xx = phi_ddot - c24
     # (20) torques by J_u_xy
-    tau_theta_J_u_xy = c16
-    tau_phi_J_u_xy = c17 - c1*k3
+    tau_theta_J_u_xy = c17
+    tau_phi_J_u_xy = c18 - c1*k3
     # (20) torques by J_u_xz
-    tau_theta_J_u_xz = c8 - c20
-    tau_phi_J_u_xz = 2*c21 + c23 - c14*theta_dot
+    tau_theta_J_u_xz = c10 - c20
+    tau_phi_J_u_xz = 2*c21 + c23 - c15*theta_dot
     # (20) torques by J_u_yz
-    tau_theta_J_u_yz = c15
+    tau_theta_J_u_yz = c16
     tau_phi_J_u_yz = c1*k1 + k3*theta_ddot
     # (20) torques by J_u_zz
-    tau_theta_J_u_zz = -c12
+    tau_theta_J_u_zz = -c13
     tau_phi_J_u_zz = c24
     # (20) torques by C_s
     tau_theta_C_s = theta_dot - w_y_omega

@@ -8,6 +8,7 @@ forces = ss.inverse_dynamics(robot, motion).F
 
 from . import results, robots
 from .bounds import ForceBounds, forces_with_bounds
+from .certificate import Certificate, certify_pose
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .damping import damped_solution
 from .dynamics import (
@@ -55,6 +56,7 @@ __all__ = [
     "PATHS",
     "Approach",
     "BaseParameters",
+    "Certificate",
     "ComputedTorque",
     "Crossing",
     "EquationsOfMotion",
@@ -86,6 +88,7 @@ __all__ = [
     "Units",
     "base_parameters",
     "between",
+    "certify_pose",
     "characteristic_length",
     "choose_excitation",
     "condition_number",

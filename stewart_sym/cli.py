@@ -7,6 +7,7 @@ is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but t
 
 import argparse
 import contextlib
+import dataclasses
 import math
 import os
 import sys
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from .trajectory import Trajectory
 
 PROGRAM = "stewart-sym"
+ATLAS_CASES = 1_000_000
+"""Random cases near failure that the atlas judges."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -309,6 +312,45 @@ def _control(arguments: argparse.Namespace) -> int:
     for study in studies.values():
         for line in study.exceeded:
             warnings.warn(line, stacklevel=2)
+    return 0
+
+
+def _stability(arguments: argparse.Namespace) -> int:
+    import json
+
+    from .publish import replaced_file, staged_folder
+    from .studies.output import csv_lines
+    from .studies.stability.sweep import report, sweep
+
+    if arguments.cases is not None and arguments.output is None:
+        with _progress() as progress:
+            swept = sweep(arguments.cases, arguments.seed, progress)
+        print(report(swept))
+        return 1 if swept.wrong or swept.refused_good else 0
+    if arguments.pictures:
+        _plots()
+    from .studies.stability import atlas
+
+    output = arguments.output or Path("stability")
+    with staged_folder(output) as folder, _progress() as progress:
+        found = atlas.atlas(progress)
+        cases = ATLAS_CASES if arguments.cases is None else arguments.cases
+        found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
+        for family in found.families:
+            with replaced_file(folder / f"{family.name}.csv") as stream:
+                stream.writelines(csv_lines(family.columns()))
+        text = atlas.report(found)
+        (folder / "stability.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
+        figures = json.dumps(atlas.as_json(found), indent=1, allow_nan=False) + "\n"
+        (folder / "stability.json").write_text(figures, encoding="utf-8", newline="\n")
+        if arguments.pictures:
+            from .studies.stability import pictures
+
+            progress("drawing")
+            pictures.draw(found, folder)
+        names = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {output}: {', '.join(names)}")
     return 0
 
 
@@ -703,7 +745,7 @@ def _parser() -> argparse.ArgumentParser:
         "advise",
         _advise,
         "the cheapest kernel that is good enough for a machine's motions, and what physics it needs",
-        "stewart-sym advise legs.toml --generate kernel",
+        "stewart-sym advise enough.toml --generate kernel",
         'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
         "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), if "
         "you like margin (default 3: errors times this must be within the tolerance) and rate (Hz: a pose "
@@ -724,7 +766,7 @@ def _parser() -> argparse.ArgumentParser:
         "chart",
         _chart,
         "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
-        "stewart-sym chart legs.toml -o chart",
+        "stewart-sym chart enough.toml -o chart",
         "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
         "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
         "one of `advise`; without it: the paper's machine on its Paths I, II and III. Takes about a minute.",
@@ -815,6 +857,27 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
     verb.add_argument(
         "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
+    )
+
+    verb = _verb(
+        verbs,
+        "stability",
+        _stability,
+        "walk into every failure with every method: the failure atlas, tables, CSV, JSON, pictures",
+        "stewart-sym stability -o stability",
+        "Errors stand beside 50-digit arithmetic. With --cases and no -o only the sweep of random cases near "
+        "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is refused. "
+        "Needs a compiler with __float128. The atlas takes about two minutes, a million cases another.",
+    )
+    verb.add_argument(
+        "-o", "--output", metavar="DIR", type=Path, help="folder to write to; default: stability"
+    )
+    verb.add_argument(
+        "--cases", metavar="N", type=_whole, help=f"random cases near failure; in the atlas {ATLAS_CASES:,}"
+    )
+    verb.add_argument("--seed", type=_whole, default=0, help="of the random cases; default: 0")
+    verb.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
     )
     return parser
 

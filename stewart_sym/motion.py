@@ -13,9 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, leading_shape
 from .rotation import (
+    angular_acceleration_from_quaternion,
     angular_acceleration_from_rpy,
+    angular_motion_from_vector,
+    angular_velocity_from_quaternion,
     angular_velocity_from_rpy,
+    rotation_from_quaternion,
     rotation_from_rpy,
+    rotation_from_vector,
     rpy_from_rotation,
 )
 
@@ -161,6 +166,80 @@ class Motion:
                 for name, value in load.items()
             },
         )
+
+    @classmethod
+    def from_quaternion(
+        cls,
+        t: ArrayLike,
+        e: ArrayLike,
+        v: ArrayLike,
+        e_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        e_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> "Motion":
+        """Make a motion from quaternions, platform to base, and their rates: no orientation is special.
+
+        e: scalar first, (..., 4), of any length but zero; e_dot, e_ddot: its rates, 1/s and 1/s^2, (..., 4).
+        The rest as in ``from_rpy``.
+        """
+        turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
+        alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
+        omega = angular_velocity_from_quaternion(*turns[:2])
+        return cls._turned(rotation_from_quaternion(turns[0]), omega, alpha, t, v, a, F_ext, M_ext)
+
+    @classmethod
+    def from_rotation_vector(
+        cls,
+        t: ArrayLike,
+        phi: ArrayLike,
+        v: ArrayLike,
+        phi_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        phi_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> "Motion":
+        """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
+
+        phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns by |phi| about phi; phi may be zero. The
+        rest as in ``from_rpy``.
+        """
+        turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
+        second = np.zeros(3) if a is None else turns[2]
+        omega, alpha = angular_motion_from_vector(turns[0], turns[1], second)
+        R = rotation_from_vector(turns[0])
+        return cls._turned(R, omega, None if a is None else alpha, t, v, a, F_ext, M_ext)
+
+    @classmethod
+    def _turned(
+        cls,
+        R: Array,
+        omega: Array,
+        alpha: Array | None,
+        t: ArrayLike,
+        v: ArrayLike,
+        a: ArrayLike | None,
+        F_ext: ArrayLike | None,
+        M_ext: ArrayLike | None,
+    ) -> "Motion":
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        checked = {
+            name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
+        }
+        return cls(R=R, omega=omega, alpha=alpha, **checked)  # type: ignore[arg-type]
+
+
+def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:
+    """An orientation and its rates, checked; the second rate only along with a."""
+    second = list(given)[-1]
+    if (a is None) != (given[second] is None):
+        missing = "a" if a is None else second
+        raise ValueError(f"{missing}: expected both accelerations, a and {second}, or neither")
+    checked = {name: finite_array(value, core, name) for name, value in given.items() if value is not None}
+    _leading_shape(checked)
+    return list(checked.values())
 
 
 def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:

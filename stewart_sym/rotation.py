@@ -95,6 +95,55 @@ def vector_from_rotation(R: ArrayLike) -> Array:
     By the quaternion, which is the largest eigenvector of a symmetric matrix linear in R: good to rounding at
     angles of 0 and of pi too, where only the sign of the vector is open.
     """
+    quaternion = quaternion_from_rotation(R)
+    sine = np.linalg.norm(quaternion[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, quaternion[..., :1])
+    ratio = np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
+    return np.asarray(ratio * quaternion[..., 1:])
+
+
+def rotation_from_quaternion(e: ArrayLike) -> Array:
+    """Return the rotation, (..., 3, 3), of a quaternion (..., 4), scalar first, of any length but zero.
+
+    R x = e x e^-1. Raises ``ValueError`` for a quaternion of length zero.
+    """
+    e = _unit_quaternion(_quaternions(e, "e"))
+    N = cross_matrix(e[..., 1:])
+    return np.asarray(np.eye(3) + 2.0 * e[..., :1, None] * N + 2.0 * N @ N)
+
+
+def angular_velocity_from_quaternion(e: ArrayLike, e_dot: ArrayLike) -> Array:
+    """Return omega, rad/s, base frame, (..., 3), from a quaternion and its rate, (..., 4), scalar first.
+
+    omega is the vector of 2 e' e^-1; what only changes the length of e has no part in it.
+    """
+    e, e_dot = _quaternions(e, "e"), _quaternions(e_dot, "e_dot")
+    return np.asarray(2.0 * quaternion_product(e_dot, _inverse(e))[..., 1:])
+
+
+def angular_acceleration_from_quaternion(e: ArrayLike, e_dot: ArrayLike, e_ddot: ArrayLike) -> Array:
+    """Return alpha, rad/s^2, base frame, (..., 3): the vector of 2 (e'' e^-1 - (e' e^-1)^2)."""
+    e, e_dot = _quaternions(e, "e"), _quaternions(e_dot, "e_dot")
+    inverse = _inverse(e)
+    rate = quaternion_product(e_dot, inverse)
+    second = quaternion_product(_quaternions(e_ddot, "e_ddot"), inverse)
+    return np.asarray(2.0 * (second - quaternion_product(rate, rate))[..., 1:])
+
+
+def quaternion_product(one: Array, other: Array) -> Array:
+    """Return the product of quaternions (..., 4), scalar first."""
+    scalar = one[..., :1] * other[..., :1] - np.sum(one[..., 1:] * other[..., 1:], axis=-1, keepdims=True)
+    vector = (
+        one[..., :1] * other[..., 1:] + other[..., :1] * one[..., 1:] + cross(one[..., 1:], other[..., 1:])
+    )
+    return np.concatenate([scalar, vector], axis=-1)
+
+
+def quaternion_from_rotation(R: ArrayLike) -> Array:
+    """Return the unit quaternion, (..., 4), scalar first and not negative, of rotations R (..., 3, 3).
+
+    The largest eigenvector of a symmetric matrix linear in R: good to rounding at every rotation.
+    """
     R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
     if R.shape[-2:] != (3, 3):
         raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
@@ -107,11 +156,7 @@ def vector_from_rotation(R: ArrayLike) -> Array:
     K[..., 0, 1:] = K[..., 1:, 0] = skew
     K[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) - trace[..., None, None] * np.eye(3)
     quaternion = np.linalg.eigh(K)[1][..., -1]
-    quaternion = np.where(quaternion[..., :1] < 0.0, -quaternion, quaternion)
-    sine = np.linalg.norm(quaternion[..., 1:], axis=-1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, quaternion[..., :1])
-    ratio = np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
-    return np.asarray(ratio * quaternion[..., 1:])
+    return np.where(quaternion[..., :1] < 0.0, -quaternion, quaternion)
 
 
 def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
@@ -208,6 +253,23 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
         np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
     )
     return a, b, a_slope, b_slope
+
+
+def _unit_quaternion(e: Array) -> Array:
+    return np.asarray(e / np.linalg.norm(e, axis=-1, keepdims=True))
+
+
+def _inverse(e: Array) -> Array:
+    return np.asarray(e * np.array([1.0, -1.0, -1.0, -1.0]) / np.sum(e * e, axis=-1, keepdims=True))
+
+
+def _quaternions(value: ArrayLike, name: str) -> Array:
+    numbers = real_array(value, name, "real numbers of shape (..., 4)")
+    if numbers.shape[-1:] != (4,):
+        raise ValueError(f"{name}: expected shape (..., 4), got {numbers.shape}")
+    if name == "e" and not np.all(np.any(numbers != 0.0, axis=-1)):
+        raise ValueError("e: expected a quaternion of a length other than zero")
+    return numbers
 
 
 def _sinc(x: Array) -> Array:

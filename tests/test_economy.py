@@ -698,4 +698,4 @@ def test_chart_of_the_papers_machine_needs_no_scene(
 def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main([verb, "--help"])
-    assert f"Example: stewart-sym {verb} legs.toml" in capsys.readouterr().out
+    assert f"Example: stewart-sym {verb} enough.toml" in capsys.readouterr().out

@@ -26,7 +26,7 @@ FLOORS = (
         "kernel",
         "damping",
     },
-    {"forward", "joint_space", "fidelity", "interpolation", "singularity", "units"},
+    {"forward", "joint_space", "fidelity", "certificate", "interpolation", "singularity", "units"},
     {"dynamics", "forces", "passage"},
     {"closed_form", "bounds"},
     {"equations", "laws"},

@@ -13,6 +13,7 @@ from stewart_sym.motion import Motion
 from stewart_sym.rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
+    quaternion_from_rotation,
     rotation_from_rpy,
     rpy_from_rotation,
 )
@@ -264,3 +265,68 @@ def test_rotation_functions_name_the_wrong_shape() -> None:
     assert error_of(lambda: angular_velocity_from_rpy(ZERO, 1.0)).startswith("theta_dot: expected")
     assert error_of(lambda: rotation_from_rpy(["a"] * 3)).startswith("theta: expected real numbers")  # type: ignore[list-item]
     assert error_of(lambda: rpy_from_rotation("a")).startswith("R: expected real numbers")  # type: ignore[arg-type]
+
+
+def turning(rng: np.random.Generator) -> tuple[Any, Any]:
+    """Rotation vectors and quaternions of unlike length as functions of time, of one turning each."""
+    a, b, c = rng.normal(size=(3, 3))
+    e_0, e_1, e_2 = rng.normal(size=(3, 4))
+    return (
+        lambda s: (a + b * s + 0.5 * c * s * s, b + c * s, c),
+        lambda s: (e_0 + e_1 * s + 0.5 * e_2 * s * s, e_1 + e_2 * s, e_2),
+    )
+
+
+@pytest.mark.parametrize("kind", ["quaternion", "rotation vector"])
+@pytest.mark.parametrize("seed", range(4))
+def test_rates_of_quaternions_and_rotation_vectors_are_those_of_the_rotation(kind: str, seed: int) -> None:
+    vector, quaternion = turning(np.random.default_rng(seed))
+    zero = np.zeros(3)
+
+    def at(s: float) -> Motion:
+        if kind == "quaternion":
+            e, e_dot, e_ddot = quaternion(s)
+            return Motion.from_quaternion(zero, e, zero, e_dot, zero, e_ddot)
+        phi, phi_dot, phi_ddot = vector(s)
+        return Motion.from_rotation_vector(zero, phi, zero, phi_dot, zero, phi_ddot)
+
+    h = 1e-5
+    here, before, after = at(0.0), at(-h), at(h)
+    spin = (after.R - before.R) / (2 * h) @ here.R.T
+    assert np.array([spin[2, 1], spin[0, 2], spin[1, 0]]) == pytest.approx(here.omega, abs=1e-8, rel=1e-8)
+    assert here.alpha is not None
+    assert (after.omega - before.omega) / (2 * h) == pytest.approx(here.alpha, abs=1e-7, rel=1e-7)
+
+
+def test_the_length_of_a_quaternion_does_not_matter() -> None:
+    rng = np.random.default_rng(5)
+    e, e_dot, e_ddot = rng.normal(size=(3, 2, 4))
+    zero = np.zeros(3)
+    one = Motion.from_quaternion(zero, e, zero, e_dot, zero, e_ddot)
+    other = Motion.from_quaternion(zero, 3 * e, zero, 3 * e_dot, zero, 3 * e_ddot)
+    for name in ("R", "omega", "alpha"):
+        assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-12, abs=1e-12)
+
+
+def test_quaternions_and_vectors_of_a_rotation_give_it_back() -> None:
+    rng = np.random.default_rng(6)
+    zero = np.zeros((50, 3))
+    phi = rng.normal(size=(50, 3)) * np.logspace(-9, 0.4, 50)[:, None]
+    R = Motion.from_rotation_vector(zero, phi, zero, zero).R
+    e = quaternion_from_rotation(R)
+    assert Motion.from_quaternion(zero, e, zero, np.zeros((50, 4))).R == pytest.approx(R, abs=1e-14)
+    assert rotation_from_rpy(rpy_from_rotation(R)) == pytest.approx(R, abs=1e-14)
+
+
+def test_bad_quaternions_and_vectors_are_named() -> None:
+    zero = np.zeros(3)
+    with pytest.raises(ValueError, match=r"^e: expected a quaternion"):
+        Motion.from_quaternion(zero, np.zeros(4), zero, np.zeros(4))
+    with pytest.raises(ValueError, match=r"^e: expected shape \(\.\.\., 4\)"):
+        Motion.from_quaternion(zero, zero, zero, np.zeros(4))
+    with pytest.raises(ValueError, match=r"^a: expected both accelerations"):
+        Motion.from_quaternion(zero, np.ones(4), zero, np.zeros(4), e_ddot=np.zeros(4))
+    with pytest.raises(ValueError, match=r"^phi_ddot: expected both accelerations"):
+        Motion.from_rotation_vector(zero, zero, zero, zero, a=zero)
+    with pytest.raises(ValueError, match=r"^phi_dot: expected"):
+        Motion.from_rotation_vector(zero, zero, zero, np.full(3, np.nan))

@@ -54,6 +54,19 @@ def test_a_machine_that_does_not_feel_the_pole_keeps_its_digits(sine: float) -> 
         assert np.abs(F - expected).max() <= bound
 
 
+@pytest.mark.parametrize("sine", SINES)
+def test_moving_legs_without_axial_inertia_do_not_feel_the_pole_either(sine: float) -> None:
+    rng = np.random.default_rng(1)
+    robot = as_simple_as(random_robot(rng), FIDELITIES["slender"])
+    motion = random_motion(rng, robot)
+    calm, near = leaning(robot, motion, 0.9), leaning(robot, motion, sine)
+    F = ss.prepare(calm).forces(motion)
+    bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
+    assert np.abs(ss.prepare(near).forces(motion) - F).max() <= bound * np.abs(F).max()
+    expected, found = (np.concatenate(ss.forward_dynamics(each, motion, F)) for each in (calm, near))
+    assert np.abs(found - expected).max() <= bound * np.abs(expected).max()
+
+
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 @pytest.mark.parametrize("sine", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: str, sine: float) -> None:

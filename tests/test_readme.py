@@ -18,13 +18,14 @@ import pytest
 import readme_bench
 import readme_chart
 import readme_control
+import readme_stability
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
 from stewart_sym import fidelity, reference
-from stewart_sym.budget import papers_motions
+from stewart_sym.budget import papers_motions, read_budget
 from stewart_sym.kernel import module
 from stewart_sym.scene import Scene, read_scene
 from stewart_sym.studies import control, control_report, energy_drift
@@ -36,6 +37,7 @@ PUBLISHED = (
     *("bench.json", "bench.png", "bench_motion.png"),
     *("control.json", "control.png"),
     *("chart.json", "chart.png", "scales.png", "bounds.png"),
+    *("stability.json", "singular_path_III.png"),
 )
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
@@ -218,6 +220,22 @@ def test_every_figure_of_control_that_the_readme_shows_changes_it() -> None:
         assert readme_control.text(changed) != text, name
 
 
+def test_failures_in_the_readme_are_those_of_the_atlas() -> None:
+    assert readme_stability.replaced(README, figures("stability")) == README, REWRITE
+
+
+def test_every_figure_of_failures_that_the_readme_shows_changes_it() -> None:
+    found = figures("stability")
+    text = readme_stability.text(found)
+    for name in ("worst", "digits", "refused_at", "silent"):
+        changed = copy.deepcopy(found)
+        for method in changed["families"][0]["methods"]:
+            method[name] = 7 * (method[name] or 1)
+        assert readme_stability.text(changed) != text, name
+    for name in ("cases", "wrong", "refused_good"):
+        assert readme_stability.text({**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
+
+
 def recomputed(paths: tuple[str, ...]) -> None:
     """Compute rows anew and compare them with those committed, to what the README shows of them."""
     committed, machines = figures("control"), control.papers_machines()
@@ -306,6 +324,15 @@ def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:
     assert ss.Robot.from_toml(path).name == "hexapod"
 
 
+def test_advise_example_is_a_valid_budget(tmp_path: Path) -> None:
+    (budget,) = re.findall(
+        r"```toml\n(schema = 1\nrobot = (?:(?!```).)*?tolerance = .*?)```", README, re.DOTALL
+    )
+    (tmp_path / "stewart_sym").symlink_to(README_FOLDER / "stewart_sym")
+    (tmp_path / "enough.toml").write_text(budget)
+    assert list(read_budget(tmp_path / "enough.toml").motions) == ["I", "II"]
+
+
 def readme_scene(folder: Path) -> Scene:
     """The README's scene, read from a folder that has the robot file where the scene says."""
     scene = re.search(r"```toml\n(schema = 1\nrobot = .*?)```", README, re.DOTALL)
@@ -342,6 +369,7 @@ def _rewrite(run: Path | None) -> None:
     text = readme_bench.replaced(README, figures("bench"))
     text = readme_control.replaced(text, figures("control"))
     text = readme_chart.replaced(text, figures("chart"))
+    text = readme_stability.replaced(text, figures("stability"))
     (README_FOLDER / "README.md").write_text(text, encoding="utf-8", newline="\n")
 
 

@@ -235,7 +235,7 @@ _ROBOT_H = """\
 extern "C" {
 #endif
 
-/* To be handed to the functions of stewart_@kernel@.h. */
+/* To be handed to the functions of @file@.h. */
 extern const stewart_robot @symbol@;
 
 #ifdef __cplusplus

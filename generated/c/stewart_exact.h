@@ -16,12 +16,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      416 (233 mul, 179 add, 2 div, 2 sqrt)     366 (208 mul, 154 add, 2 div, 2 sqrt)
+ * leg      408 (228 mul, 176 add, 2 div, 2 sqrt)     358 (203 mul, 151 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2954 (1627 mul, 1297 add, 18 div, 12 sqrt) 2654 (1477 mul, 1147 add, 18 div, 12 sqrt)
+ * total    2906 (1597 mul, 1279 add, 18 div, 12 sqrt) 2606 (1447 mul, 1129 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_H
 #define STEWART_EXACT_H

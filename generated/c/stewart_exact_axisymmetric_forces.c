@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -457,7 +459,7 @@ static void shared_of_pose(const stewart_exact_axisymmetric_model *model, const 
         - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The legs of one pose side by side: 212 (128 mul, 80 add, 2 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 213 (129 mul, 80 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_axisymmetric_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -508,11 +510,11 @@ static void legs_of_pose(
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = 1/rho;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -572,8 +574,8 @@ static void legs_of_pose(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
-            - gamma_y*w_n;
+        const stewart_real tau_k = L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
+            + M_phi_theta*theta_dot*two_phi_dot - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
@@ -617,7 +619,7 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 232 (143 mul, 85 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its pole: 219 (136 mul, 79 add, 2 div, 2 sqrt) operations each. */
 static void legs_near_pole(
     const stewart_exact_axisymmetric_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -662,32 +664,29 @@ static void legs_near_pole(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) k x s, of length one */
-        const stewart_real y_raw_x = inv_rho*k_cross_S_x;
-        const stewart_real y_raw_y = inv_rho*k_cross_S_y;
-        const stewart_real y_raw_z = inv_rho*k_cross_S_z;
-        /* rounding: nothing of k x s lies along s */
-        const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
-        const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
-        const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
-        const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
@@ -708,27 +707,24 @@ static void legs_near_pole(
         const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
-        const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real two_phi_dot = 2*phi_dot;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
+        const stewart_real c1 = 2*phi_dot;
+        const stewart_real two_phi_dot = c1;
         const stewart_real k33 = k3*k3;
-        /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = k1*k3*phi_dot2 - 2*L_share*theta_dot - inv_L*(S_ddot_x*z_x
-            + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
         const stewart_real k13 = k1*k3;
-        const stewart_real c1 = 2*h_s;
-        const stewart_real L_h2 = L*c1;
+        const stewart_real c2 = 2*h_s;
+        const stewart_real L_h2 = L*c2;
         const stewart_real a1 = J_ts + L_h2;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_s + a1*k33;
         const stewart_real M_theta = J_t + L_h2;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_theta = a1*k13;
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
@@ -738,9 +734,9 @@ static void legs_near_pole(
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
-            - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
+        const stewart_real tau_y = M_theta*own_theta_ddot + bend*c2 + g_k*w_n + gamma_n*w_k
+            + k13*phi_dot2*(J_t - J_ts);
+        const stewart_real tau_k = L_dot*M_phi_L*two_phi_dot + M_phi*own_phi_ddot - J_s*c1*kappa*theta_dot
             - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
@@ -750,7 +746,7 @@ static void legs_near_pole(
         const stewart_real K_y = Q_y*y_y + Q_z*z_y;
         const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = -K_x*s_x - K_y*s_y - K_z*s_z - M_phi_L*phi_dot2 - h_s*theta_dot2;
+        const stewart_real D = -M_phi_L*phi_dot2 - h_s*theta_dot2;
         out->D[l] = D;
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
@@ -1176,7 +1172,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 212 (128 mul, 80 add, 2 div, 2 sqrt) operations each:
+/* One leg of eight poses side by side, 213 (129 mul, 80 add, 2 div, 2 sqrt) operations each:
  * its column of H, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_axisymmetric_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
@@ -1233,11 +1229,11 @@ static void leg_of_block(
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = 1/rho;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -1297,8 +1293,8 @@ static void leg_of_block(
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
             - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
-            - gamma_y*w_n;
+        const stewart_real tau_k = L_dot*M_phi_L*two_phi_dot + M_phi*phi_ddot
+            + M_phi_theta*theta_dot*two_phi_dot - gamma_y*w_n;
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;

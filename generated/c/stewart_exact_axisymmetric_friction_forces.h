@@ -9,12 +9,12 @@
  * Fidelity: legs alike all round their axis, with friction.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      247 (148 mul, 95 add, 2 div, 2 sqrt)
+ * leg      248 (149 mul, 95 add, 2 div, 2 sqrt)
  * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1876 (1071 mul, 775 add, 18 div, 12 sqrt)
+ * total    1882 (1077 mul, 775 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_AXISYMMETRIC_FRICTION_FORCES_H
 #define STEWART_EXACT_AXISYMMETRIC_FRICTION_FORCES_H

@@ -39,7 +39,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -817,11 +819,11 @@ static void leg_of_pose(
     const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
     const stewart_real rho = STEWART_SQRT(rho2);
     const stewart_real inv_L = 1/L;
-    const stewart_real inv_rho = 1/rho;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
+    const stewart_real inv_rho = 1/rho;
     /* (10) second axis of the leg frame */
     const stewart_real y_x = inv_rho*k_cross_S_x;
     const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -885,9 +887,9 @@ static void leg_of_pose(
     const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
         + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
         - M_phi_theta*phi_dot2;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+        + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
@@ -2059,10 +2061,6 @@ static void leg_errors(
     const stewart_real inv_L_own = STEWART_UNIT*STEWART_FABS(inv_L);
     const stewart_real inv_L_err = reciprocal_error(inv_L, L, L_err);
     const stewart_real inv_L_max = STEWART_FABS(inv_L) + inv_L_err;
-    const stewart_real inv_rho = 1/rho;
-    const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
-    const stewart_real inv_rho_err = reciprocal_error(inv_rho, rho, rho_err);
-    const stewart_real inv_rho_max = STEWART_FABS(inv_rho) + inv_rho_err;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_x_own = STEWART_UNIT*STEWART_FABS(s_x);
@@ -2076,6 +2074,10 @@ static void leg_errors(
     const stewart_real s_z_own = STEWART_UNIT*STEWART_FABS(s_z);
     const stewart_real s_z_err = S_z_err*inv_L_max + S_z_max*inv_L_err + s_z_own;
     const stewart_real s_z_max = STEWART_FABS(s_z) + s_z_err;
+    const stewart_real inv_rho = 1/rho;
+    const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
+    const stewart_real inv_rho_err = reciprocal_error(inv_rho, rho, rho_err);
+    const stewart_real inv_rho_max = STEWART_FABS(inv_rho) + inv_rho_err;
     /* (10) second axis of the leg frame */
     const stewart_real y_x = inv_rho*k_cross_S_x;
     const stewart_real y_x_own = STEWART_UNIT*STEWART_FABS(y_x);
@@ -2328,17 +2330,16 @@ static void leg_errors(
         + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max
         + g_k_max*w_n_err + gamma_n_err*w_k_max + gamma_n_max*w_k_err + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(9*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
+    const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+        + M_mixed_theta*theta_dot2 + M_phi*phi_ddot + M_phi_theta*theta_dot*two_phi_dot - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_k_own = STEWART_UNIT*(10*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
         + k_z_max*omega_z_max) + C_s_max*(3*k_x_max*omega_x_max + 3*k_y_max*omega_y_max
-        + 3*k_z_max*omega_z_max) + 9*C_us_max*phi_dot_max + 9*L_ddot_max*k3_h_max
-        + 9*M_mixed_max*theta_ddot_max + 9*M_mixed_theta_max*theta_dot2_max + 9*M_phi_max*phi_ddot_max
-        + 10*bend_max*h2_y_max*k1_max + 9*gamma_n_max*w_y_max + 9*gamma_y_max*w_n_max
-        + 9*two_phi_dot_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
-        + two_phi_dot_max*(2*L_dot_max*M_phi_L_max + 2*M_phi_theta_max*theta_dot_max)
-        + STEWART_FABS(tau_k));
+        + 3*k_z_max*omega_z_max) + 10*C_us_max*phi_dot_max + 10*L_ddot_max*k3_h_max
+        + 11*L_dot_max*M_phi_L_max*two_phi_dot_max + 10*M_mixed_max*theta_ddot_max
+        + 10*M_mixed_theta_max*theta_dot2_max + 10*M_phi_max*phi_ddot_max
+        + 11*M_phi_theta_max*theta_dot_max*two_phi_dot_max + 11*bend_max*h2_y_max*k1_max
+        + 10*gamma_n_max*w_y_max + 10*gamma_y_max*w_n_max + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
         + C_s_max*k_z_err*omega_z_max + C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max
         + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max
@@ -2805,33 +2806,6 @@ static void leg_errors(
             + 6*S_ddot_x_max*c9_max + 6*S_dot_x_max*c11_max + 6*c13_max*omega_x_max + 6*c6_max*theta_dot_max
             + 6*g_x_k_x_max*gamma_n_bar_max + 6*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
-            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
-            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
-            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(3*H_force_z_bar_max + 4*H_moment_x_bar_max*r_y_max
-            + 4*H_moment_y_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_z_max + 4*L_dot_bar_max*S_dot_z_max
-            + STEWART_FABS(s_z_bar));
-        const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
-            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
-            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(3*H_force_y_bar_max + 4*H_moment_x_bar_max*r_z_max
-            + 4*H_moment_z_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_y_max + 4*L_dot_bar_max*S_dot_y_max
-            + STEWART_FABS(s_y_bar));
-        const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
-            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
-            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
-            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
-            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(3*H_force_x_bar_max + 4*H_moment_y_bar_max*r_z_max
-            + 4*H_moment_z_bar_max*r_y_max + 4*L_ddot_bar_max*S_ddot_x_max + 4*L_dot_bar_max*S_dot_x_max
-            + STEWART_FABS(s_x_bar));
-        const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
             + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x
@@ -2872,6 +2846,33 @@ static void leg_errors(
             + theta_dot_bar_max*(4*L_dot_max*k1_max + 4*S_dot_x_max*k_x_max + 4*S_dot_y_max*k_y_max
             + 4*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
+        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
+            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
+            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
+            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
+            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(3*H_force_z_bar_max + 4*H_moment_x_bar_max*r_y_max
+            + 4*H_moment_y_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_z_max + 4*L_dot_bar_max*S_dot_z_max
+            + STEWART_FABS(s_z_bar));
+        const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
+        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
+            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
+            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
+            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
+            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(3*H_force_y_bar_max + 4*H_moment_x_bar_max*r_z_max
+            + 4*H_moment_z_bar_max*r_x_max + 4*L_ddot_bar_max*S_ddot_y_max + 4*L_dot_bar_max*S_dot_y_max
+            + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
+        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
+            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
+            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
+            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
+            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(3*H_force_x_bar_max + 4*H_moment_y_bar_max*r_z_max
+            + 4*H_moment_z_bar_max*r_y_max + 4*L_ddot_bar_max*S_ddot_x_max + 4*L_dot_bar_max*S_dot_x_max
+            + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
         const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err
@@ -3174,7 +3175,7 @@ static void leg_errors(
             + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
             + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own
             + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own
-            + inv_rho_bar_max*inv_rho_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
+            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own
             + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own
             + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
             + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own

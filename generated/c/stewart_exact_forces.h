@@ -8,12 +8,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      287 (169 mul, 114 add, 2 div, 2 sqrt)     252 (149 mul, 99 add, 2 div, 2 sqrt)
+ * leg      288 (170 mul, 114 add, 2 div, 2 sqrt)     253 (150 mul, 99 add, 2 div, 2 sqrt)
  * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2116 (1197 mul, 889 add, 18 div, 12 sqrt) 1900 (1074 mul, 796 add, 18 div, 12 sqrt)
+ * total    2122 (1203 mul, 889 add, 18 div, 12 sqrt) 1906 (1080 mul, 796 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_FORCES_H
 #define STEWART_EXACT_FORCES_H

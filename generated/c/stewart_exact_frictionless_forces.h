@@ -9,12 +9,12 @@
  * Fidelity: no friction.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      252 (149 mul, 99 add, 2 div, 2 sqrt)
+ * leg      253 (150 mul, 99 add, 2 div, 2 sqrt)
  * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1900 (1074 mul, 796 add, 18 div, 12 sqrt)
+ * total    1906 (1080 mul, 796 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_FRICTIONLESS_FORCES_H
 #define STEWART_EXACT_FRICTIONLESS_FORCES_H

@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))

@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -462,11 +464,11 @@ static void legs_of_pose(
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = 1/rho;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;
@@ -529,7 +531,7 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 175 (106 mul, 65 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its pole: 159 (97 mul, 58 add, 2 div, 2 sqrt) operations each. */
 static void legs_near_pole(
     const stewart_exact_massless_friction_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -560,36 +562,32 @@ static void legs_near_pole(
         const stewart_real S_y = S_1_y - r_y;
         const stewart_real S_z = S_1_z - r_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) k x s, of length one */
-        const stewart_real y_raw_x = inv_rho*k_cross_S_x;
-        const stewart_real y_raw_y = inv_rho*k_cross_S_y;
-        const stewart_real y_raw_z = inv_rho*k_cross_S_z;
-        /* rounding: nothing of k x s lies along s */
-        const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
-        const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
-        const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
-        const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k3 = inv_L*rho;
         /* (4) velocity of the platform point */
@@ -612,7 +610,7 @@ static void legs_near_pole(
         const stewart_real K_y = Q_y*y_y + Q_z*z_y;
         const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot - K_x*s_x - K_y*s_y - K_z*s_z;
+        const stewart_real D = C_p*L_dot;
         out->D[l] = D;
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
@@ -1084,11 +1082,11 @@ static void leg_of_block(
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = 1/rho;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_rho*k_cross_S_x;
         const stewart_real y_y = inv_rho*k_cross_S_y;

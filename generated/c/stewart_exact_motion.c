@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -275,7 +277,7 @@ static void equations_of_pose(
     sum[68] = C_P*omega_z;
 }
 
-/* The legs side by side: 672 (416 mul, 252 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 681 (422 mul, 255 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void equations_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
@@ -322,30 +324,34 @@ STEWART_APART static void equations_of_legs(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = inv_rho*k_cross_S_x;
-        const stewart_real y_y = inv_rho*k_cross_S_y;
-        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
-        /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
         const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
@@ -354,7 +360,7 @@ STEWART_APART static void equations_of_legs(
         const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
         const stewart_real c1 = k3*k3;
         const stewart_real k33 = c1;
         const stewart_real k13 = k1*k3;
@@ -402,18 +408,19 @@ STEWART_APART static void equations_of_legs(
         const stewart_real c8 = 2*J_xz - c7*h_z;
         const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + 2*k3*(J_zz + c7*h_x - J_xx)) - STEWART_HALF*c1*c8;
         const stewart_real C_xi_23 = -c9*phi_dot;
-        const stewart_real C_xi_31 = c6*phi_dot - h_y*k1*theta_dot;
-        const stewart_real C_xi_32 = c9*phi_dot + theta_dot*(J_yz*k1 - c2*k3) - L_dot*h_y*k1;
+        const stewart_real c10 = h_y*k1;
+        const stewart_real C_xi_31 = c6*phi_dot - c10*theta_dot;
+        const stewart_real C_xi_32 = c9*phi_dot + theta_dot*(J_yz*k1 - c2*k3) - L_dot*c10;
         const stewart_real C_xi_33 = L_dot*c6 + c9*theta_dot;
-        const stewart_real c10 = k3*phi_dot;
-        const stewart_real G_dot_12 = c10;
+        const stewart_real c11 = k3*phi_dot;
+        const stewart_real G_dot_12 = c11;
         const stewart_real G_dot_21 = -inv_L*theta_dot;
-        const stewart_real c11 = k1*phi_dot;
-        const stewart_real G_dot_22 = c11*inv_L;
+        const stewart_real c12 = k1*phi_dot;
+        const stewart_real G_dot_22 = c12*inv_L;
         const stewart_real G_dot_23 = L_dot*c4;
-        const stewart_real G_dot_31 = -c10*inv_rho;
+        const stewart_real G_dot_31 = -c11*inv_rho;
         const stewart_real G_dot_32 = -L_dot*c3 - inv_rho*kappa*theta_dot;
-        const stewart_real G_dot_33 = c11*inv_rho;
+        const stewart_real G_dot_33 = c12*inv_rho;
         const stewart_real C_leg_11 = G_dot_21*h_z - G_dot_31*k3_h;
         const stewart_real C_leg_12 = C_xi_13*inv_rho + G_dot_22*h_z - G_dot_32*k3_h;
         const stewart_real C_leg_13 = G_dot_23*h_z - C_xi_12*inv_L - G_dot_33*k3_h;
@@ -450,68 +457,68 @@ STEWART_APART static void equations_of_legs(
         const stewart_real w_q_x = S_dot_x - v_x;
         const stewart_real w_q_y = S_dot_y - v_y;
         const stewart_real w_q_z = S_dot_z - v_z;
-        const stewart_real c12 = C_tip_xy*q_z;
-        const stewart_real c13 = m_xy*w_q_z;
-        const stewart_real c14 = C_tip_xz*q_y;
-        const stewart_real c15 = m_xz*w_q_y;
-        const stewart_real C_q_xx = c14 + c15 - c12 - c13;
-        const stewart_real c16 = C_tip_xx*q_z;
-        const stewart_real C_q_xy = c16 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
-        const stewart_real c17 = C_tip_xx*q_y;
-        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c17 - m_xx*w_q_y;
-        const stewart_real c18 = C_tip_yy*q_z;
-        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c18 - m_yy*w_q_z;
-        const stewart_real c19 = C_tip_yx*q_z;
-        const stewart_real c20 = -C_tip_yz*q_x;
-        const stewart_real c21 = -m_yz*w_q_x;
-        const stewart_real C_q_yy = c13 + c19 + c20 + c21;
-        const stewart_real c22 = -C_tip_yy*q_x;
-        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c22 - m_xy*w_q_y;
-        const stewart_real c23 = -C_tip_zz*q_y;
-        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c23 - m_yz*w_q_z;
-        const stewart_real c24 = -C_tip_zz*q_x;
-        const stewart_real C_q_zy = C_tip_zx*q_z + c24 + m_xz*w_q_z - m_zz*w_q_x;
-        const stewart_real c25 = C_tip_zx*q_y;
-        const stewart_real c26 = -C_tip_zy*q_x;
-        const stewart_real C_q_zz = -c15 - c21 - c25 - c26;
+        const stewart_real c13 = C_tip_xy*q_z;
+        const stewart_real c14 = m_xy*w_q_z;
+        const stewart_real c15 = C_tip_xz*q_y;
+        const stewart_real c16 = m_xz*w_q_y;
+        const stewart_real C_q_xx = c15 + c16 - c13 - c14;
+        const stewart_real c17 = C_tip_xx*q_z;
+        const stewart_real C_q_xy = c17 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
+        const stewart_real c18 = C_tip_xx*q_y;
+        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c18 - m_xx*w_q_y;
+        const stewart_real c19 = C_tip_yy*q_z;
+        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c19 - m_yy*w_q_z;
+        const stewart_real c20 = C_tip_yx*q_z;
+        const stewart_real c21 = -C_tip_yz*q_x;
+        const stewart_real c22 = -m_yz*w_q_x;
+        const stewart_real C_q_yy = c14 + c20 + c21 + c22;
+        const stewart_real c23 = -C_tip_yy*q_x;
+        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c23 - m_xy*w_q_y;
+        const stewart_real c24 = -C_tip_zz*q_y;
+        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c24 - m_yz*w_q_z;
+        const stewart_real c25 = -C_tip_zz*q_x;
+        const stewart_real C_q_zy = C_tip_zx*q_z + c25 + m_xz*w_q_z - m_zz*w_q_x;
+        const stewart_real c26 = C_tip_zx*q_y;
+        const stewart_real c27 = -C_tip_zy*q_x;
+        const stewart_real C_q_zz = -c16 - c22 - c26 - c27;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
-        const stewart_real c27 = inv_L*(g_k*w_n + gamma_n*w_k);
-        const stewart_real c28 = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real c28 = inv_L*(g_k*w_n + gamma_n*w_k);
+        const stewart_real c29 = -gamma_n*w_y - gamma_y*w_n;
         /* against gravity */
-        const stewart_real held_x = c28*inv_rho*y_x - c27*z_x;
-        const stewart_real held_y = c28*inv_rho*y_y - c27*z_y;
-        const stewart_real held_z = c28*inv_rho*y_z - c27*z_z;
-        const stewart_real c29 = L_dot*s_x;
-        const stewart_real c30 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
-        const stewart_real c31 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
-        const stewart_real c32 = L_dot*s_y;
-        const stewart_real c33 = L_dot*s_z;
+        const stewart_real held_x = c29*inv_rho*y_x - c28*z_x;
+        const stewart_real held_y = c29*inv_rho*y_y - c28*z_y;
+        const stewart_real held_z = c29*inv_rho*y_z - c28*z_z;
+        const stewart_real c30 = L_dot*s_x;
+        const stewart_real c31 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
+        const stewart_real c32 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
+        const stewart_real c33 = L_dot*s_y;
+        const stewart_real c34 = L_dot*s_z;
         /* against friction */
-        const stewart_real rubbed_x = C_p*c29 + c30*y_x - c31*z_x;
-        const stewart_real rubbed_y = C_p*c32 + c30*y_y - c31*z_y;
-        const stewart_real rubbed_z = C_p*c33 + c30*y_z - c31*z_z;
+        const stewart_real rubbed_x = C_p*c30 + c31*y_x - c32*z_x;
+        const stewart_real rubbed_y = C_p*c33 + c31*y_y - c32*z_y;
+        const stewart_real rubbed_z = C_p*c34 + c31*y_z - c32*z_z;
         /* (3) rate of s */
-        const stewart_real s_dot_x = inv_L*(S_dot_x - c29);
-        const stewart_real s_dot_y = inv_L*(S_dot_y - c32);
-        const stewart_real s_dot_z = inv_L*(S_dot_z - c33);
-        const stewart_real c34 = m_xy*q_z;
-        const stewart_real c35 = m_xz*q_y;
-        const stewart_real c36 = -m_yz*q_x;
+        const stewart_real s_dot_x = inv_L*(S_dot_x - c30);
+        const stewart_real s_dot_y = inv_L*(S_dot_y - c33);
+        const stewart_real s_dot_z = inv_L*(S_dot_z - c34);
+        const stewart_real c35 = m_xy*q_z;
+        const stewart_real c36 = m_xz*q_y;
+        const stewart_real c37 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c34 - c35;
+        const stewart_real m_q_xx = c35 - c36;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c34 - c36;
+        const stewart_real m_q_yy = -c35 - c37;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c35 + c36;
+        const stewart_real m_q_zz = c36 + c37;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -551,15 +558,15 @@ STEWART_APART static void equations_of_legs(
         out->sum[36][l] = C_q_zx;
         out->sum[37][l] = C_q_zy;
         out->sum[38][l] = C_q_zz;
-        out->sum[39][l] = c25 - c19;
-        out->sum[40][l] = C_tip_zy*q_y - c18;
-        out->sum[41][l] = -C_tip_yz*q_z - c23;
-        out->sum[42][l] = c16 - C_tip_zx*q_x;
-        out->sum[43][l] = c12 + c26;
-        out->sum[44][l] = C_tip_xz*q_z + c24;
-        out->sum[45][l] = C_tip_yx*q_x - c17;
-        out->sum[46][l] = -C_tip_xy*q_y - c22;
-        out->sum[47][l] = -c14 - c20;
+        out->sum[39][l] = c26 - c20;
+        out->sum[40][l] = C_tip_zy*q_y - c19;
+        out->sum[41][l] = -C_tip_yz*q_z - c24;
+        out->sum[42][l] = c17 - C_tip_zx*q_x;
+        out->sum[43][l] = c13 + c27;
+        out->sum[44][l] = C_tip_xz*q_z + c25;
+        out->sum[45][l] = C_tip_yx*q_x - c18;
+        out->sum[46][l] = -C_tip_xy*q_y - c23;
+        out->sum[47][l] = -c15 - c21;
         out->sum[48][l] = C_q_zx*q_y - C_q_yx*q_z;
         out->sum[49][l] = C_q_zy*q_y - C_q_yy*q_z;
         out->sum[50][l] = C_q_zz*q_y - C_q_yz*q_z;
@@ -715,7 +722,7 @@ static void bias_of_pose(
     sum[5] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
 }
 
-/* The legs side by side: 281 (166 mul, 111 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 304 (183 mul, 117 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void bias_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
@@ -766,21 +773,29 @@ STEWART_APART static void bias_of_legs(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = inv_rho*k_cross_S_x;
-        const stewart_real y_y = inv_rho*k_cross_S_y;
-        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
@@ -794,15 +809,13 @@ STEWART_APART static void bias_of_legs(
         const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = 2*phi_dot;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -811,15 +824,20 @@ STEWART_APART static void bias_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-            - theta_dot*(L_share + rho_share);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
-        const stewart_real k13 = k1*k3;
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c2 = J2_xz - L*h2_z;
+        const stewart_real a2 = c2;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -827,7 +845,6 @@ STEWART_APART static void bias_of_legs(
         const stewart_real M_mixed = J_yz*k3 + a3*k1;
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
         const stewart_real M_phi_L = h_x*k33 - h_z*k13;
         const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
         const stewart_real bend = L_dot*theta_dot;
@@ -838,21 +855,22 @@ STEWART_APART static void bias_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-            - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
-        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
+            + c2);
+        /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
+        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
+        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
+        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
             - k3_h*phi_ddot;
         /* force at the tip */
         const stewart_real R_tip_x = D*s_x + K_x;
@@ -1009,7 +1027,7 @@ static void forward_dynamics_of_pose(
     sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
 }
 
-/* The legs side by side: 410 (249 mul, 157 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 424 (260 mul, 160 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void forward_dynamics_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const forward_dynamics_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, forward_dynamics_legs *STEWART_RESTRICT out)
@@ -1061,30 +1079,34 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = inv_rho*k_cross_S_x;
-        const stewart_real y_y = inv_rho*k_cross_S_y;
-        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
-        /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
         const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
@@ -1093,15 +1115,13 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = 2*phi_dot;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -1110,15 +1130,20 @@ STEWART_APART static void forward_dynamics_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-            - theta_dot*(L_share + rho_share);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
-        const stewart_real k13 = k1*k3;
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c2 = J2_xz - L*h2_z;
+        const stewart_real a2 = c2;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -1126,7 +1151,6 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real M_mixed = J_yz*k3 + a3*k1;
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
         const stewart_real M_phi_L = h_x*k33 - h_z*k13;
         const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
         const stewart_real bend = L_dot*theta_dot;
@@ -1137,27 +1161,28 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-            - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-        /* (21) K = Q_k k + Q_y y, up to a part along s */
-        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c2*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_mixed*theta_ddot
+            + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+            - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n - phi_dot*theta_dot*(2*J_xx*kappa
+            + c2);
+        /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
+        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
+        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
+        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
             - k3_h*phi_ddot;
-        const stewart_real c1 = F - D;
+        const stewart_real c3 = F - D;
         /* force on the platform at the tip */
-        const stewart_real push_x = c1*s_x - K_x;
-        const stewart_real push_y = c1*s_y - K_y;
-        const stewart_real push_z = c1*s_z - K_z;
+        const stewart_real push_x = c3*s_x - K_x;
+        const stewart_real push_y = c3*s_y - K_y;
+        const stewart_real push_z = c3*s_z - K_z;
         /* inertia at the tip, leg frame */
         const stewart_real m_leg_sy = -inv_rho*k3_h;
         const stewart_real m_leg_sz = -h_z*inv_L;
@@ -1180,19 +1205,19 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
         const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
         const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
-        const stewart_real c2 = m_xy*q_z;
-        const stewart_real c3 = m_xz*q_y;
-        const stewart_real c4 = -m_yz*q_x;
+        const stewart_real c4 = m_xy*q_z;
+        const stewart_real c5 = m_xz*q_y;
+        const stewart_real c6 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c2 - c3;
+        const stewart_real m_q_xx = c4 - c5;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c2 - c4;
+        const stewart_real m_q_yy = -c4 - c6;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c3 + c4;
+        const stewart_real m_q_zz = c5 + c6;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -1506,7 +1531,7 @@ static void derivatives_of_pose(
     sum[92] = C_P + c31 - c26;
 }
 
-/* The legs side by side: 1717 (1016 mul, 697 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 1725 (1022 mul, 699 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void derivatives_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
@@ -1557,30 +1582,34 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
-        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = 1/L;
-        const stewart_real inv_rho = 1/rho;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = inv_rho*k_cross_S_x;
-        const stewart_real y_y = inv_rho*k_cross_S_y;
-        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = 1/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
-        /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
         const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
@@ -1589,7 +1618,7 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
         const stewart_real c1 = L_dot*inv_L;
         /* L_dot / L */
         const stewart_real L_share = c1;
@@ -1601,8 +1630,6 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real phi_dot2 = c4;
         const stewart_real c5 = 2*phi_dot;
         const stewart_real two_phi_dot = c5;
-        /* rho_dot / rho */
-        const stewart_real rho_share = L_share + lean;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
         const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
@@ -1612,34 +1639,38 @@ STEWART_APART static void derivatives_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
+        const stewart_real c7 = 2*theta_dot;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c8 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-            - theta_dot*(L_share + rho_share);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - rho_share*two_phi_dot;
-        const stewart_real c7 = k1*k3;
-        const stewart_real k13 = c7;
+        const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c8;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
         const stewart_real a2 = J2_xz - L*h2_z;
-        const stewart_real c8 = J_xy - L*h_y;
-        const stewart_real a3 = c8;
-        const stewart_real c9 = J_yz*k3;
+        const stewart_real c9 = J_xy - L*h_y;
+        const stewart_real a3 = c9;
+        const stewart_real c10 = J_yz*k3;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = a3*k1 + c9;
-        const stewart_real c10 = h_y*k3;
-        const stewart_real k3_h = c10;
-        const stewart_real c11 = inv_rho*inv_rho;
-        const stewart_real c12 = inv_L*inv_rho;
-        const stewart_real c13 = inv_L*inv_L;
+        const stewart_real M_mixed = a3*k1 + c10;
+        const stewart_real c11 = h_y*k3;
+        const stewart_real k3_h = c11;
+        const stewart_real c12 = inv_rho*inv_rho;
+        const stewart_real c13 = inv_L*inv_rho;
+        const stewart_real c14 = inv_L*inv_L;
         /* inertia at the tip, leg frame */
         const stewart_real m_leg_sy = -inv_rho*k3_h;
         const stewart_real m_leg_sz = -h_z*inv_L;
-        const stewart_real m_leg_yy = M_phi*c11;
-        const stewart_real m_leg_yz = -M_mixed*c12;
-        const stewart_real m_leg_zz = M_theta*c13;
+        const stewart_real m_leg_yy = M_phi*c12;
+        const stewart_real m_leg_yz = -M_mixed*c13;
+        const stewart_real m_leg_zz = M_theta*c14;
         const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
         const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
         const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
@@ -1667,16 +1698,15 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
         const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
         const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
-        const stewart_real c14 = c6*h_x;
-        const stewart_real c15 = c14 - h_z*k1*k3;
-        const stewart_real tau_L = C_p*L_dot + h_z*theta_ddot - c10*phi_ddot - c15*c4 - c3*h_x;
-        const stewart_real c17 = 2*h_x;
-        const stewart_real c18 = c17*theta_dot;
+        const stewart_real c15 = c6*h_x;
+        const stewart_real c16 = c15 - h_z*k1*k3;
+        const stewart_real tau_L = C_p*L_dot + h_z*theta_ddot - c11*phi_ddot - c16*c4 - c3*h_x;
+        const stewart_real c18 = c7*h_x;
         const stewart_real c19 = 2*L;
         const stewart_real c20 = c19*h_x;
         const stewart_real c21 = k1*w_x + k3*w_z;
         const stewart_real c22 = k1*w_z - k3*w_x;
-        const stewart_real c24 = c8*k1 + c9;
+        const stewart_real c24 = c10 + c9*k1;
         const stewart_real c25 = 2*J_xz - c19*h_z;
         const stewart_real c26 = c25*k1;
         const stewart_real c27 = J_zz + c20 - J_xx;
@@ -1688,90 +1718,92 @@ STEWART_APART static void derivatives_of_legs(
             + theta_ddot*(J_yy + c20) - C_s*w_y_omega - c22*g_k - c31*c4;
         const stewart_real c33 = h_y*theta_dot;
         const stewart_real c34 = c33*k1;
-        const stewart_real c35 = L_dot*c15;
+        const stewart_real c35 = L_dot*c16;
         const stewart_real c36 = c31*theta_dot;
-        const stewart_real c37 = L_dot*k1;
-        const stewart_real c38 = c37*h_y;
-        const stewart_real c39 = theta_dot*(J_yz*k1 - c8*k3);
-        const stewart_real tau_phi = C_us*phi_dot + L_dot*(c15*phi_dot - c34) + c22*gamma_y + c24*theta_ddot
-            + phi_ddot*(J_xx + c25*c7 + c27*c6) + phi_dot*(c35 + c36) + theta_dot*(c31*phi_dot + c39 - c38)
-            - C_s*w_k_omega - L_ddot*c10 - gamma_n*w_y;
+        const stewart_real c37 = L_dot*h_y;
+        const stewart_real c38 = c37*k1;
+        const stewart_real c39 = theta_dot*(J_yz*k1 - c9*k3);
+        const stewart_real tau_phi = C_us*phi_dot + L_dot*(c16*phi_dot - c34) + c22*gamma_y + c24*theta_ddot
+            + phi_ddot*(J_xx + c25*c8 + c27*c6) + phi_dot*(c35 + c36) + theta_dot*(c31*phi_dot + c39 - c38)
+            - C_s*w_k_omega - L_ddot*c11 - gamma_n*w_y;
         const stewart_real c40 = k3*phi_dot;
         const stewart_real G_dot_12 = c40;
         const stewart_real c41 = inv_L*theta_dot;
         const stewart_real G_dot_21 = -c41;
         const stewart_real c42 = k1*phi_dot;
         const stewart_real G_dot_22 = c42*inv_L;
-        const stewart_real c43 = L_dot*c13;
+        const stewart_real c43 = L_dot*c14;
         const stewart_real G_dot_23 = c43;
         const stewart_real c44 = c40*inv_rho;
         const stewart_real G_dot_31 = -c44;
-        const stewart_real c45 = -c1*inv_rho - c2*inv_rho;
-        const stewart_real G_dot_32 = c45;
-        const stewart_real c46 = c42*inv_rho;
-        const stewart_real G_dot_33 = c46;
-        const stewart_real c47 = c4*c6;
-        const stewart_real G_ddot_11 = -c3 - c47;
-        const stewart_real c48 = k3*phi_ddot;
-        const stewart_real G_ddot_12 = c48 + c5*k1*theta_dot;
-        const stewart_real c49 = c4*c7;
-        const stewart_real G_ddot_13 = c49 - theta_ddot;
-        const stewart_real G_ddot_21 = 2*L_dot*c13*theta_dot - c49*inv_L - inv_L*theta_ddot;
-        const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c13*c37*c5 - c41*c5*k3;
-        const stewart_real c50 = c4*k1*k1;
-        const stewart_real G_ddot_23 = L_ddot*c13 + c3*inv_L + c50*inv_L - 2*L_dot*L_dot*inv_L*inv_L*inv_L;
-        const stewart_real G_ddot_31 = c1*c44 + c46*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c46)
-            - c40*c45 - c48*inv_rho;
-        const stewart_real c51 = inv_rho*kappa;
-        const stewart_real c52 = -c1 - c2;
-        const stewart_real c53 = inv_rho*theta_dot;
-        const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c12*c52) + theta_dot*(-c51*c52
-            - c53*(-kappa*kappa - 1)) - L_ddot*c12 - c47*inv_rho - c50*inv_rho - c51*theta_ddot;
-        const stewart_real G_ddot_33 = c42*c45 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44
-            - c46*kappa) - c12*c37*phi_dot;
+        const stewart_real c45 = c1*inv_rho;
+        const stewart_real c46 = -c2*inv_rho - c45;
+        const stewart_real G_dot_32 = c46;
+        const stewart_real c47 = c42*inv_rho;
+        const stewart_real G_dot_33 = c47;
+        const stewart_real c48 = c4*c6;
+        const stewart_real G_ddot_11 = -c3 - c48;
+        const stewart_real c49 = k3*phi_ddot;
+        const stewart_real c50 = c5*k1;
+        const stewart_real G_ddot_12 = c49 + c50*theta_dot;
+        const stewart_real c51 = c4*c8;
+        const stewart_real G_ddot_13 = c51 - theta_ddot;
+        const stewart_real G_ddot_21 = 2*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot;
+        const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c41*c5*k3 - c43*c50;
+        const stewart_real c52 = c4*k1*k1;
+        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L - 2*L_dot*L_dot*inv_L*inv_L*inv_L;
+        const stewart_real G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47)
+            - c40*c46 - c49*inv_rho;
+        const stewart_real c53 = inv_rho*kappa;
+        const stewart_real c54 = -c1 - c2;
+        const stewart_real c55 = inv_rho*theta_dot;
+        const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54
+            - c55*(-kappa*kappa - 1)) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
+        const stewart_real G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44
+            - c47*kappa) - c42*c45;
         const stewart_real tau_rate_12 = -c18;
-        const stewart_real tau_rate_13 = -c15*c5;
+        const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
-        const stewart_real tau_rate_22 = C_us + L_dot*c17;
+        const stewart_real c56 = 2*h_x;
+        const stewart_real tau_rate_22 = C_us + L_dot*c56;
         const stewart_real tau_rate_23 = -c31*c5;
-        const stewart_real tau_rate_31 = 2*c15*phi_dot - 2*c34;
+        const stewart_real tau_rate_31 = 2*c16*phi_dot - 2*c34;
         const stewart_real tau_rate_32 = c31*c5 + 2*c39 - 2*c38;
         const stewart_real tau_rate_33 = C_us + 2*c35 + 2*c36;
-        const stewart_real c54 = h_y*phi_ddot;
-        const stewart_real c55 = c17*k3 - h_z*k1;
-        const stewart_real tau_place_12 = k1*(-c4*c55 - c54) - c47*h_z;
-        const stewart_real c56 = 4*h_x;
-        const stewart_real c57 = c30*(c56*k3 - 2*h_z*k1) + c6*h_z;
-        const stewart_real tau_place_21 = c17*theta_ddot - c4*c57 - c54*k1;
-        const stewart_real c58 = c30*(2*J_zz + L*c56 - 2*J_xx) - c25*k3;
-        const stewart_real c59 = c26 + c28;
-        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c58)
-            - k3*(c8*phi_ddot + gamma_n*w_x - c4*c59 - g_k*w_z);
+        const stewart_real c57 = h_y*phi_ddot;
+        const stewart_real c58 = c56*k3 - h_z*k1;
+        const stewart_real tau_place_12 = k1*(-c4*c58 - c57) - c48*h_z;
+        const stewart_real c59 = 4*h_x;
+        const stewart_real c60 = c30*(c59*k3 - 2*h_z*k1) + c6*h_z;
+        const stewart_real tau_place_21 = c56*theta_ddot - c4*c60 - c57*k1;
+        const stewart_real c61 = c30*(2*J_zz + L*c59 - 2*J_xx) - c25*k3;
+        const stewart_real c62 = c26 + c28;
+        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61)
+            - k3*(c9*phi_ddot + gamma_n*w_x - c4*c62 - g_k*w_z);
         const stewart_real tau_place_23 = -C_s*w_n_omega - c21*gamma_y;
-        const stewart_real c60 = c57*phi_dot;
-        const stewart_real tau_place_31 = c60*theta_dot + phi_ddot*(2*c14 - 2*c7*h_z)
-            + theta_dot*(c10*theta_dot + c60) - h_y*k1*theta_ddot;
-        const stewart_real c61 = L_dot*c55;
-        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c61*phi_dot
-            + phi_dot*(c58*theta_dot + c61) + theta_dot*(c58*phi_dot - c8*theta_dot) - L_ddot*h_y
-            - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z) + c25*c48 + c8*theta_ddot + gamma_y*w_z
-            + phi_dot*(c59*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot + c59*phi_dot
-            - L_dot*h_y));
+        const stewart_real c63 = c60*phi_dot;
+        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(2*c15 - 2*c8*h_z)
+            + theta_dot*(c11*theta_dot + c63) - h_y*k1*theta_ddot;
+        const stewart_real c64 = L_dot*c58;
+        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot
+            + phi_dot*(c61*theta_dot + c64) + theta_dot*(c61*phi_dot - c9*theta_dot) - L_ddot*h_y
+            - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z) + c25*c49 + c9*theta_ddot + gamma_y*w_z
+            + phi_dot*(c62*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot + c62*phi_dot - c37));
         const stewart_real tau_place_33 = c22*gamma_n + gamma_y*w_y;
-        const stewart_real c62 = inv_rho*tau_phi;
-        const stewart_real c63 = inv_L*tau_theta;
-        const stewart_real c64 = tau_L - F;
+        const stewart_real c65 = inv_rho*tau_phi;
+        const stewart_real c66 = inv_L*tau_theta;
+        const stewart_real c67 = tau_L - F;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c62*y_x + c64*s_x - c63*z_x;
-        const stewart_real R_tip_y = c62*y_y + c64*s_y - c63*z_y;
-        const stewart_real R_tip_z = c62*y_z + c64*s_z - c63*z_z;
-        const stewart_real c65 = C_s*inv_rho;
-        const stewart_real c66 = c65*k1;
-        const stewart_real A_3_leg_21 = -c66;
-        const stewart_real c67 = c65*k3;
-        const stewart_real A_3_leg_23 = -c67;
-        const stewart_real c68 = C_s*inv_L;
-        const stewart_real A_3_leg_32 = c68;
+        const stewart_real R_tip_x = c65*y_x + c67*s_x - c66*z_x;
+        const stewart_real R_tip_y = c65*y_y + c67*s_y - c66*z_y;
+        const stewart_real R_tip_z = c65*y_z + c67*s_z - c66*z_z;
+        const stewart_real c68 = C_s*inv_rho;
+        const stewart_real c69 = c68*k1;
+        const stewart_real A_3_leg_21 = -c69;
+        const stewart_real c70 = c68*k3;
+        const stewart_real A_3_leg_23 = -c70;
+        const stewart_real c71 = C_s*inv_L;
+        const stewart_real A_3_leg_32 = c71;
         const stewart_real A_3_T_xs = A_3_leg_21*y_x;
         const stewart_real A_3_T_xy = A_3_leg_32*z_x;
         const stewart_real A_3_T_xz = A_3_leg_23*y_x;
@@ -1791,17 +1823,17 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x;
         const stewart_real A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y;
         const stewart_real A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z;
-        const stewart_real c69 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c69;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c53*k3);
-        const stewart_real f_S_leg_13 = G_dot_33*c69;
+        const stewart_real c72 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c72;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c55*k3);
+        const stewart_real f_S_leg_13 = G_dot_33*c72;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c70 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c70;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c53*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c70;
+        const stewart_real c73 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c73;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c55*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c73;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -1821,9 +1853,9 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c66;
-        const stewart_real f_S_dot_leg_23 = -c68;
-        const stewart_real f_S_dot_leg_32 = c67;
+        const stewart_real f_S_dot_leg_12 = c69;
+        const stewart_real f_S_dot_leg_23 = -c71;
+        const stewart_real f_S_dot_leg_32 = c70;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -1843,23 +1875,23 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_0_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13
             - G_ddot_31*k3_h;
         const stewart_real A_0_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12
-            + G_dot_32*tau_rate_13 - G_ddot_32*k3_h - c11*k3*tau_phi;
-        const stewart_real c71 = c13*tau_theta;
-        const stewart_real A_0_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c71
+            + G_dot_32*tau_rate_13 - G_ddot_32*k3_h - c12*k3*tau_phi;
+        const stewart_real c74 = c14*tau_theta;
+        const stewart_real A_0_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c74
             - C_p*theta_dot - G_ddot_33*k3_h - inv_L*tau_place_12;
-        const stewart_real c72 = c12*tau_phi;
+        const stewart_real c75 = c13*tau_phi;
         const stewart_real A_0_leg_21 = inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
-            + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h) - c72;
-        const stewart_real c73 = inv_rho*k3;
-        const stewart_real A_0_leg_22 = c12*k1*tau_theta + c73*tau_L + inv_rho*(G_ddot_22*M_mixed
+            + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h) - c75;
+        const stewart_real c76 = inv_rho*k3;
+        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c76*tau_L + inv_rho*(G_ddot_22*M_mixed
             + G_ddot_32*M_phi + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33
-            + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c73;
-        const stewart_real A_0_leg_23 = c72*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi
+            + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c76;
+        const stewart_real A_0_leg_23 = c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi
             + G_dot_23*tau_rate_32 + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32
             - tau_rate_31*theta_dot);
-        const stewart_real A_0_leg_31 = c71 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed
+        const stewart_real A_0_leg_31 = c74 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed
             + G_dot_21*tau_rate_22 + G_dot_31*tau_rate_23 + tau_place_21);
-        const stewart_real A_0_leg_32 = c11*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta
+        const stewart_real A_0_leg_32 = c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta
             + G_ddot_32*M_mixed + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23
             + inv_rho*tau_place_23);
         const stewart_real A_0_leg_33 = inv_L*tau_L - F*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta
@@ -1884,24 +1916,22 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
         const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
         const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
-        const stewart_real c74 = 2*h_z;
-        const stewart_real c75 = 2*k3_h;
-        const stewart_real A_1_leg_11 = C_p + G_dot_21*c74 - G_dot_31*c75;
-        const stewart_real A_1_leg_12 = G_dot_22*c74 + inv_rho*tau_rate_13 - G_dot_32*c75;
-        const stewart_real A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c75 - inv_L*tau_rate_12;
-        const stewart_real c76 = 2*M_mixed;
-        const stewart_real c77 = 2*M_phi;
-        const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c76 + G_dot_31*c77 + tau_rate_31);
-        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c76 + G_dot_32*c77 + inv_rho*tau_rate_33
-            - G_dot_12*c75);
-        const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c76 + G_dot_33*c77 + c75*theta_dot
-            - inv_L*tau_rate_32);
-        const stewart_real c78 = 2*M_theta;
-        const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c78 + G_dot_31*c76 + tau_rate_21);
-        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c74 + G_dot_22*c78 + G_dot_32*c76
+        const stewart_real c77 = 2*h_z;
+        const stewart_real c78 = 2*k3_h;
+        const stewart_real A_1_leg_11 = C_p + G_dot_21*c77 - G_dot_31*c78;
+        const stewart_real A_1_leg_12 = G_dot_22*c77 + inv_rho*tau_rate_13 - G_dot_32*c78;
+        const stewart_real A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12;
+        const stewart_real c79 = 2*M_mixed;
+        const stewart_real c80 = 2*M_phi;
+        const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c79 + G_dot_31*c80 + tau_rate_31);
+        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c79 + G_dot_32*c80 + inv_rho*tau_rate_33
+            - G_dot_12*c78);
+        const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c79 + G_dot_33*c80 + c7*k3_h - inv_L*tau_rate_32);
+        const stewart_real c81 = 2*M_theta;
+        const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c81 + G_dot_31*c79 + tau_rate_21);
+        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c77 + G_dot_22*c81 + G_dot_32*c79
             + inv_rho*tau_rate_23);
-        const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c78 + G_dot_33*c76 - c74*theta_dot
-            - inv_L*tau_rate_22);
+        const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c81 + G_dot_33*c79 - c7*h_z - inv_L*tau_rate_22);
         const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
         const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
         const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
@@ -1944,18 +1974,18 @@ STEWART_APART static void derivatives_of_legs(
             - A_1_zx*omega_z;
         const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
             - A_1_zy*omega_x;
-        const stewart_real c79 = m_xy*omega_z;
-        const stewart_real c80 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c79 - c80;
+        const stewart_real c82 = m_xy*omega_z;
+        const stewart_real c83 = m_xz*omega_y;
+        const stewart_real Y_xx = A_1_xx + c82 - c83;
         const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
         const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
         const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
-        const stewart_real c81 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c81 - c79;
+        const stewart_real c84 = m_yz*omega_x;
+        const stewart_real Y_yy = A_1_yy + c84 - c82;
         const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
         const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
         const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
-        const stewart_real Y_zz = A_1_zz + c80 - c81;
+        const stewart_real Y_zz = A_1_zz + c83 - c84;
         const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
         const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
         const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
@@ -1965,43 +1995,43 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
         const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
         const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
-        const stewart_real c82 = m_xz*w_q_y;
-        const stewart_real c83 = m_xy*w_q_z;
-        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c82 - Y_xy*q_z - c83;
+        const stewart_real c85 = m_xz*w_q_y;
+        const stewart_real c86 = m_xy*w_q_z;
+        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c85 - Y_xy*q_z - c86;
         const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
         const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
         const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
-        const stewart_real c84 = m_yz*w_q_x;
-        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c83 - Y_yz*q_x - c84;
+        const stewart_real c87 = m_yz*w_q_x;
+        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c86 - Y_yz*q_x - c87;
         const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
         const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
         const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
-        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c84 - Y_zx*q_y - c82;
-        const stewart_real c85 = m_xy*q_z;
-        const stewart_real c86 = m_xz*q_y;
-        const stewart_real c87 = -m_yz*q_x;
+        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c87 - Y_zx*q_y - c85;
+        const stewart_real c88 = m_xy*q_z;
+        const stewart_real c89 = m_xz*q_y;
+        const stewart_real c90 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c85 - c86;
+        const stewart_real m_q_xx = c88 - c89;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c85 - c87;
+        const stewart_real m_q_yy = -c88 - c90;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c86 + c87;
-        const stewart_real c88 = R_tip_y*q_y;
-        const stewart_real c89 = R_tip_z*q_z;
-        const stewart_real c90 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c91 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c92 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c93 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c94 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c95 = R_tip_x*q_x;
-        const stewart_real c96 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c97 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c98 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c99 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real m_q_zz = c89 + c90;
+        const stewart_real c91 = R_tip_y*q_y;
+        const stewart_real c92 = R_tip_z*q_z;
+        const stewart_real c93 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c94 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c95 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c96 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c97 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c98 = R_tip_x*q_x;
+        const stewart_real c99 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c100 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c101 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c102 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -2050,15 +2080,15 @@ STEWART_APART static void derivatives_of_legs(
         out->sum[45][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
         out->sum[46][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
         out->sum[47][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c91*q_z - Z_yx*q_z - c88 - c89 - c90*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c90*q_x - Z_yy*q_z - c92*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c92*q_y - Z_yz*q_z - c91*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c93*q_z - Z_zx*q_x - c94*q_y;
-        out->sum[52][l] = Z_xy*q_z + c94*q_x - Z_zy*q_x - c89 - c95 - c96*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c96*q_y - Z_zz*q_x - c93*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c97*q_z - Z_xx*q_y - c98*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c98*q_x - Z_xy*q_y - c99*q_z;
-        out->sum[56][l] = Z_yz*q_x + c99*q_y - Z_xz*q_y - c88 - c95 - c97*q_x;
+        out->sum[48][l] = Z_zx*q_y + c94*q_z - Z_yx*q_z - c91 - c92 - c93*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c93*q_x - Z_yy*q_z - c95*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c95*q_y - Z_yz*q_z - c94*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c96*q_z - Z_zx*q_x - c97*q_y;
+        out->sum[52][l] = Z_xy*q_z + c97*q_x - Z_zy*q_x - c92 - c98 - c99*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c99*q_y - Z_zz*q_x - c96*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c100*q_z - Z_xx*q_y - c101*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c101*q_x - Z_xy*q_y - c102*q_z;
+        out->sum[56][l] = Z_yz*q_x + c102*q_y - Z_xz*q_y - c100*q_x - c91 - c98;
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;

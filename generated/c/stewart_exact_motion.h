@@ -11,10 +11,10 @@
  * `derivatives` alone.
  *
  * Operations of a pose before any solve      with friction                                without
- * equations         4601 (2589 mul, 1988 add, 12 div, 12 sqrt)   4256
- * bias              1890 (1095 mul, 771 add, 12 div, 12 sqrt)    1674
- * forward_dynamics  2826 (1611 mul, 1191 add, 12 div, 12 sqrt)   2610
- * derivatives       11201 (6264 mul, 4913 add, 12 div, 12 sqrt)  8904
+ * equations         4655 (2625 mul, 2006 add, 12 div, 12 sqrt)   4310
+ * bias              2028 (1197 mul, 807 add, 12 div, 12 sqrt)    1812
+ * forward_dynamics  2910 (1677 mul, 1209 add, 12 div, 12 sqrt)   2694
+ * derivatives       11249 (6300 mul, 4925 add, 12 div, 12 sqrt)  8952
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H

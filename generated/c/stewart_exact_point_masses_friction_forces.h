@@ -9,12 +9,12 @@
  * Fidelity: parts of the legs as points, with friction.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      245 (148 mul, 93 add, 2 div, 2 sqrt)
+ * leg      246 (149 mul, 93 add, 2 div, 2 sqrt)
  * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1864 (1071 mul, 763 add, 18 div, 12 sqrt)
+ * total    1870 (1077 mul, 763 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_POINT_MASSES_FRICTION_FORCES_H
 #define STEWART_EXACT_POINT_MASSES_FRICTION_FORCES_H

@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -63,7 +65,7 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 333 (188 mul, 141 add, 2 div, 2 sqrt). */
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 325 (183 mul, 138 add, 2 div, 2 sqrt). */
 static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
     leg_terms *out)
 {
@@ -120,25 +122,22 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
     const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
     const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    /* (10) along the third axis of the leg */
+    const stewart_real s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z;
+    const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
+    const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
-        + k_cross_s_z*k_cross_s_z);
+    const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+        + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
     const stewart_real inv_k3 = 1/k3;
-    /* (10) k x s, of length one */
-    const stewart_real y_raw_x = inv_k3*k_cross_s_x;
-    const stewart_real y_raw_y = inv_k3*k_cross_s_y;
-    const stewart_real y_raw_z = inv_k3*k_cross_s_z;
-    /* rounding: nothing of k x s lies along s */
-    const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
-    const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
-    /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
-    const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
-    const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
     /* (10) third axis of the leg frame */
-    const stewart_real z_x = s_y*y_z - s_z*y_y;
-    const stewart_real z_y = s_z*y_x - s_x*y_z;
-    const stewart_real z_z = s_x*y_y - s_y*y_x;
+    const stewart_real z_x = inv_k3*s_cross_normal_x;
+    const stewart_real z_y = inv_k3*s_cross_normal_y;
+    const stewart_real z_z = inv_k3*s_cross_normal_z;
+    /* (10) rotating axis of the universal joint */
+    const stewart_real y_x = s_z*z_y - s_y*z_z;
+    const stewart_real y_y = s_x*z_z - s_z*z_x;
+    const stewart_real y_z = s_y*z_x - s_x*z_y;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
     const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
@@ -312,7 +311,7 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
 }
 
-/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 427 (237 mul, 186 add, 2 div, 2 sqrt). */
+/* One leg: joint reactions, (21), (26)-(29), (17). Operations: 419 (232 mul, 183 add, 2 div, 2 sqrt). */
 static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
 {
@@ -369,25 +368,22 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
     const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
     const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    /* (10) along the third axis of the leg */
+    const stewart_real s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z;
+    const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
+    const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
-        + k_cross_s_z*k_cross_s_z);
+    const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+        + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
     const stewart_real inv_k3 = 1/k3;
-    /* (10) k x s, of length one */
-    const stewart_real y_raw_x = inv_k3*k_cross_s_x;
-    const stewart_real y_raw_y = inv_k3*k_cross_s_y;
-    const stewart_real y_raw_z = inv_k3*k_cross_s_z;
-    /* rounding: nothing of k x s lies along s */
-    const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
-    const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
-    /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
-    const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
-    const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
     /* (10) third axis of the leg frame */
-    const stewart_real z_x = s_y*y_z - s_z*y_y;
-    const stewart_real z_y = s_z*y_x - s_x*y_z;
-    const stewart_real z_z = s_x*y_y - s_y*y_x;
+    const stewart_real z_x = inv_k3*s_cross_normal_x;
+    const stewart_real z_y = inv_k3*s_cross_normal_y;
+    const stewart_real z_z = inv_k3*s_cross_normal_z;
+    /* (10) rotating axis of the universal joint */
+    const stewart_real y_x = s_z*z_y - s_y*z_z;
+    const stewart_real y_y = s_x*z_z - s_z*z_x;
+    const stewart_real y_z = s_y*z_x - s_x*z_y;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
     const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;

@@ -16,12 +16,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      333 (188 mul, 141 add, 2 div, 2 sqrt)     287 (164 mul, 119 add, 2 div, 2 sqrt)
+ * leg      325 (183 mul, 138 add, 2 div, 2 sqrt)     279 (159 mul, 116 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
  * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2456 (1357 mul, 1069 add, 18 div, 12 sqrt) 2180 (1213 mul, 937 add, 18 div, 12 sqrt)
+ * total    2408 (1327 mul, 1051 add, 18 div, 12 sqrt) 2132 (1183 mul, 919 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_PAPER_H
 #define STEWART_PAPER_H

@@ -28,7 +28,9 @@
 #define STEWART_NEAR_POLE ((stewart_real)0.015625)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#endif
 
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
@@ -639,7 +641,7 @@ static void legs_of_pose(
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 281 (165 mul, 112 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its pole: 273 (160 mul, 109 add, 2 div, 2 sqrt) operations each. */
 static void legs_near_pole(
     const stewart_paper_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -690,25 +692,22 @@ static void legs_near_pole(
         const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
         const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
         const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
         /* (10) |k x s| */
-        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
-            + k_cross_s_z*k_cross_s_z);
+        const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_k3 = 1/k3;
-        /* (10) k x s, of length one */
-        const stewart_real y_raw_x = inv_k3*k_cross_s_x;
-        const stewart_real y_raw_y = inv_k3*k_cross_s_y;
-        const stewart_real y_raw_z = inv_k3*k_cross_s_z;
-        /* rounding: nothing of k x s lies along s */
-        const stewart_real y_s = s_x*y_raw_x + s_y*y_raw_y + s_z*y_raw_z;
-        const stewart_real y_size = STEWART_HALF*y_s*y_s + 1;
-        /* (10) second axis of the leg frame */
-        const stewart_real y_x = y_raw_x*y_size - s_x*y_s;
-        const stewart_real y_y = y_raw_y*y_size - s_y*y_s;
-        const stewart_real y_z = y_raw_z*y_size - s_z*y_s;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = s_y*y_z - s_z*y_y;
-        const stewart_real z_y = s_z*y_x - s_x*y_z;
-        const stewart_real z_z = s_x*y_y - s_y*y_x;
+        const stewart_real z_x = inv_k3*s_cross_normal_x;
+        const stewart_real z_y = inv_k3*s_cross_normal_y;
+        const stewart_real z_z = inv_k3*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
         const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;

@@ -1,0 +1,145 @@
+"""What the atlas is made of: a family of poses that walks into a failure, a curve for each method, a verdict.
+
+Records and measures alone; knows no machine and no file.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...results import OK
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+
+EPS = float(np.finfo(np.float64).eps)
+WRONG = 1000.0
+"""Rounding units over the problem's own condition number above which an answer is wrong."""
+GOOD = 1e6
+"""Condition number below which a pose must get an answer."""
+POINTS = 49
+"""Distances of a family."""
+
+
+def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:
+    """From 1 to the nearest, even in their logarithm, (points,)."""
+    return np.asarray(np.logspace(0.0, np.log10(nearest), points))
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One method along a family.
+
+    error: of its answer, over the size of what it computes, (n,), NaN without an answer.
+    condition: the condition number of the problem that it solves, (n,).
+    status: (n,), codes of ``results.STATUS_TEXT``; None where a method has none to give.
+    pose: condition number of the poses, (n,), that of a leg's frame included; None: the same.
+    shipped: whether users meet it; else it is a candidate.
+    epsilon: rounding unit of its arithmetic.
+    """
+
+    method: str
+    error: Array
+    condition: Array
+    status: Codes | None = None
+    shipped: bool = False
+    epsilon: float = EPS
+    pose: Array | None = None
+
+    @property
+    def answered(self) -> NDArray[np.bool_]:
+        """Where it gives an answer and says that it is one, (n,)."""
+        given = np.isfinite(self.error)
+        return given if self.status is None else np.asarray((self.status == OK) & given)
+
+    @property
+    def ratio(self) -> Array:
+        """Error in rounding units over the condition number, (n,), NaN without an answer."""
+        return np.where(self.answered, self.error / (self.epsilon * self.condition), np.nan)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A curve in numbers.
+
+    worst: largest error in rounding units over the condition number with status ok, at distance ``where``.
+    digits: decimal digits left at the worst answer with status ok.
+    last: nearest distance with an answer. refused_at: condition number of the first pose with a status, None
+    if there is none.
+    silent: distances at which an answer is wrong and no status says so. alarmed: distances at which a good
+    pose has a status.
+    """
+
+    worst: float
+    where: float
+    digits: float
+    last: float
+    refused_at: float | None
+    silent: int
+    alarmed: int
+
+    @property
+    def right(self) -> bool:
+        """Whether there is a status where there must be one, and nowhere else."""
+        return self.silent == 0 and self.alarmed == 0
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """A one-parameter family with every method's curve.
+
+    name: of its files. fails, remedy: what fails and what we do about it, for the README's table.
+    axis: what the distance is. growth: further columns (n,), by name, drawn beside. notes: lines for the
+    report. beyond_range: whether it leaves the range of double, where a status is right however good the
+    pose. by_status: whether its statuses are what there is to see.
+    """
+
+    name: str
+    title: str
+    fails: str
+    remedy: str
+    axis: str
+    distance: Array
+    curves: tuple[Curve, ...]
+    growth: Mapping[str, Array] = field(default_factory=dict)
+    growth_axis: str = ""
+    notes: tuple[str, ...] = ()
+    error_axis: str = "error over the largest force"
+    beyond_range: bool = False
+    by_status: bool = False
+    growth_title: str = "the problem itself"
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Columns (n,) of its CSV."""
+        found: dict[str, NDArray[Any]] = {"distance": self.distance, **self.growth}
+        for curve in self.curves:
+            name = curve.method.replace(",", "")
+            found |= {f"{name}: error": curve.error, f"{name}: condition": curve.condition}
+            if curve.status is not None:
+                found[f"{name}: status"] = curve.status
+        return found
+
+
+def verdict(curve: Curve, distance: Array) -> Verdict:
+    """Weigh a curve over its family's distances."""
+    ratio, answered = curve.ratio, curve.answered
+    of_pose = curve.condition if curve.pose is None else np.maximum(curve.condition, curve.pose)
+    refused = np.zeros(len(distance), dtype=np.bool_) if curve.status is None else curve.status != OK
+    if not answered.any():
+        nothing = float("nan")
+        first = float(of_pose[refused].min(initial=np.inf))
+        return Verdict(nothing, nothing, nothing, nothing, first, 0, int(np.sum(refused & (of_pose < GOOD))))
+    worst = int(np.nanargmax(ratio))
+    largest = float(np.max(curve.error[answered]))
+    return Verdict(
+        worst=float(ratio[worst]),
+        where=float(distance[worst]),
+        digits=max(0.0, float(-np.log10(max(largest, curve.epsilon / 2.0)))),
+        last=float(distance[answered].min()),
+        refused_at=float(of_pose[refused].min()) if refused.any() else None,
+        silent=int(np.sum(answered & (ratio > WRONG))),
+        alarmed=int(np.sum(refused & (of_pose < GOOD))),
+    )

@@ -1,0 +1,146 @@
+"""Certificates of forward kinematics: what is proven is so, and what is not so is never proven."""
+
+import dataclasses
+
+import mpmath
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.forward import newton
+from stewart_sym.rotation import rotation_from_vector
+from stewart_sym.studies.stability.poses import _exact_pose
+from stewart_sym.studies.stability.singular import path_III
+
+Array = NDArray[np.float64]
+
+
+def lengths(robot: ss.Robot, R: Array, t: Array) -> Array:
+    q = np.einsum("...jk,ik->...ij", R, robot.p)
+    return np.asarray(np.linalg.norm(q + t[..., None, :] - robot.b, axis=-1))
+
+
+def turn_between(exact: mpmath.matrix, R: Array) -> float:
+    """Angle, rad, by the chord."""
+    off = [exact[i, j] - float(R[i, j]) for i in range(3) for j in range(3)]
+    return float(mpmath.sqrt(sum(x * x for x in off) / 2))
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-9, 1e-4])
+def test_the_exact_pose_lies_within_what_is_proven(off: float) -> None:
+    rng = np.random.default_rng(1)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3,))
+    L = lengths(robot, motion.R, motion.t)
+    R = rotation_from_vector(off * rng.normal(size=(3, 3))) @ motion.R
+    t = motion.t + off * rng.normal(size=(3, 3))
+    proof = ss.certify_pose(robot, L, (R, t))
+    assert proof.proven.all()
+    for i in range(3):
+        turn, place = _exact_pose(robot, L[i], R[i], t[i])
+        distance = mpmath.sqrt(sum((place[j] - float(t[i, j])) ** 2 for j in range(3)))
+        assert float(distance) <= proof.position[i]
+        assert turn_between(turn, R[i]) <= proof.angle[i] + 1e-15
+        assert proof.position[i] < 100 * (off + 1e-14)
+
+
+def test_answers_of_forward_kinematics_are_proven_to_rounding() -> None:
+    rng = np.random.default_rng(2)
+    for _ in range(4):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (2,))
+        L = lengths(robot, motion.R, motion.t)
+        found = ss.forward_kinematics(robot, L, (motion.R, motion.t))
+        proof = ss.certify_pose(robot, L, (found.R, found.t))
+        assert proof.proven.all()
+        assert proof.position.max() < 1e-12 * np.abs(robot.b).max()
+
+
+def test_what_is_no_pose_of_the_lengths_is_not_proven() -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot, (20,))
+    L = lengths(robot, motion.R, motion.t)
+    far = ss.certify_pose(robot, L, (motion.R, motion.t + 0.5 * rng.normal(size=(20, 3))))
+    # Where something is proven of a pose so far off, the pose with these lengths is within its bound.
+    for i in np.flatnonzero(far.proven):
+        assert lengths(robot, motion.R[i], motion.t[i]) == pytest.approx(L[i])
+    assert far.proven.mean() < 0.2
+
+
+def test_lengths_that_no_pose_has_prove_nothing() -> None:
+    robot = random_robot(np.random.default_rng(4), scale=1.0)
+    motion = random_motion(np.random.default_rng(4), robot)
+    L = lengths(robot, motion.R, motion.t)
+    impossible = L.copy()
+    # One leg longer than its end can reach while the others stay.
+    impossible[0] += 10.0
+    R, t, *_ = newton(robot, impossible[None], motion.R[None], motion.t[None])
+    assert not ss.certify_pose(robot, impossible, (R[0], t[0])).proven
+    assert not ss.certify_pose(robot, impossible, (motion.R, motion.t)).proven
+
+
+def test_two_poses_with_the_same_lengths_are_proven_apart() -> None:
+    robot = dasgupta()
+    home = ss.PATHS["I"].path.sample(0.0)
+    L = lengths(robot, home.R, home.t)
+    starts = rotation_from_vector(np.linspace(-3, 3, 13)[:, None] * np.array([1.0, 0.3, 0.0])) @ home.R
+    R, t, _, _, found = newton(robot, np.tile(L, (13, 1)), starts, np.tile(home.t, (13, 1)))
+    proof = ss.certify_pose(robot, L, (R[found], t[found]))
+    assert proof.proven.all()
+    places = t[found]
+    gaps = np.linalg.norm(places[:, None] - places, axis=-1)
+    apart = gaps > 1e-6
+    assert apart.any()
+    # Balls in which a pose is alone hold no other pose.
+    length = ss.characteristic_length(robot)
+    turns = np.linalg.norm(R[found][:, None] - R[found], axis=(-2, -1)) / np.sqrt(2)
+    distance = np.sqrt((gaps / length) ** 2 + (2 * np.arcsin(np.minimum(turns / 2, 1.0))) ** 2)
+    assert np.all(distance[apart] > np.broadcast_to(proof.alone[:, None], gaps.shape)[apart])
+
+
+def test_the_middle_between_two_poses_near_a_singular_one_is_not_proven_as_either() -> None:
+    robots, motions = path_III()
+    near, nearer = motions[20], motions[30]
+    L = lengths(robots[0], near.R, near.t)
+    proof = ss.certify_pose(robots[0], L, (nearer.R, nearer.t))
+    assert not proof.proven or proof.position >= np.linalg.norm(nearer.t - near.t)
+
+
+def test_an_error_of_the_lengths_shows_in_the_bound() -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot)
+    L = lengths(robot, motion.R, motion.t)
+    for error in (1e-12, 1e-9, 1e-6):
+        proof = ss.certify_pose(robot, L + error, (motion.R, motion.t))
+        assert proof.proven
+        assert error / 10 < proof.position < 1e3 * error
+
+
+def test_no_pose_proves_nothing_and_bad_arguments_are_named() -> None:
+    robot = dasgupta()
+    L = np.ones((2, 6))
+    nothing = ss.certify_pose(robot, L, (np.full((2, 3, 3), np.nan), np.full((2, 3), np.nan)))
+    assert not nothing.proven.any()
+    assert np.isnan(nothing.position).all()
+    with pytest.raises(ValueError, match=r"^pose: expected a pose"):
+        ss.certify_pose(robot, L, np.eye(3))  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"^pose: R: expected a rotation"):
+        ss.certify_pose(robot, L, (2.0 * np.eye(3), np.zeros(3)))
+    with pytest.raises(ValueError, match=r"^L: expected lengths > 0"):
+        ss.certify_pose(robot, -L, (np.eye(3), np.zeros(3)))
+
+
+def test_scale_does_not_matter_to_a_proof() -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot)
+    for scale in (1e-4, 1e3):
+        scaled = dataclasses.replace(robot, b=scale * robot.b, p=scale * robot.p)
+        t = scale * motion.t
+        proof = ss.certify_pose(scaled, lengths(scaled, motion.R, t), (motion.R, t))
+        assert proof.proven
+        assert proof.position < 1e-13 * scale
