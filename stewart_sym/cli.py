@@ -188,7 +188,8 @@ def _generate(arguments: argparse.Namespace) -> int:
     from .robot import Robot
 
     robot = Robot.from_toml(arguments.robot)
-    choice = Choice(arguments.formulation, arguments.fidelity, arguments.bake, arguments.precision)
+    names = ("formulation", "fidelity", "bake", "precision", "scalar")
+    choice = Choice(**{name: getattr(arguments, name) for name in names})
     with _progress() as progress:
         progress("generating")
         made, written = write_kit(robot, arguments.output, choice, arguments.force)
@@ -806,6 +807,11 @@ def _parser() -> argparse.ArgumentParser:
         "massless_static",
     )
     verb.add_argument("--bake", action="store_true", help="forces alone, with the robot's numbers folded in")
+    verb.add_argument(
+        "--scalar",
+        action="store_true",
+        help="forces alone, of one pose, legs one after the other: for processors without vector registers",
+    )
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--force", action="store_true", help="replace files that are there already")
 

@@ -23,12 +23,13 @@ from .derive import notation
 from .derive.bake import baked
 from .derive.block import Quantity
 from .derive.emit import kit as texts
-from .derive.emit import lanes
+from .derive.emit import lanes, scalar
 from .derive.emit.c import common_header
 from .derive.fidelity import FIDELITIES, fidelity_kernel
 from .derive.formulation import EXACT, FORMULATIONS
 from .derive.generate import generator_version, shared_blocks
 from .derive.operations import force_operations
+from .derive.regroup import ForceKernel
 from .dynamics import Formulation, inverse_dynamics
 from .kernel import c_sources, kernel_name, module
 from .kinematics import clear_of_poles, inverse_kinematics
@@ -56,18 +57,20 @@ class Choice:
 
     formulation: "exact" or "paper". fidelity: None for the whole kernel with D, K, H, c and the reactions,
     else the forces alone at one level of ``fidelity.FIDELITIES``. bake: fold the robot's numbers in (forces
-    alone; ``general`` where no fidelity is given). precision: "double" or "float".
+    alone; ``general`` where no fidelity is given). precision: "double" or "float". scalar: one pose, its legs
+    one after the other, small in code and stack, for processors without vector registers (forces alone).
     """
 
     formulation: str = "exact"
     fidelity: str | None = None
     bake: bool = False
     precision: str = "double"
+    scalar: bool = False
 
     @property
     def level(self) -> str | None:
         """The level of the forces alone, None for the whole kernel."""
-        return self.fidelity or ("general" if self.bake else None)
+        return self.fidelity or ("general" if self.bake or self.scalar else None)
 
 
 @dataclass(frozen=True)
@@ -115,8 +118,8 @@ def kit(robot: Robot, choice: Choice = Choice()) -> Kit:
     }
     if choice.level is None:
         kernel = _whole_kernel(robot, choice)
-    elif choice.bake:
-        kernel = _baked_kernel(robot, choice, numbers)
+    elif choice.bake or choice.scalar:
+        kernel = _derived_kernel(robot, choice, numbers)
     else:
         kernel = _force_kernel(robot, choice)
     sources = dict(kernel.sources)
@@ -157,27 +160,47 @@ def _force_kernel(robot: Robot, choice: Choice) -> _Kernel:
     return _Kernel(c_sources(f"{name}_forces"), target, count)
 
 
-def _baked_kernel(robot: Robot, choice: Choice, numbers: texts.Numbers) -> _Kernel:
+def _derived_kernel(robot: Robot, choice: Choice, numbers: texts.Numbers) -> _Kernel:
+    """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
     level = fidelity.resolved(robot, choice.formulation, str(choice.level))
     joint = robot.base_joint if level == "general" else EXACT.base_joint
     form = next(f for f in FORMULATIONS if f.kernel_name == kernel_name(choice.formulation, joint))
     raw = fidelity_kernel(form, FIDELITIES[level])
-    name = texts.robot_symbol(robot.name).removeprefix("stewart_")
-    name += "" if level == "general" else f"_{level}"
-    general, folded = shared_blocks(raw), shared_blocks(baked(raw, numbers, name))
-    before, after = (force_operations(kernel).total.total for kernel in (general, folded))
+    plain = shared_blocks(raw)
+    made, before, after = plain, force_operations(plain).total.total, None
+    if choice.bake:
+        name = texts.robot_symbol(robot.name).removeprefix("stewart_")
+        name += "" if level == "general" else f"_{level}"
+        made = shared_blocks(baked(raw, numbers, name))
+        after = force_operations(made).total.total
+    count = f"{before} operations a pose" if after is None else f"{after} operations a pose, {before} before"
+    folded = " with its numbers folded in" if choice.bake else ""
     says = (
-        f"Actuator forces of this Stewart platform with its numbers folded in, {form.name}, fidelity "
-        f"{level}: {fidelity.meaning(level)}; {after} operations a pose, {before} before."
+        f"Actuator forces of this Stewart platform{folded}, {form.name}, fidelity {level}: "
+        f"{fidelity.meaning(level)}; {count}."
     )
+    target = texts.Target(
+        made.name,
+        forces_alone=True,
+        baked=choice.bake,
+        scalar=choice.scalar,
+        precision=choice.precision,
+        says=says,
+    )
+    return _Kernel(_derived_sources(made, plain, target), target, before, after)
+
+
+def _derived_sources(made: ForceKernel, plain: ForceKernel, target: texts.Target) -> dict[str, str]:
     generator = generator_version()
-    sources = {
+    if target.scalar:
+        header, source = scalar.header(made, plain if target.baked else None, generator), scalar.source
+    else:
+        header, source = lanes.baked_header(made, plain, generator), lanes.source
+    return {
         "stewart.h": common_header(generator),
-        f"stewart_{name}_forces.h": lanes.baked_header(folded, general, generator),
-        f"stewart_{name}_forces.c": lanes.source(folded, generator),
+        f"{target.file}.h": header,
+        f"{target.file}.c": source(made, generator),
     }
-    target = texts.Target(name, forces_alone=True, baked=True, precision=choice.precision, says=says)
-    return _Kernel(sources, target, before, after)
 
 
 def _checked(robot: Robot, choice: Choice) -> texts.Sample:

@@ -78,12 +78,15 @@ def test_kit_builds_silently_and_its_example_agrees(
     assert "6 of 6 forces agree" in output
 
 
-@pytest.mark.parametrize(("bake", "precision"), [(False, "double"), (True, "float")])
+@pytest.mark.parametrize(
+    ("bake", "scalar", "precision"),
+    [(False, False, "double"), (True, False, "float"), (False, True, "float"), (True, True, "double")],
+)
 @pytest.mark.parametrize("level", fidelity.FIDELITIES)
 def test_kit_of_every_level_builds_silently_and_its_example_agrees(
-    tmp_path: Path, level: str, bake: bool, precision: str
+    tmp_path: Path, level: str, bake: bool, scalar: bool, precision: str
 ) -> None:
-    choice = Choice(fidelity=level, bake=bake, precision=precision)
+    choice = Choice(fidelity=level, bake=bake, precision=precision, scalar=scalar)
     write_kit(machine("dasgupta" if bake else "random"), tmp_path / "kit", choice)
     # Valid C++ where the language makes a difference: in what the printers print of general legs.
     code, output = run(build(tmp_path / "kit", "g++" if level == "general" else "gcc"))

@@ -390,6 +390,10 @@ ARITHMETIC = """\
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (16 * STEWART_EPSILON)
 
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
+
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
 #define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)

@@ -37,20 +37,23 @@ class Sample:
 class Target:
     """Which kernel a kit is built around.
 
-    kernel: as in ``stewart_<kernel>.h``, or ``stewart_<kernel>_forces.h`` where forces_alone. baked: the
+    kernel: as in ``stewart_<kernel>.h``, or ``stewart_<kernel>_forces.h`` where forces_alone, or
+    ``stewart_<kernel>_pose.h`` where scalar: one pose, its legs one after the other. baked: the
     robot's numbers are in the kernel. precision: "double" or "float". says: lines of the README about it.
     """
 
     kernel: str
     forces_alone: bool = False
     baked: bool = False
+    scalar: bool = False
     precision: str = "double"
     says: str = ""
 
     @property
     def file(self) -> str:
         """Name of the kernel's files, without the ending."""
-        return f"stewart_{self.kernel}{'_forces' if self.forces_alone else ''}"
+        suffix = "_pose" if self.scalar else "_forces" if self.forces_alone else ""
+        return f"stewart_{self.kernel}{suffix}"
 
     @property
     def sources(self) -> str:
@@ -119,6 +122,8 @@ def _target_texts(target: Target, symbol: str) -> dict[str, str]:
     else:
         called += ";"
     rows = _FUNCTIONS["baked" if target.baked else "forces" if target.forces_alone else "whole"]
+    if target.scalar:
+        rows = tuple(row for row in rows if not row[0].endswith("_batch"))
     return {
         "file": target.file,
         "sources": target.sources,

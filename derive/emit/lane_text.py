@@ -110,8 +110,4 @@ MACROS = """
 #endif
 
 #define LANES 8
-
-/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost six bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.015625)
 """
