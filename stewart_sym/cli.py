@@ -10,7 +10,9 @@ import contextlib
 import dataclasses
 import math
 import os
+import signal
 import sys
+import threading
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -40,7 +42,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = _parser().parse_args(argv)
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
-            with _warnings_in_lines():
+            with _warnings_in_lines(), _terminated_as_interrupted():
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
@@ -56,6 +58,23 @@ def main(argv: Sequence[str] | None = None) -> int:
         except OSError:
             _give_up_stdout()
         return 2
+
+
+@contextlib.contextmanager
+def _terminated_as_interrupted() -> Iterator[None]:
+    """Let a run that is told to end undo what it has begun to write, as on Ctrl-C."""
+
+    def interrupted(number: int, frame: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, interrupted)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 # Verbs
@@ -184,19 +203,26 @@ def _derive(arguments: argparse.Namespace) -> int:
 
 
 def _generate(arguments: argparse.Namespace) -> int:
-    from .kit import Choice, write_kit
+    from .kit import Choice, kit_names, write_kit
     from .robot import Robot
 
     robot = Robot.from_toml(arguments.robot)
-    names = ("formulation", "fidelity", "bake", "precision", "scalar")
-    choice = Choice(**{name: getattr(arguments, name) for name in names})
+    names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu")
+    functions = tuple(name.strip() for name in arguments.functions.split(","))
+    choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
+    if arguments.list:
+        for name in kit_names(robot, choice):
+            print(arguments.output / name)
+        return 0
     with _progress() as progress:
         progress("generating")
         made, written = write_kit(robot, arguments.output, choice, arguments.force)
     for path in written:
         print(path)
-    folded = "" if made.baked_operations is None else f", with the numbers folded in {made.baked_operations}"
-    print(f"operations of a pose: {made.operations}{folded}")
+    if made.operations is not None:
+        after = made.baked_operations
+        folded = "" if after is None else f", with the numbers folded in {after}"
+        print(f"operations of a pose: {made.operations}{folded}")
     return 0
 
 
@@ -375,7 +401,12 @@ def _advise(arguments: argparse.Namespace) -> int:
         if arguments.generate is not None and found.chosen is not None:
             progress("generating")
             it = found.chosen.candidate
-            choice = Choice(it.formulation, it.fidelity, arguments.bake, it.precision)
+            choice = Choice(
+                formulation=it.formulation,
+                fidelity=it.fidelity,
+                bake=arguments.bake,
+                precision=it.precision,
+            )
             _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force)
     print(advice.report(found))
     for path in written:
@@ -792,28 +823,36 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "generate",
         _generate,
-        "write a C kernel with one robot's constants, a header and an example",
-        "stewart-sym generate hexapod.toml --bake --fidelity slender -o kernel",
-        "Without --fidelity and --bake the kernel hands out D, K, H, c and the joint reactions as well.",
+        "write a C kit of one robot: kernels, constants, self-test, example, build files, README",
+        "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit",
+        "The kit proves itself where it runs: `make` builds it and runs its self-test.",
     )
     _robot(verb)
     _output(verb, "DIR", "folder to write to", None)
+    verb.add_argument(
+        "--functions",
+        metavar="LIST",
+        default="forces",
+        help="some of forces, reactions, motion, derivatives, kinematics, with commas; default: forces",
+    )
     _formulation(verb)
     verb.add_argument(
         "--fidelity",
         metavar="LEVEL",
-        help="forces alone, with so much of the legs' physics: general, frictionless, axisymmetric, slender, "
+        help="of the forces, with so much of the legs' physics: general, frictionless, axisymmetric, slender, "
         "point_masses, massless, the last four also with _friction; general_static, slender_static, "
         "massless_static",
     )
-    verb.add_argument("--bake", action="store_true", help="forces alone, with the robot's numbers folded in")
+    verb.add_argument("--bake", action="store_true", help="fold the robot's numbers into the forces")
     verb.add_argument(
         "--scalar",
         action="store_true",
-        help="forces alone, of one pose, legs one after the other: for processors without vector registers",
+        help="forces of one pose, legs one after the other: for processors without vector registers",
     )
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
-    verb.add_argument("--force", action="store_true", help="replace files that are there already")
+    verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
+    verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
+    verb.add_argument("--force", action="store_true", help="replace files that were edited or are of other origin")
 
     verb = _verb(
         verbs,

@@ -8,7 +8,7 @@ import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from errno import EISDIR, ENOTDIR
 from pathlib import Path
 from typing import TextIO
@@ -47,12 +47,13 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
 
 
 @contextlib.contextmanager
-def staged_folder(directory: Path) -> Iterator[Path]:
+def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     """Give an empty folder whose files move into ``directory``, made if missing, when the block ends well.
 
-    Files of the same names are replaced, others stay. All files move or, whatever happens, none: if one can't
-    be moved, or on an interrupt, those that were are put back. Raises OSError naming ``directory`` before the
-    block when it can't be written, and the file or folder that is in the way.
+    Files of the same names are replaced, those of the names ``gone`` are removed, others stay. All that
+    happens or, whatever goes wrong, nothing: if a file can't be moved, or on an interrupt, those that were are
+    put back. Raises OSError naming ``directory`` before the block when it can't be written, and the file or
+    folder that is in the way.
     """
     target = directory.resolve()
     place = target
@@ -69,19 +70,21 @@ def staged_folder(directory: Path) -> Iterator[Path]:
         replaced.mkdir()
         with named(directory):
             yield staged
-        _move_all(staged, target, replaced)
+        _move_all(staged, target, replaced, gone)
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def _move_all(staged: Path, target: Path, replaced: Path) -> None:
-    """Move the staged files to ``target`` and those in their places to ``replaced``, or none of them."""
+def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
+    """Move the staged files to ``target``, those in their places and ``gone`` to ``replaced``, or none."""
     files = [path.relative_to(staged) for path in sorted(staged.rglob("*")) if path.is_file()]
     with contextlib.ExitStack() as undo:
         for folder in sorted({target, *((target / file).parent for file in files)}):
             _make_folder(folder, undo)
         for number, file in enumerate(files):
             _move(staged / file, target / file, replaced / str(number), undo)
+        for number, file in enumerate(gone, len(files)):
+            _take_away(target / file, replaced / str(number), undo)
         undo.pop_all()
 
 
@@ -113,6 +116,12 @@ def _move(new: Path, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
         if os.path.lexists(path):
             path.rename(old)
         new.rename(path)
+
+
+def _take_away(path: Path, old: Path, undo: contextlib.ExitStack) -> None:
+    undo.callback(_put_back, path, old, path)
+    with _blamed_on(path):
+        path.rename(old)
 
 
 def _put_back(path: Path, old: Path, new: Path) -> None:

@@ -3,10 +3,16 @@
 import ctypes
 import dataclasses
 import errno
+import hashlib
+import itertools
+import json
 import os
+import random
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import machines
@@ -14,26 +20,32 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from stewart_sym import fidelity, inverse_dynamics, inverse_kinematics, kernel, native
+from stewart_sym import fidelity, inverse_kinematics, kernel, native
 from stewart_sym.derive import notation
-from stewart_sym.derive.emit import kit as texts
-from stewart_sym.derive.emit.kit import Sample, Target, robot_symbol
-from stewart_sym.kit import Choice, kit, sample, write_kit
+from stewart_sym.derive.emit.kit.robot import robot_files
+from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, kit_names, put, write_kit
+from stewart_sym.kit.choice import check
+from stewart_sym.kit.poses import sample
 from stewart_sym.robot import Robot
 
 Array = NDArray[np.float64]
 
-STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror")
+STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
 COMPILERS = {
     "gcc": ("gcc", "-std=c99"),
     "clang": ("clang", "-std=c99"),
     "g++": ("g++", "-x", "c++", "-std=c++11"),
     "clang++": ("clang++", "-x", "c++", "-std=c++11"),
 }
-ARITHMETIC = {"double": (), "float": ("-DSTEWART_FLOAT",)}
 FORMULATIONS = ("exact", "paper")
+NAMES = {
+    *("stewart.h", "robot.h", "robot.c", "selftest.c", "main.c", "README.md", "manifest.json", "Makefile"),
+    *("CMakeLists.txt", "Config.cmake.in", "stewart.hpp"),
+}
 
 
+@cache
 def machine(which: str) -> Robot:
     rng = np.random.default_rng(20)
     if which == "dasgupta":
@@ -41,13 +53,23 @@ def machine(which: str) -> Robot:
     return machines.random_robot(rng, "spherical" if which == "spherical" else "universal")
 
 
-def build(folder: Path, compiler: str, arithmetic: str = "double") -> Path:
+@cache
+def renamed(name: str) -> Robot:
+    return dataclasses.replace(machines.dasgupta(), name=name)
+
+
+@cache
+def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = Choice()) -> Kit:
+    return kit(renamed(name), choice)
+
+
+def build(folder: Path, compiler: str, main: str = "selftest.c") -> Path:
     """Compile the kit with all warnings as errors and not a word printed; return the program."""
-    program = folder.parent / f"{compiler}-{arithmetic}"
-    sources = sorted(folder.glob("*.c"))
-    flags = (*COMPILERS[compiler], *STRICT, "-O1", *ARITHMETIC[arithmetic])
-    command = [*flags, *map(str, sources), "-o", str(program), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    program = folder.parent / f"{compiler}-{main}"
+    other = {"selftest.c", "main.c"} - {main}
+    sources = sorted(path for path in folder.glob("*.c") if path.name not in other)
+    command = [*COMPILERS[compiler], *STRICT, "-O1", "-ffp-contract=off", *map(str, sources), "-o", str(program)]
+    done = subprocess.run([*command, "-lm"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout + done.stderr) == (0, "")
     return program
 
@@ -57,109 +79,184 @@ def run(program: Path) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
+def proves_itself(folder: Path, compiler: str = "gcc") -> str:
+    """Build and run self-test and example; return what the self-test printed."""
+    code, output = run(build(folder, compiler))
+    assert code == 0, output
+    assert re.search(r"^selftest +(\d+) of +\1 right, worst error \S+ of its bound$", output, re.M), output
+    code, _ = run(build(folder, compiler, "main.c"))
+    assert code == 0
+    return output
+
+
 def contents(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
-def renamed(name: str) -> Robot:
-    return dataclasses.replace(machines.dasgupta(), name=name)
+# ---------------------------------------------------------------- what a kit does
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETIC)
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("which", ["dasgupta", "random", "spherical"])
-def test_kit_builds_silently_and_its_example_agrees(
-    tmp_path: Path, which: str, formulation: str, compiler: str, arithmetic: str
+@pytest.mark.parametrize(("which", "formulation"), [("dasgupta", "paper"), ("random", "exact"), ("spherical", "exact")])
+def test_kit_builds_silently_and_proves_itself(
+    tmp_path: Path, which: str, formulation: str, compiler: str
 ) -> None:
-    write_kit(machine(which), tmp_path / "kit", Choice(formulation))
-    code, output = run(build(tmp_path / "kit", compiler, arithmetic))
-    assert code == 0, output
-    assert "6 of 6 forces agree" in output
+    write_kit(machine(which), tmp_path / "kit", Choice(("forces", "reactions"), formulation))
+    proves_itself(tmp_path / "kit", compiler)
+
+
+@dataclasses.dataclass(frozen=True)
+class Wish:
+    """A choice and the machine that it is for."""
+
+    which: str
+    choice: Choice
+
+    @property
+    def values(self) -> tuple[tuple[str, object], ...]:
+        choice = dataclasses.asdict(self.choice)
+        groups = {name: name in choice.pop("functions") for name in FUNCTIONS}
+        return (("which", self.which), *choice.items(), *groups.items())
+
+    @property
+    def pairs(self) -> set[frozenset[tuple[str, object]]]:
+        return {frozenset(pair) for pair in itertools.combinations(self.values, 2)}
+
+    @property
+    def possible(self) -> bool:
+        try:
+            check(self.choice, machine(self.which))
+            if "forces" in self.choice.functions:
+                fidelity.resolved(machine(self.which), self.choice.formulation, self.choice.level)
+        except ValueError:
+            return False
+        return True
+
+
+def wishes(rng: random.Random) -> Iterator[Wish]:
+    while True:
+        functions = tuple(name for name in FUNCTIONS if rng.random() < 0.5)
+        level = rng.choice([None, *fidelity.FIDELITIES])
+        plain = not any(name in functions for name in ("forces",))
+        made = Choice(
+            functions,
+            rng.choice(FORMULATIONS),
+            None if plain else level,
+            not plain and rng.random() < 0.5,
+            not plain and rng.random() < 0.5,
+            rng.choice(("double", "float")),
+            not plain and rng.random() < 0.5,
+        )
+        wish = Wish(rng.choice(("random", "spherical")), made)
+        if wish.possible:
+            yield wish
+
+
+def covering() -> list[Wish]:
+    """Few wishes in which every two values of two options that go together come together."""
+    drawn = list(itertools.islice(wishes(random.Random(7)), 6000))
+    left = set().union(*(wish.pairs for wish in drawn))
+    chosen = []
+    while left:
+        best = max(drawn, key=lambda wish: len(wish.pairs & left))
+        chosen.append(best)
+        left -= best.pairs
+    return chosen
+
+
+COVERING = covering()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", range(len(COVERING)))
+def test_every_two_options_together_give_a_kit_that_proves_itself(tmp_path: Path, number: int) -> None:
+    wish = COVERING[number]
+    made, _ = write_kit(machine(wish.which), tmp_path / "kit", wish.choice)
+    assert list(made.files) == kit_names(machine(wish.which), wish.choice)
+    proves_itself(tmp_path / "kit", "g++" if number % 2 else "gcc")
+
+
+def test_covering_kits_hold_every_level_and_every_group() -> None:
+    choices = [wish.choice for wish in COVERING]
+    assert {choice.fidelity for choice in choices} == {None, *fidelity.FIDELITIES}
+    assert {name for choice in choices for name in choice.functions} == set(FUNCTIONS)
+    assert len(COVERING) < 60
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
+    kernels = {
+        "forces": {"stewart_exact_pose.h", "stewart_exact_pose.c"},
+        "reactions": {"stewart_exact.h", "stewart_exact.c"},
+        "kinematics": {"stewart_kinematics.h", "stewart_kinematics.c"},
+    }
+    for group, files in kernels.items():
+        choice = Choice((group,), precision=precision, scalar=group == "forces")
+        assert set(kit_names(machine("random"), choice)) == NAMES | files
 
 
 @pytest.mark.parametrize(
-    ("bake", "scalar", "precision"),
-    [(False, False, "double"), (True, False, "float"), (False, True, "float"), (True, True, "double")],
+    ("good", "bad", "file"),
+    [
+        ("REAL(40.0)", "REAL(40.1)", "robot.c"),
+        ("REAL(-9.81)", "REAL(9.81)", "robot.c"),
+        ("{REAL(0.0696)", "{(stewart_real)NAN", "robot.c"),
+        ("REAL(0.3)", "REAL(0.3000001)", "selftest.c"),
+    ],
 )
-@pytest.mark.parametrize("level", fidelity.FIDELITIES)
-def test_kit_of_every_level_builds_silently_and_its_example_agrees(
-    tmp_path: Path, level: str, bake: bool, scalar: bool, precision: str
+def test_selftest_fails_with_other_constants_or_motions(
+    tmp_path: Path, good: str, bad: str, file: str
 ) -> None:
-    choice = Choice(fidelity=level, bake=bake, precision=precision, scalar=scalar)
-    write_kit(machine("dasgupta" if bake else "random"), tmp_path / "kit", choice)
-    # Valid C++ where the language makes a difference: in what the printers print of general legs.
-    code, output = run(build(tmp_path / "kit", "g++" if level == "general" else "gcc"))
-    assert code == 0, output
-    assert "6 of 6 forces agree" in output
-
-
-def test_build_line_of_the_example_and_of_the_readme_works_as_printed(tmp_path: Path) -> None:
-    write_kit(machines.dasgupta(), tmp_path)
-    for file in ("example.c", "README.md"):
-        line = re.search(r"gcc .*", (tmp_path / file).read_text(encoding="utf-8"))
-        assert line is not None
-        done = subprocess.run(line[0], shell=True, cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert (done.returncode, done.stderr) == (0, "")
-        (tmp_path / "example").unlink()
-
-
-@pytest.mark.parametrize("arithmetic", ARITHMETIC)
-@pytest.mark.parametrize(
-    ("good", "bad"),
-    [("REAL(40.0)", "REAL(40.1)"), ("REAL(-9.81)", "REAL(9.81)"), ("{REAL(0.0696)", "{(stewart_real)NAN")],
-)
-def test_example_fails_with_other_constants_or_pose(
-    tmp_path: Path, arithmetic: str, good: str, bad: str
-) -> None:
-    write_kit(machines.dasgupta(), tmp_path / "kit")
-    changed = 0
-    for file in ("robot.c", "example.c"):
-        path = tmp_path / "kit" / file
-        text = path.read_text(encoding="utf-8")
-        changed += good in text
-        path.write_text("#include <math.h>\n" + text.replace(good, bad), encoding="utf-8")
-    assert changed
-    code, _ = run(build(tmp_path / "kit", "gcc", arithmetic))
+    put(kit_of(), tmp_path / "kit")
+    path = tmp_path / "kit" / file
+    text = path.read_text(encoding="utf-8")
+    if good not in text:
+        pytest.fail(f"{good} is not in {file}")
+    path.write_text("#include <math.h>\n" + text.replace(good, bad), encoding="utf-8")
+    code, _ = run(build(tmp_path / "kit", "gcc"))
     assert code == 1
+
+
+def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Path) -> None:
+    put(kit_of(choice=Choice(scalar=True)), tmp_path)
+    command = ["gcc", "-std=c99", *STRICT, "-DSTEWART_NO_STDIO", "-c", "selftest.c"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    names = subprocess.run(
+        ["nm", "-u", "selftest.o"], cwd=tmp_path, check=True, capture_output=True, text=True
+    ).stdout
+    assert "printf" not in names
 
 
 @pytest.mark.parametrize("which", ["dasgupta", "random", "spherical"])
 def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     robot = machine(which)
-    files = kit(robot).files
+    files = {name: text.decode() for name, text in kit(robot).files.items() if name.endswith((".h", ".c"))}
     library = native.load("kit_robot", {name: files[name] for name in ("stewart.h", "robot.h", "robot.c")})
     numbers = kernel.robot_numbers(robot)
     found = (ctypes.c_double * numbers.size).in_dll(library, robot_symbol(robot.name))
     np.testing.assert_array_equal(np.array(found), numbers)
 
 
-def test_expected_forces_are_those_of_the_c_kernel_and_of_the_reference() -> None:
-    robot = machine("random")
-    for formulation in ("exact", "paper"):
-        motion, forces, _ = sample(robot, formulation)
-        for backend in ("c", "reference"):
-            F = inverse_dynamics(robot, motion, formulation, backend).F
-            np.testing.assert_allclose(forces.F, F, rtol=0, atol=1e-12 * np.abs(F).max())
-
-
 def test_kernel_files_are_the_committed_ones() -> None:
     for formulation in FORMULATIONS:
-        files = kit(machines.dasgupta(), Choice(formulation)).files
-        committed = kernel.c_sources(formulation)
-        assert {name: files[name] for name in committed} == committed
-        assert set(files) - set(committed) == {"robot.h", "robot.c", "example.c", "README.md"}
+        files = kit_of(choice=Choice(("forces", "reactions"), formulation)).files
+        committed = kernel.c_sources(formulation) | kernel.c_sources(f"{formulation}_forces")
+        assert {name: files[name].decode() for name in committed} == committed
+        assert set(files) - set(committed) == NAMES - {"stewart.h"}
+
+
+# ---------------------------------------------------------------- the same bytes
 
 
 def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
-    _, first = write_kit(machines.dasgupta(), tmp_path / "a")
+    first = put(kit_of(choice=Choice(fmu=True)), tmp_path / "a")
     program = f"""
 import warnings
 from pathlib import Path
 from stewart_sym import robots
-from stewart_sym.kit import write_kit
+from stewart_sym.kit import Choice, write_kit
 warnings.simplefilter("ignore")
-write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}))
+write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True))
 """
     env = {**os.environ, "PYTHONHASHSEED": "12345"}
     subprocess.run([sys.executable, "-c", program], env=env, check=True)
@@ -170,9 +267,34 @@ write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}))
 def test_digest_follows_name_and_every_constant() -> None:
     robot = machines.dasgupta()
     variants = [robot, renamed("Other"), dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]
-    digests = {re.findall(r"[0-9a-f]{64}", kit(variant).files["README.md"])[0] for variant in variants}
+    digests = set()
+    for variant in variants:
+        files = kit(variant).files
+        digest = json.loads(files["manifest.json"])["robot"]["sha256"]
+        assert all(digest.encode() in files[name] for name in ("README.md", "robot.c"))
+        digests.add(digest)
     assert len(digests) == 3
-    assert re.findall(r"[0-9a-f]{64}", kit(robot).files["robot.c"])[0] in digests
+
+
+def test_manifest_tells_options_version_and_every_file() -> None:
+    made = kit_of(choice=Choice(("kinematics", "forces"), bake=True, precision="float"))
+    manifest = json.loads(made.files["manifest.json"])
+    assert manifest["generator"].startswith("stewart-sym ")
+    assert manifest["options"] == {
+        "functions": ["forces", "kinematics"],
+        "formulation": "exact",
+        "fidelity": None,
+        "bake": True,
+        "scalar": False,
+        "precision": "float",
+        "fmu": False,
+    }
+    others = {name: hashlib.sha256(text).hexdigest() for name, text in made.files.items()}
+    del others["manifest.json"]
+    assert manifest["files"] == others
+
+
+# ---------------------------------------------------------------- names
 
 
 @pytest.mark.parametrize(
@@ -198,12 +320,15 @@ def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
     name = '*/ int x; /* "a" \\n %s @kernel@ //* ??/ ünï 机器人 {0} | `b` \\'
-    write_kit(renamed(name), tmp_path / "kit")
-    assert run(build(tmp_path / "kit", compiler))[0] == 0
+    put(kit_of(name, Choice(scalar=True)), tmp_path / "kit")
+    proves_itself(tmp_path / "kit", compiler)
+
+
+# ---------------------------------------------------------------- what is there already
 
 
 def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Path) -> None:
-    write_kit(machines.dasgupta(), tmp_path)
+    put(kit_of(), tmp_path)
     fresh = contents(tmp_path)
     (tmp_path / "robot.c").write_text("mine", encoding="utf-8")
     (tmp_path / "README.md").unlink()
@@ -212,57 +337,102 @@ def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Pat
     with pytest.raises(
         ValueError, match=r"^\S+robot\.c: exists with other content; use --force to overwrite$"
     ):
-        write_kit(machines.dasgupta(), tmp_path)
+        put(kit_of(), tmp_path)
     assert contents(tmp_path) == edited
-    write_kit(machines.dasgupta(), tmp_path, force=True)
+    put(kit_of(), tmp_path, force=True)
     assert contents(tmp_path) == {**fresh, "notes.txt": b"mine too"}
 
 
+def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> None:
+    put(kit_of("Old"), tmp_path)
+    put(kit_of("New"), tmp_path)
+    assert contents(tmp_path) == kit_of("New").files
+
+
+def test_files_that_the_new_kit_has_not_are_removed_unless_edited(tmp_path: Path) -> None:
+    put(kit_of(), tmp_path)
+    (tmp_path / "robot.h").write_text("mine", encoding="utf-8")
+    baked = kit_of(choice=Choice(bake=True, scalar=True))
+    put(baked, tmp_path)
+    assert contents(tmp_path) == {**baked.files, "robot.h": b"mine"}
+
+
+@pytest.mark.parametrize(
+    "manifest", ["", "[]", '{"generator": "stewart-sym 0"}', '{"generator": "other", "files": {}}']
+)
+def test_manifest_that_is_none_of_ours_protects_every_file(tmp_path: Path, manifest: str) -> None:
+    put(kit_of("Old"), tmp_path)
+    (tmp_path / "manifest.json").write_text(manifest, encoding="utf-8")
+    old = contents(tmp_path)
+    with pytest.raises(ValueError, match=r"exists with other content; use --force to overwrite$"):
+        put(kit_of("New"), tmp_path)
+    assert contents(tmp_path) == old
+
+
+def test_manifest_that_names_files_elsewhere_removes_none(tmp_path: Path) -> None:
+    folder = tmp_path / "kit"
+    put(kit_of("Old"), folder)
+    (tmp_path / "precious").write_text("mine", encoding="utf-8")
+    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
+    manifest["files"]["../precious"] = hashlib.sha256(b"mine").hexdigest()
+    (folder / "manifest.json").write_text(json.dumps(manifest), encoding="utf-8")
+    put(kit_of("New"), folder, force=True)
+    assert (tmp_path / "precious").read_text(encoding="utf-8") == "mine"
+
+
 def test_second_run_leaves_equal_files_untouched(tmp_path: Path) -> None:
-    _, files = write_kit(machines.dasgupta(), tmp_path / "kit")
+    files = put(kit_of(), tmp_path / "kit")
 
     def stamps() -> list[tuple[int, int]]:
         return [(path.stat().st_ino, path.stat().st_mtime_ns) for path in files]
 
     before = stamps()
-    assert write_kit(machines.dasgupta(), tmp_path / "kit")[1] == files
+    assert put(kit_of(), tmp_path / "kit") == files
     assert stamps() == before
 
 
 def test_new_folder_has_the_users_mode_and_nothing_lies_beside_it(tmp_path: Path) -> None:
     (tmp_path / "plain").mkdir()
-    write_kit(machines.dasgupta(), tmp_path / "deep" / "kit")
+    put(kit_of(), tmp_path / "deep" / "kit")
     assert (tmp_path / "deep" / "kit").stat().st_mode == (tmp_path / "plain").stat().st_mode
     assert os.listdir(tmp_path / "deep") == ["kit"]
+
+
+# ---------------------------------------------------------------- failures
 
 
 @pytest.mark.parametrize("fault", [OSError(errno.ENOSPC, "No space left on device"), KeyboardInterrupt()])
 def test_failure_while_writing_leaves_no_trace(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: BaseException
 ) -> None:
+    made = kit_of()
     fail_at_call(monkeypatch, "write_bytes", 4, fault)
     with pytest.raises((ValueError, KeyboardInterrupt)) as caught:
-        write_kit(machines.dasgupta(), tmp_path / "kit")
+        put(made, tmp_path / "kit")
     assert os.listdir(tmp_path) == []
     if isinstance(fault, OSError):
         assert str(caught.value) == f"{tmp_path / 'kit'}: No space left on device"
 
 
 @pytest.mark.parametrize("fault", [OSError(errno.EIO, "Input/output error"), KeyboardInterrupt()])
-@pytest.mark.parametrize("call", range(1, 10))
+@pytest.mark.parametrize("call", range(1, 26))
 def test_failure_while_replacing_leaves_the_old_kit_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
 ) -> None:
-    write_kit(renamed("Old"), tmp_path)
-    (tmp_path / "stewart.h").unlink()
-    old = contents(tmp_path)
-    fail_at_call(monkeypatch, "rename", call, fault)
-    with pytest.raises((ValueError, KeyboardInterrupt)):
-        write_kit(renamed("New"), tmp_path, force=True)
-    assert contents(tmp_path) == old
+    """Two moves for each of the files that both have, one for each that only one of them has."""
+    old, new = kit_of("Old"), kit_of("New", Choice(bake=True, scalar=True))
+    put(old, tmp_path)
+    calls = fail_at_call(monkeypatch, "rename", call, fault)
+    try:
+        put(new, tmp_path)
+    except (ValueError, KeyboardInterrupt):
+        assert contents(tmp_path) == old.files
+    else:
+        assert calls[0] < call
+        assert contents(tmp_path) == new.files
 
 
-def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault: BaseException) -> None:
+def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault: BaseException) -> list[int]:
     real, calls = getattr(Path, method), [0]
 
     def failing(self: Path, argument: object) -> object:
@@ -272,6 +442,7 @@ def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault:
         return real(self, argument)
 
     monkeypatch.setattr(Path, method, failing)
+    return calls
 
 
 def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
@@ -281,21 +452,43 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     blocked = dict.fromkeys((tmp_path / "file", tmp_path / "file" / "kit"), "expected a folder")
     for folder, message in (unwritable | blocked).items():
         with pytest.raises(ValueError, match=rf"\A\S+: {message}.*\Z"):
-            write_kit(machines.dasgupta(), folder)
+            put(kit_of(), folder)
     assert os.listdir(tmp_path) == ["file"]
 
 
 def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path) -> None:
     (tmp_path / "robot.h").mkdir()
     with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
-        write_kit(machines.dasgupta(), tmp_path, force=True)
+        put(kit_of(), tmp_path, force=True)
     assert os.listdir(tmp_path) == ["robot.h"]
 
 
-def test_unknown_formulation_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got \'fast\'$'):
-        write_kit(machines.dasgupta(), tmp_path / "kit", Choice("fast"))
+@pytest.mark.parametrize(
+    ("choice", "which", "message"),
+    [
+        (Choice(formulation="fast"), "random", r'formulation: expected "exact" or "paper", got \'fast\''),
+        (Choice(precision="half"), "random", r'precision: expected "double" or "float", got \'half\''),
+        (Choice(()), "random", "functions: expected some of forces, .*, got none"),
+        (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'"),
+        (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
+        (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
+        (Choice(("reactions",), bake=True), "random", "bake: goes with the function forces, got reactions"),
+        (Choice(("motion",), fidelity="slender"), "random", "fidelity: goes with the function forces, .*"),
+        (Choice(("kinematics",), fmu=True), "random", "fmu: goes with the function forces, .*"),
+        (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
+    ],
+)
+def test_wishes_that_do_not_go_together_are_refused_in_one_line(
+    tmp_path: Path, choice: Choice, which: str, message: str
+) -> None:
+    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
+        write_kit(machine(which), tmp_path / "kit", choice)
+    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
+        kit_names(machine(which), choice)
     assert os.listdir(tmp_path) == []
+
+
+# ---------------------------------------------------------------- poses
 
 
 def turned(robot: Robot, base: Array, platform: Array) -> Robot:
@@ -362,7 +555,7 @@ def test_emitter_names_the_field_it_cannot_print(field: str, value: object, mess
     names = [quantity.name for quantity in (*notation.LEG, *notation.PLATFORM)]
     numbers = {name: np.asarray(getattr(robot, name)).tolist() for name in names}
     with pytest.raises(ValueError, match=re.escape(message)):
-        texts.kit("x", Target("exact"), {**numbers, field: value}, Sample({}, [0.0] * 6, 1.0), "0")
+        robot_files("x", {**numbers, field: value}, "0")
     del numbers[field]
     with pytest.raises(ValueError, match=f"^robot: {field}: missing$"):
-        texts.kit("x", Target("exact"), numbers, Sample({}, [0.0] * 6, 1.0), "0")
+        robot_files("x", numbers, "0")

@@ -1,0 +1,246 @@
+"""What a kit's functions take, hand out and cost: one table for self-test, example and README.
+
+A part of a kit is one header and source with some functions. Knows signatures and units, no equation.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+ROBOT, MODEL, NOTHING = "robot", "model", ""
+
+
+@dataclass(frozen=True)
+class Output:
+    """One array that a function hands out: name, C dimensions, count of numbers, unit, meaning."""
+
+    name: str
+    dims: str
+    count: int
+    unit: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Signature:
+    """How the functions of one stem are called.
+
+    says: what it does, for the README. motion: whether a ``stewart_motion`` is read. inputs: other inputs,
+    name -> count of numbers, in the order in which a self-test keeps them. outputs: what is handed out, in the
+    order of the struct or of the arguments. call: body of a self-test's function that has ``motion``,
+    ``in`` (the other inputs) and ``out`` (all outputs; left as they were on a status other than STEWART_OK).
+    """
+
+    says: str
+    outputs: tuple[Output, ...]
+    call: str
+    motion: bool = True
+    inputs: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are handed out."""
+        return sum(out.count for out in self.outputs)
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of a kit: its stem in ``SIGNATURES``, C name, header, what its first argument is.
+
+    subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
+    operations: of a pose, None where they depend on the pose.
+    """
+
+    stem: str
+    symbol: str
+    header: str
+    subject: str
+    prefix: str = ""
+    operations: int | None = None
+
+    @property
+    def signature(self) -> Signature:
+        """Inputs and outputs."""
+        return SIGNATURES[self.stem]
+
+
+@dataclass(frozen=True)
+class Part:
+    """One header and source of a kit. name: of both, without the ending. files: file name -> text."""
+
+    name: str
+    files: Mapping[str, str]
+    functions: tuple[Function, ...]
+    says: str = ""
+
+    @property
+    def header(self) -> str:
+        """File name of the header."""
+        return f"{self.name}.h"
+
+    @property
+    def source(self) -> str:
+        """File name of the source."""
+        return f"{self.name}.c"
+
+
+def _array(name: str, dims: tuple[int, ...], unit: str, meaning: str) -> Output:
+    count = 1
+    for dim in dims:
+        count *= dim
+    return Output(name, "".join(f"[{dim}]" for dim in dims), count, unit, meaning)
+
+
+_IN_STRUCT = """\
+    @type@ found;
+    int status;
+    (void)memcpy(&found, out, sizeof found);
+    status = @symbol@(@subject@motion@further@, &found);
+    (void)memcpy(out, &found, sizeof found);
+    return status;
+"""
+_IN_ARRAY = "    return @symbol@(@subject@motion@further@, out);\n"
+
+
+def _struct(name: str) -> str:
+    return _IN_STRUCT.replace("@type@", name)
+
+
+def _further(text: str, arguments: str) -> str:
+    return text.replace("@further@", arguments)
+
+
+FORCES = (
+    _array("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"),
+    _array("D", (6,), "N", "known part of the actuator forces, (24)"),
+    _array("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"),
+    _array("K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"),
+    _array("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"),
+    _array("c", (6,), "N and N m", "wrench that x must balance, base frame, (36)"),
+)
+_REACTIONS = (
+    _array("F_s", (6, 3), "N", "force on the leg at the spherical joint, base frame"),
+    _array("F_u", (6, 3), "N", "force on the leg at the universal joint, base frame"),
+    _array("F_p", (6, 3), "N", "force of the lower part on the upper at the prismatic joint, base frame"),
+    _array("F_c", (6, 3), "N", "constraint part of F_p, base frame"),
+    _array("M_p", (6, 3), "N m", "moment of the lower part on the upper at the prismatic joint, base frame"),
+    _array("M_u", (6,), "N m", "constraint moment on the leg at the universal joint"),
+)
+_WRENCH, _MATRIX = "N and N m", "kg, kg m and kg m^2"
+
+SIGNATURES: dict[str, Signature] = {
+    "forces": Signature(
+        "Actuator forces of a motion, (37).", FORCES[:1], _further(_IN_ARRAY, "")
+    ),
+    "inverse_dynamics": Signature(
+        "Inverse dynamics with its terms D, K, H and c, (21) to (37).", FORCES, _further(_struct("stewart_forces"), "")
+    ),
+    "joint_reactions": Signature(
+        "Reactions in every joint; `bearing`: m along each leg from its base point to where M_p is taken, "
+        "may be null: at the base point.",
+        _REACTIONS,
+        """\
+    stewart_forces forces;
+    stewart_reactions found;
+    int status;
+    (void)memcpy(&found, out, sizeof found);
+    status = @symbol@(@subject@motion, in, &forces, &found);
+    (void)memcpy(out, &found, sizeof found);
+    return status;
+""",
+        inputs={"bearing": 6},
+    ),
+    "equations": Signature(
+        "Closed form M [a; alpha] + C [v; omega] + g + friction = H F + load.",
+        (
+            _array("M", (36,), _MATRIX, "inertia matrix, row-major"),
+            _array("C", (36,), "the same over s", "Coriolis and centrifugal matrix, row-major"),
+            _array("g", (6,), _WRENCH, "gravity"),
+            _array("friction", (6,), _WRENCH, "friction of the joints"),
+            _array("bias", (6,), _WRENCH, "C [v; omega] + g + friction"),
+            _array("H", (36,), "1 and m", "from actuator forces to the wrench, row-major"),
+            _array("H_dot", (36,), "1/s and m/s", "rate of H, row-major"),
+        ),
+        _further(_struct("stewart_equations"), ""),
+    ),
+    "bias": Signature(
+        "C [v; omega] + g + friction alone.",
+        (_array("bias", (6,), _WRENCH, "force and moment, base frame"),),
+        _further(_IN_ARRAY, ""),
+    ),
+    "forward_dynamics": Signature(
+        "Accelerations of the platform under actuator forces F.",
+        (_array("acceleration", (6,), "m/s^2 and rad/s^2", "[a; alpha], base frame"),),
+        _further(_IN_ARRAY, ", in"),
+        inputs={"F": 6},
+    ),
+    "joint_inertia": Signature(
+        "Inertia that the actuators feel, H^-1 M H^-T.",
+        (_array("inertia", (36,), "kg", "row-major"),),
+        _further(_IN_ARRAY, ""),
+    ),
+    "derivatives": Signature(
+        "Actuator forces and their derivatives by [dt; dphi], [v; omega] and [a; alpha].",
+        (
+            _array("F", (6,), "N", "actuator forces"),
+            _array("by_pose", (36,), "N/m and N/rad", "row-major"),
+            _array("by_twist", (36,), "N s/m and N s/rad", "row-major"),
+            _array("by_acceleration", (36,), "N s^2/m and N s^2/rad", "row-major"),
+        ),
+        _further(_struct("stewart_derivatives"), ""),
+    ),
+    "linearisation": Signature(
+        "Forward dynamics and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF.",
+        (
+            _array("acceleration", (6,), "m/s^2 and rad/s^2", "[a; alpha], base frame"),
+            _array("A", (144,), "mixed", "12 by 12, row-major"),
+            _array("B", (72,), "mixed", "12 by 6, row-major"),
+        ),
+        _further(_struct("stewart_linearisation"), ", in"),
+        inputs={"F": 6},
+    ),
+    "inverse_kinematics": Signature(
+        "Lengths of the legs and their rates, (2) and (5).",
+        (
+            _array("L", (6,), "m", "lengths of the legs"),
+            _array("L_dot", (6,), "m/s", "their rates; may be null"),
+        ),
+        "    return @symbol@(@subject@motion, out, out + 6);\n",
+    ),
+    "forward_kinematics": Signature(
+        "The pose that has given lengths of the legs, searched from a guess.",
+        (
+            _array("R", (9,), "1", "orientation, row-major; on entry that of the guess"),
+            _array("t", (3,), "m", "position of the reference point; on entry that of the guess"),
+        ),
+        """\
+    stewart_pose pose;
+    int status;
+    (void)memcpy(pose.R, in + 6, sizeof pose.R);
+    (void)memcpy(pose.t, in + 15, sizeof pose.t);
+    status = @symbol@(@subject@in, &pose);
+    if (status == STEWART_OK) {
+        (void)memcpy(out, pose.R, sizeof pose.R);
+        (void)memcpy(out + 9, pose.t, sizeof pose.t);
+    }
+    return status;
+""",
+        motion=False,
+        inputs={"L": 6, "R_guess": 9, "t_guess": 3},
+    ),
+    "forward_velocity": Signature(
+        "Velocities of the platform from the rates of the legs, (5).",
+        (
+            _array("v", (3,), "m/s", "velocity of the reference point, base frame"),
+            _array("omega", (3,), "rad/s", "angular velocity, base frame"),
+        ),
+        """\
+    stewart_pose pose;
+    (void)memcpy(pose.R, in + 6, sizeof pose.R);
+    (void)memcpy(pose.t, in + 15, sizeof pose.t);
+    return @symbol@(@subject@&pose, in, out, out + 3);
+""",
+        motion=False,
+        inputs={"L_dot": 6, "R": 9, "t": 3},
+    ),
+}
+"""How each function that a kit may hold is called."""

@@ -1,0 +1,224 @@
+"""``README.md`` of a kit: what every function takes, hands out, costs and how far it may be off.
+
+One of the kit's texts. Takes the parts of a kit with figures that others found; knows no equation.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ... import notation as n
+from ..c import STATUS
+from .functions import MODEL, NOTHING, Function, Part
+from .words import filled, in_markdown, shape, table
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What a README says of one function. error: the largest bound of its test vectors over the largest answer
+    of the same array. stack: bytes, None where nobody measured it; operations: of a pose, None where they
+    depend on the pose."""
+
+    error: float
+    stack: int | None
+    operations: int | None
+
+
+@dataclass(frozen=True)
+class Kit:
+    """What a README is about. name, symbol: the robot's. digest: of its constants. options: as they were given
+    on the command line. precision: "double" or "float". stack_by: with what stack was measured. baked: the
+    numbers are in the kernel alone. unit: file name of an FMI unit, "" without one."""
+
+    name: str
+    symbol: str
+    digest: str
+    parts: Sequence[Part]
+    figures: Mapping[str, Figures]
+    options: str
+    precision: str
+    stack_by: str
+    has_robot: bool
+    deviations: Sequence[tuple[str, str, str]]
+    unit: str
+    version: str
+
+
+def readme(kit: Kit) -> str:
+    """The text. figures: by the functions' stems."""
+    functions = [function for part in kit.parts for function in part.functions]
+    robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
+    values = {
+        "title": in_markdown(kit.name),
+        "symbol": kit.symbol,
+        "options": kit.options,
+        "version": kit.version,
+        "arithmetic": _ARITHMETIC[kit.precision],
+        "parts": "\n".join(f"- {part.says}" for part in kit.parts),
+        "files": table(_files(kit)),
+        "summary": "\n".join(_summary(function, kit.figures[function.stem]) for function in functions),
+        "stack_by": kit.stack_by,
+        "functions": "\n".join(
+            _function(function, part.files[part.header]) for part in kit.parts for function in part.functions
+        ),
+        "prepared": _PREPARED if any(function.subject == MODEL for function in functions) else "",
+        "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
+        "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUS),
+        "deviations": table(kit.deviations),
+        "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
+        "unit": filled(_UNIT, {"unit": kit.unit}) if kit.unit else "",
+    }
+    return filled(_README, values)
+
+
+def _files(kit: Kit) -> list[tuple[str, str]]:
+    robot = [("robot.h`, `robot.c", f"this robot's constants, `{kit.symbol}`")] if kit.has_robot else []
+    unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
+    return [
+        ("stewart.h", "types and status codes"),
+        *((f"{part.header}`, `{part.source}", _stems(part)) for part in kit.parts),
+        *robot,
+        ("selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
+        ("main.c", "an example: every function once"),
+        ("stewart.hpp", "the same functions for C++17"),
+        ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
+        ("manifest.json", "options, digests of robot and files, version"),
+        *unit,
+    ]
+
+
+def _stems(part: Part) -> str:
+    return ", ".join(f"`{function.stem}`" for function in part.functions) or "constants, prepared once"
+
+
+def _summary(function: Function, figures: Figures) -> str:
+    operations = "" if figures.operations is None else f"{figures.operations:,}"
+    stack = "" if figures.stack is None else f"{figures.stack:,}"
+    return f"| `{function.symbol}` | {operations} | {stack} | {figures.error:.0e} |"
+
+
+def _function(function: Function, header: str) -> str:
+    outputs = table((out.name, out.dims, out.unit, out.meaning) for out in function.signature.outputs)
+    return filled(
+        _FUNCTION,
+        {
+            "symbol": function.symbol,
+            "prototype": _prototypes(function, header),
+            "says": function.signature.says,
+            "outputs": outputs,
+        },
+    )
+
+
+def _prototypes(function: Function, header: str) -> str:
+    found = re.findall(rf"^int {function.symbol}(?:_batch)?\([^;]*\);", header, re.M)
+    assert found, function.symbol
+    return "\n".join(found)
+
+
+_ARITHMETIC = {
+    "double": "Arithmetic is `double`; the self-test's bounds are those of `double`.",
+    "float": "Arithmetic is `float`; no `double` is in the object code.",
+}
+
+_PREPARED = """\
+`..._prepare(robot, &model)` makes the constants that a function reads; call it once, and again when a constant
+of the robot changes. A model that was not prepared gives a status.
+
+"""
+
+_UNIT = """\
+## Simulink and other simulators
+
+`@unit@` is a co-simulation unit, FMI 2.0: import it by the FMU block. Inputs are the fields of
+`stewart_motion`, outputs `F` and `status`.
+
+"""
+
+_FUNCTION = """\
+### `@symbol@`
+
+@says@
+
+```c
+@prototype@
+```
+
+| output | shape | unit | meaning |
+|---|---|---|---|
+@outputs@
+"""
+
+_README = """\
+# @title@: C kit
+
+@parts@
+
+C99, also valid C++; no heap, no global state, no input or output; needs only `sqrt` and `fabs`. @arithmetic@
+Written by stewart-sym @version@; regenerate with
+
+    stewart-sym generate ROBOT.toml @options@
+
+and do not edit: a second run replaces what it wrote and refuses where a file was changed by hand.
+
+| file | what it is |
+|---|---|
+@files@
+
+## Build and prove
+
+    make
+
+builds the library, the self-test and the example and runs the self-test; `make stack` prints what stack your
+compiler takes. With CMake:
+
+```cmake
+add_subdirectory(this_folder)                 # or, after `cmake --install`: find_package(@symbol@)
+target_link_libraries(controller PRIVATE @symbol@::@symbol@)
+```
+
+On a target: link `selftest.c` with the other sources, `-DSTEWART_NO_STDIO` where nothing can be printed; `main`
+returns 0 only if every answer is within its bound and every wrong call was refused. With `-DSTEWART_NO_MAIN` there
+is `stewart_selftest()` to call at start-up. Keep `-ffp-contract=off`, and never give `-ffast-math`.
+
+## Functions
+
+| function | operations of a pose | stack, bytes | error |
+|---|---|---|---|
+@summary@
+
+Error: the largest that the self-test lets pass, over the largest number of the same array, at its
+well-conditioned poses. @stack_by@
+
+All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at once. The
+batches take and fill arrays whose first axis is the pose.
+
+@prepared@@functions@
+`stewart_motion`, input:
+
+| field | shape | unit | meaning |
+|---|---|---|---|
+@inputs@
+
+Status:
+
+| name | value | meaning |
+|---|---|---|
+@status@
+
+Limits of stroke, force and speed are not checked here. Equation numbers are those of Dasgupta and Mruthyunjaya,
+Mechanism and Machine Theory 33 (1998) 1135-1152.
+
+@unit@## MISRA C:2012
+
+No recursion, no `goto`, no unbounded loop, no dynamic memory, no conversion that is not written. What cppcheck's
+MISRA addon still finds in the kernels:
+
+| rule | what | why it stays |
+|---|---|---|
+@deviations@
+
+## Robot
+
+@digest@
+"""

@@ -1,0 +1,313 @@
+"""``selftest.c``: a kit's proof of itself on its target, by answers that were computed at 50 digits.
+
+One of the kit's texts. Takes the functions of a kit and their test vectors; knows no equation and nothing of
+how answers and bounds came about.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from .functions import MODEL, NOTHING, ROBOT, Function
+from .words import EPSILON, Numbers, filled, in_comment, literal, motion_members
+
+PER_LINE = 4
+
+
+@dataclass(frozen=True)
+class Case:
+    """One call: the motion's fields, R as (3, 3), None where none is read; the other inputs; every answer and
+    its largest error in rounding units, flat, in the order of the signature."""
+
+    function: str
+    motion: Numbers | None
+    inputs: Sequence[float]
+    answers: Sequence[float]
+    bounds: Sequence[float]
+
+
+def selftest(
+    name: str, symbol: str, functions: Sequence[Function], cases: Mapping[str, Sequence[Case]], version: str
+) -> str:
+    """``selftest.c``. name: the robot's; symbol: its constants in C. cases: by the functions' stems.
+
+    Raises ValueError naming what is not a finite number.
+    """
+    motions, table = _motions([case for function in functions for case in cases[function.stem]])
+    parts = {
+        "name": in_comment(name),
+        "version": version,
+        "epsilon": EPSILON,
+        "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
+        "models": _models(functions),
+        "motions": ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions),
+        "motion_count": str(len(motions)),
+        "most": str(max(function.signature.count for function in functions)),
+        "most_inputs": str(max(1, *(sum(each.signature.inputs.values()) for each in functions))),
+        "calls": "\n".join(_call(function, symbol) for function in functions),
+        "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
+        "rows": "\n".join(_row(function, cases[function.stem]) for function in functions),
+        "function_count": str(len(functions)),
+        "prepare": _prepare(functions, symbol),
+    }
+    return filled(_SELFTEST, parts)
+
+
+def _headers(functions: Sequence[Function]) -> list[str]:
+    robot = ["robot.h"] if any(function.subject != NOTHING for function in functions) else []
+    return [*robot, *dict.fromkeys(function.header for function in functions)]
+
+
+def _motions(cases: Sequence[Case]) -> tuple[list[Numbers], dict[int, int]]:
+    """Every motion once, and where that of a case stands, by the case's identity."""
+    found: list[Numbers] = []
+    table = {}
+    for case in cases:
+        if case.motion is not None:
+            if case.motion not in found:
+                found.append(case.motion)
+            table[id(case)] = found.index(case.motion)
+    return found, table
+
+
+def _prefixes(functions: Sequence[Function]) -> list[str]:
+    return list(dict.fromkeys(f.prefix for f in functions if f.subject == MODEL))
+
+
+def _models(functions: Sequence[Function]) -> str:
+    return "".join(f"static {prefix}_model {prefix}_of;\n" for prefix in _prefixes(functions))
+
+
+def _prepare(functions: Sequence[Function], symbol: str) -> str:
+    return "".join(
+        f"    if ({prefix}_prepare(&{symbol}, &{prefix}_of) != STEWART_OK) {{\n"
+        f'        said("{prefix}_prepare", 0, 1, 0);\n'
+        "        return -1;\n"
+        "    }\n"
+        for prefix in _prefixes(functions)
+    )
+
+
+def _call(function: Function, symbol: str) -> str:
+    first = {ROBOT: f"&{symbol}, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
+    signature = function.signature
+    body = signature.call.replace("@symbol@", function.symbol).replace("@subject@", first)
+    unused = "" if signature.inputs else "    (void)in;\n"
+    unused += "" if signature.motion else "    (void)motion;\n"
+    declared, rest = _declarations(body)
+    return (
+        f"static int {function.stem}_call(\n"
+        "    const stewart_motion *motion, const stewart_real *in, stewart_real *out)\n"
+        f"{{\n{declared}{unused}{rest}}}\n"
+    )
+
+
+def _declarations(body: str) -> tuple[str, str]:
+    """The body's declarations, and the statements after them."""
+    lines = body.splitlines(keepends=True)
+    count = 0
+    while "(" not in lines[count]:
+        count += 1
+    return "".join(lines[:count]), "".join(lines[count:])
+
+
+def _arrays(function: Function, cases: Sequence[Case], table: Mapping[int, int]) -> str:
+    stem, signature = function.stem, function.signature
+    where = ", ".join(str(table.get(id(case), 0)) for case in cases)
+    parts = [f"static const unsigned char {stem}_motions[{len(cases)}] = {{{where}}};"]
+    if signature.inputs:
+        parts.append(_table(f"{stem}_in", "stewart_real", [case.inputs for case in cases]))
+    parts.append(_table(f"{stem}_answers", "stewart_real", [case.answers for case in cases]))
+    parts.append(_table(f"{stem}_bounds", "stewart_real", [case.bounds for case in cases]))
+    return "\n".join(parts) + "\n"
+
+
+def _table(name: str, kind: str, rows: Sequence[Sequence[float]]) -> str:
+    """All rows in one flat array."""
+    numbers = [literal(float(number), name) for row in rows for number in row]
+    lines = [", ".join(numbers[i : i + PER_LINE]) for i in range(0, len(numbers), PER_LINE)]
+    body = ",\n    ".join(lines)
+    return f"static const {kind} {name}[{len(numbers)}] = {{\n    {body}}};"
+
+
+def _row(function: Function, cases: Sequence[Case]) -> str:
+    stem, signature = function.stem, function.signature
+    inputs = sum(signature.inputs.values())
+    given = f"{stem}_in" if inputs else "NULL"
+    return (
+        f'    {{"{stem}", {stem}_call, {len(cases)}, {inputs}, {signature.count}, {int(signature.motion)},\n'
+        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds}},"
+    )
+
+
+_SELFTEST = """\
+/* selftest.c: proves the kit of "@name@" where it runs.
+ *
+ * Every function is called with inputs whose answers were computed at 50 digits; each number that it hands
+ * out must be within its bound, which grows with the rounding errors that its own inputs can make. Then each
+ * is called wrongly, and must say so and write nothing.
+ *
+ * main returns 0 if all is well. It prints, unless built with -DSTEWART_NO_STDIO; with -DSTEWART_NO_MAIN there
+ * is stewart_selftest() alone.
+ *
+ * Written by stewart-sym @version@; do not edit.
+ */
+#include <float.h>
+#include <stddef.h>
+#include <string.h>
+#if !defined(STEWART_NO_STDIO)
+#include <stdio.h>
+#endif
+
+@includes@
+@epsilon@
+@models@
+static const stewart_motion motions[@motion_count@] = {
+@motions@
+};
+
+@calls@
+@vectors@
+/* One function and its calls: for each call which motion, the other inputs, the answers and their bounds in
+ * rounding units. */
+typedef struct {
+    const char *name;
+    int (*call)(const stewart_motion *motion, const stewart_real *in, stewart_real *out);
+    int calls, inputs, answers, moved;
+    const unsigned char *motion;
+    const stewart_real *in, *answer, *bound;
+} function_test;
+
+static const function_test tests[@function_count@] = {
+@rows@
+};
+
+static stewart_real found[@most@];
+
+int stewart_selftest(int *checks, stewart_real *worst);
+
+/* Prints one line: how many of the checks were passed, and the worst error over its bound. */
+static void said(const char *name, int good, int checks, stewart_real worst)
+{
+#if !defined(STEWART_NO_STDIO)
+    (void)printf("%-20s %3d of %3d right, worst error %.2g of its bound\\n", name, good, checks, (double)worst);
+#else
+    (void)name;
+    (void)good;
+    (void)checks;
+    (void)worst;
+#endif
+}
+
+static void blank(int count)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        found[i] = REAL(12345);
+    }
+}
+
+static int is_blank(int count)
+{
+    int i, same = 1;
+    for (i = 0; i < count; ++i) {
+        if (found[i] != REAL(12345)) {
+            same = 0;
+        }
+    }
+    return same;
+}
+
+/* Whether one call's answers are within their bounds; *worst: the largest error over its bound so far. */
+static int is_right(const function_test *test, int call, stewart_real *worst)
+{
+    const stewart_real *const in = test->in ? test->in + call * test->inputs : NULL;
+    const stewart_real *const answer = test->answer + call * test->answers;
+    const stewart_real *const bound = test->bound + call * test->answers;
+    int i, right;
+    blank(test->answers);
+    right = test->call(&motions[test->motion[call]], in, found) == STEWART_OK;
+    for (i = 0; i < test->answers; ++i) {
+        const stewart_real difference = found[i] - answer[i];
+        const stewart_real error = difference < 0 ? -difference : difference;
+        const stewart_real most = bound[i] * STEWART_EPSILON;
+        if (!(error <= most)) {
+            right = 0;
+        }
+        if (!(error <= *worst * most)) {
+            *worst = error / most;
+        }
+    }
+    return right;
+}
+
+/* Whether an input that is no number gives a status and leaves the outputs as they were. */
+static int refuses_nan(const function_test *test)
+{
+    volatile stewart_real huge = STEWART_MAX;
+    const stewart_real infinite = huge * 2;
+    stewart_motion motion = motions[test->motion[0]];
+    stewart_real in[@most_inputs@];
+    int i;
+    for (i = 0; i < test->inputs; ++i) {
+        in[i] = test->in[i];
+    }
+    motion.t[0] = infinite - infinite;
+    in[0] = motion.t[0];
+    blank(test->answers);
+    return test->call(&motion, in, found) != STEWART_OK && is_blank(test->answers);
+}
+
+/* The same of a motion that is not there. */
+static int refuses_null(const function_test *test)
+{
+    blank(test->answers);
+    return test->call(NULL, test->in, found) == STEWART_BAD_ARGUMENT && is_blank(test->answers);
+}
+
+/* Runs all checks. checks: how many there were, may be null; worst: the largest error over its bound, may be
+ * null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
+int stewart_selftest(int *checks, stewart_real *worst)
+{
+    stewart_real largest = 0;
+    int all = 0, good = 0, test;
+@prepare@
+    for (test = 0; test < @function_count@; ++test) {
+        stewart_real of_function = 0;
+        int call, right = 0, count = tests[test].calls + 1 + tests[test].moved;
+        for (call = 0; call < tests[test].calls; ++call) {
+            right += is_right(&tests[test], call, &of_function);
+        }
+        right += refuses_nan(&tests[test]);
+        if (tests[test].moved) {
+            right += refuses_null(&tests[test]);
+        }
+        said(tests[test].name, right, count, of_function);
+        good += right;
+        all += count;
+        if (!(of_function <= largest)) {
+            largest = of_function;
+        }
+    }
+    if (checks) {
+        *checks = all;
+    }
+    if (worst) {
+        *worst = largest;
+    }
+    return all - good;
+}
+
+#if !defined(STEWART_NO_MAIN)
+int main(void)
+{
+    int checks;
+    stewart_real worst;
+    const int failed = stewart_selftest(&checks, &worst);
+    if (failed < 0) {
+        return 1;
+    }
+    said("selftest", checks - failed, checks, worst);
+    return failed ? 1 : 0;
+}
+#endif
+"""

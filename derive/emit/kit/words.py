@@ -1,0 +1,119 @@
+"""How a kit's texts write numbers, names, lists and tables.
+
+The bottom of the kit's texts: knows the layout of ``stewart.h`` from the notation, and no kernel.
+"""
+
+import hashlib
+import math
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from ... import notation as n
+from ...block import Quantity
+
+Numbers = Mapping[str, Any]
+"""Quantity name -> number or nested lists of numbers."""
+
+EPSILON = """\
+#define REAL(value) ((stewart_real)(value))
+
+#if !defined(STEWART_REAL)
+#if defined(STEWART_FLOAT)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+"""
+"""Rounding unit and largest number of the kit's arithmetic, for sources that include float.h."""
+
+
+def robot_symbol(name: str) -> str:
+    """C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
+
+    Accents are dropped; a name without any such letter or digit gives way to its digest.
+    """
+    plain = unicodedata.normalize("NFKD", name.casefold())
+    letters = "".join(char for char in plain if not unicodedata.combining(char))
+    words = re.findall(r"[a-z0-9]+", letters)
+    return f"stewart_robot_{'_'.join(words) or hashlib.sha256(name.encode()).hexdigest()[:12]}"
+
+
+def filled(template: str, values: Mapping[str, str]) -> str:
+    """The template with each ``@word@`` replaced, in one pass: an @ in a robot's name stays what it is."""
+    return re.sub(r"@(\w+)@", lambda match: values[match[1]], template)
+
+
+def in_comment(name: str) -> str:
+    """A name that may stand in a C comment."""
+    return name.replace("*/", "* /").replace("/*", "/ *")
+
+
+def in_markdown(name: str) -> str:
+    """A name that Markdown takes as it is."""
+    return re.sub(r"([\\`*_{}\[\]<>#|&])", r"\\\1", name)
+
+
+def literal(number: Any, where: str) -> str:
+    """A number to all its digits, in the arithmetic of the kernel: no double is left in a float build.
+
+    Raises ValueError naming ``where`` for what is not a finite number.
+    """
+    if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+        raise ValueError(f"{where}: expected finite numbers, got {number!r}")
+    return f"REAL({float(number)!r})"
+
+
+def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[str]:
+    """Literals of the components that ``stewart.h`` stores, in its order.
+
+    Raises ValueError naming owner and quantity that is missing or has another shape.
+    """
+    where = f"{owner}: {quantity.name}"
+    if quantity.name not in numbers:
+        raise ValueError(f"{where}: missing")
+    prefix = () if leg is None else (leg,)
+    return [
+        literal(_component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
+    ]
+
+
+def _component(value: Any, key: Sequence[int], where: str) -> Any:
+    try:
+        for i in key:
+            value = value[i]
+    except (IndexError, TypeError):
+        raise ValueError(f"{where}: expected an entry {list(key)}") from None
+    return value
+
+
+def member(quantity: Quantity, literals: Sequence[str], indent: str) -> str:
+    """One member of an initialiser, with what it is."""
+    order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
+    value = braces(literals, indent) if quantity.shape else literals[0]
+    return f"{indent}/* {quantity.name}, {quantity.unit}: {quantity.meaning}{order} */\n{indent}{value},"
+
+
+def braces(literals: Sequence[str], indent: str) -> str:
+    """A braced list, three numbers on a line."""
+    rows = [", ".join(literals[i : i + 3]) for i in range(0, len(literals), 3)]
+    return "{" + f",\n{indent} ".join(rows) + "}"
+
+
+def motion_members(motion: Numbers, indent: str) -> str:
+    """Initialiser of a ``stewart_motion``, without its braces; R is (3, 3), the rest (3,)."""
+    return "\n".join(member(q, stored(motion, q, "motion"), indent) for q in n.MOTION)
+
+
+def shape(quantity: Quantity) -> str:
+    """Dimensions of a quantity as it is stored, "" of a number."""
+    return f"[{len(quantity.keys)}]" if quantity.shape else ""
+
+
+def table(rows: Iterable[Sequence[str]]) -> str:
+    """Rows of a Markdown table; the first cell is code."""
+    return "\n".join(f"| `{first}` | {' | '.join(rest)} |" for first, *rest in rows)

@@ -1,0 +1,11 @@
+"""The C kit of one robot: a folder that builds, explains itself, and proves itself on its target.
+
+Takes a checked Robot and a ``Choice``; gathers kernels (``parts``), test vectors (``vectors``) and the texts of
+``derive.emit.kit``, and has the files put in place all at once or not at all. Knows nothing of C.
+"""
+
+from .choice import FUNCTIONS, Choice
+from .files import Kit, kit, kit_names
+from .write import put, write_kit
+
+__all__ = ["FUNCTIONS", "Choice", "Kit", "kit", "kit_names", "put", "write_kit"]

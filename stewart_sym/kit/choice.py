@@ -1,0 +1,81 @@
+"""What a kit is asked for: functions, formulation, fidelity, arithmetic.
+
+The bottom of the kit; knows which wishes go together, and nothing of sources.
+"""
+
+from dataclasses import dataclass
+
+from ..checks import option, shown
+from ..robot import Robot
+
+FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics")
+"""Groups of functions that a kit may hold, in the order in which it lists them."""
+
+STEMS: dict[str, tuple[str, ...]] = {
+    "forces": ("forces",),
+    "reactions": ("inverse_dynamics", "joint_reactions"),
+    "motion": ("equations", "bias", "forward_dynamics", "joint_inertia"),
+    "derivatives": ("derivatives", "linearisation"),
+    "kinematics": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
+}
+"""C functions of each group."""
+
+_OF_FORCES = ("fidelity", "bake", "scalar")
+_UNIVERSAL = ("motion", "derivatives")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What goes into a kit.
+
+    functions: some of ``FUNCTIONS``. formulation: "exact" or "paper". precision: "double" or "float". Of the
+    forces alone: fidelity, a level of ``fidelity.FIDELITIES``, None for ``general``; bake: fold the robot's
+    numbers in; scalar: one pose, its legs one after the other, small in code and stack, for processors without
+    vector registers. fmu: a co-simulation unit of the forces as well.
+    """
+
+    functions: tuple[str, ...] = ("forces",)
+    formulation: str = "exact"
+    fidelity: str | None = None
+    bake: bool = False
+    scalar: bool = False
+    precision: str = "double"
+    fmu: bool = False
+
+    @property
+    def level(self) -> str:
+        """Fidelity of the forces."""
+        return self.fidelity or "general"
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """The functions asked for, in the order of ``FUNCTIONS``."""
+        return tuple(name for name in FUNCTIONS if name in self.functions)
+
+
+def check(choice: Choice, robot: Robot) -> None:
+    """Raise ValueError, of one line, for a wish that is unknown or that does not go with the others."""
+    option(choice.precision, ("double", "float"), "precision")
+    option(choice.formulation, ("exact", "paper"), "formulation")
+    if not choice.functions:
+        raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got none")
+    for name in choice.functions:
+        if name not in FUNCTIONS:
+            raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {shown(name)}")
+        if name in _UNIVERSAL and (choice.formulation != "exact" or robot.base_joint != "universal"):
+            what = f"{choice.formulation} with {robot.base_joint} base joints"
+            raise ValueError(f"functions: {name}: expected exact with universal base joints, got {what}")
+    for name in (*_OF_FORCES, "fmu"):
+        if getattr(choice, name) and "forces" not in choice.functions:
+            raise ValueError(f"{name}: goes with the function forces, got {', '.join(choice.functions)}")
+
+
+def options(choice: Choice) -> str:
+    """The wishes as the command line takes them."""
+    given = [f"--functions {','.join(choice.groups)}"]
+    given += [f"--formulation {choice.formulation}"] if choice.formulation != "exact" else []
+    given += [f"--fidelity {choice.fidelity}"] if choice.fidelity else []
+    given += [f"--{name}" for name in ("bake", "scalar") if getattr(choice, name)]
+    given += ["--precision float"] if choice.precision == "float" else []
+    given += ["--fmu"] if choice.fmu else []
+    return " ".join(given)

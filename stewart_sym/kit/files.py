@@ -1,0 +1,205 @@
+"""The files of a kit as text: kernels, constants, self-test, example, build files, README, manifest.
+
+Stands above ``parts`` and ``vectors``; writes nothing. Knows which texts a choice takes, not what they say.
+"""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from functools import cache
+from importlib.resources import files as resources
+from typing import Any
+
+import numpy as np
+
+from ..derive.emit.kit import build, cpp
+from ..derive.emit.kit.deviations import deviations
+from ..derive.emit.kit.example import example
+from ..derive.emit.kit.functions import Function
+from ..derive.emit.kit.readme import Figures, readme
+from ..derive.emit.kit.readme import Kit as ReadmeKit
+from ..derive.emit.kit.robot import robot_digest, robot_files
+from ..derive.emit.kit.selftest import Case, selftest
+from ..derive.emit.kit.words import robot_symbol
+from ..derive.generate import generator_version
+from ..robot import Robot
+from .choice import Choice, check, options
+from .fmu import fmu_unit
+from .parts import Parts, generator, parts, robot_numbers
+from .vectors import Vector, vectors
+
+MANIFEST = "manifest.json"
+"""What a later run reads to tell its own files from edited ones."""
+
+_EPSILON = {"double": np.finfo(np.float64).eps, "float": np.finfo(np.float32).eps}
+_TEXTS = ("selftest.c", "main.c", "README.md", "Makefile", "CMakeLists.txt", "Config.cmake.in", "stewart.hpp")
+
+
+@dataclass(frozen=True)
+class Kit:
+    """Files of a kit, name -> content, and what a pose of the forces takes in operations, before the numbers
+    were folded in and after; None without the forces, and where nothing was folded in."""
+
+    files: dict[str, bytes]
+    operations: int | None
+    baked_operations: int | None
+
+
+def kit(robot: Robot, choice: Choice = Choice()) -> Kit:
+    """The kit of a robot. Raises ValueError for an unknown option, or if no pose is good for the self-test."""
+    check(choice, robot)
+    made = parts(robot, choice)
+    found = _vectors(robot, choice, made)
+    cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
+    texts = _sources(robot, choice, made)
+    symbol = robot_symbol(robot.name)
+    texts["selftest.c"] = selftest(robot.name, symbol, made.functions, cases, generator())
+    texts["main.c"] = example(robot.name, symbol, made.functions, cases, generator())
+    texts |= _build_files(symbol, made, texts, choice)
+    files = {name: text.encode() for name, text in texts.items()}
+    if choice.fmu:
+        files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts, found["forces"][0])
+    files["README.md"] = _readme(robot, choice, made, found).encode()
+    files[MANIFEST] = _manifest(robot, choice, files)
+    return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
+
+
+def kit_names(robot: Robot, choice: Choice = Choice()) -> list[str]:
+    """Names of the files of a kit, without computing its test vectors; raises as ``kit``."""
+    check(choice, robot)
+    unit = [f"{robot_symbol(robot.name)}.fmu"] if choice.fmu else []
+    return sorted([*_sources(robot, choice, parts(robot, choice)), *_TEXTS, *unit, MANIFEST])
+
+
+def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
+    """Kernels and constants."""
+    texts = made.files
+    if choice.precision == "float":
+        texts["stewart.h"] = _float_by_default(texts["stewart.h"])
+    if _has_robot(made):
+        texts |= robot_files(robot.name, robot_numbers(robot), generator())
+    return texts
+
+
+def _has_robot(made: Parts) -> bool:
+    return any(function.subject for function in made.functions)
+
+
+_FLOAT_BY_DEFAULT = """\
+/* This kit is for float; define STEWART_DOUBLE for double. */
+#if !defined(STEWART_DOUBLE) && !defined(STEWART_FLOAT)
+#define STEWART_FLOAT
+#endif
+"""
+
+
+def _float_by_default(stewart_h: str) -> str:
+    """``stewart.h`` of a kit in float: without another choice, STEWART_FLOAT is defined."""
+    mark = "#if defined(STEWART_REAL)\ntypedef"
+    assert mark in stewart_h
+    return stewart_h.replace(mark, f"{_FLOAT_BY_DEFAULT}{mark}")
+
+
+def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
+    """Test vectors by function."""
+    stems = tuple(function.stem for function in made.functions)
+    level = choice.level if "forces" in choice.functions else None
+    found: dict[str, list[Vector]] = {stem: [] for stem in stems}
+    for vector in vectors(robot, stems, choice.formulation, level, choice.precision):
+        found[vector.function].append(vector)
+    return found
+
+
+def _case(vector: Vector) -> Case:
+    function = Function(vector.function, "", "", "")
+    signature = function.signature
+    motion = None
+    if signature.motion:
+        motion = {
+            name: value.reshape(3, 3).tolist() if name == "R" else value.tolist()
+            for name, value in vector.inputs.items()
+            if name not in signature.inputs
+        }
+    names = [out.name for out in signature.outputs]
+    return Case(
+        vector.function,
+        motion,
+        [float(x) for name in signature.inputs for x in vector.inputs[name]],
+        [float(x) for name in names for x in vector.answers[name]],
+        [float(x) for name in names for x in vector.bounds[name]],
+    )
+
+
+def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:
+    sources = sorted(name for name in texts if name.endswith(".c") and name not in ("selftest.c", "main.c"))
+    headers = sorted(name for name in texts if name.endswith(".h"))
+    return build.build_files(symbol, sources, headers, generator()) | {
+        "stewart.hpp": cpp.wrapper(symbol, made.parts, generator())
+    }
+
+
+def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
+    unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
+    epsilon = float(_EPSILON[choice.precision])
+    figures = {
+        function.stem: Figures(
+            error=_error(found[function.stem]) * epsilon,
+            stack=_stack()["bytes"].get(_stack_key(function, choice)),
+            operations=function.operations,
+        )
+        for function in made.functions
+    }
+    return readme(
+        ReadmeKit(
+            name=robot.name,
+            symbol=robot_symbol(robot.name),
+            digest=robot_digest(robot.name, robot_numbers(robot)),
+            parts=made.parts,
+            figures=figures,
+            options=options(choice),
+            precision=choice.precision,
+            stack_by=_stack()["by"],
+            has_robot=_has_robot(made),
+            deviations=deviations(made.parts),
+            unit=unit,
+            version=generator(),
+        )
+    )
+
+
+def _error(vectors_of: list[Vector]) -> float:
+    """Largest bound over the largest answer of its array, in rounding units."""
+    return max(
+        float(np.max(vector.bounds[name]) / np.max(np.abs(answer)))
+        for vector in vectors_of
+        for name, answer in vector.answers.items()
+        if np.any(answer)
+    )
+
+
+def _stack_key(function: Function, choice: Choice) -> str:
+    return f"{function.symbol} {choice.precision}"
+
+
+@cache
+def _stack() -> dict[str, Any]:
+    """Measured stacks: ``by`` whom, ``bytes`` by function and precision."""
+    found: dict[str, Any] = json.loads((resources("stewart_sym.kit") / "stack.json").read_text())
+    return found
+
+
+def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes:
+    found = {
+        "generator": f"stewart-sym {generator_version()}",
+        "robot": {"name": robot.name, "sha256": robot_digest(robot.name, robot_numbers(robot))},
+        "options": asdict(choice) | {"functions": list(choice.groups)},
+        "files": {name: hashlib.sha256(content).hexdigest() for name, content in sorted(files.items())},
+    }
+    return (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode()
+
+
+def _unit(
+    robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], first: Vector
+) -> bytes:
+    raise NotImplementedError

@@ -1,0 +1,178 @@
+"""The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot.
+
+Stands below ``kit``. Knows names and files of kernels and what each of their functions costs, no syntax.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import version
+
+import numpy as np
+
+from .. import fidelity
+from ..derive import notation
+from ..derive.bake import baked
+from ..derive.emit import lanes, scalar
+from ..derive.emit.c import common_header
+from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
+from ..derive.emit.kit.words import Numbers, robot_symbol
+from ..derive.fidelity import FIDELITIES, fidelity_kernel
+from ..derive.formulation import EXACT, FORMULATIONS
+from ..derive.generate import generator_version, shared_blocks
+from ..derive.operations import force_operations
+from ..derive.regroup import ForceKernel
+from ..kernel import c_sources, kernel_name, module
+from ..robot import Robot
+from .choice import STEMS, Choice
+
+_KINEMATICS = "kinematics"
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Parts of a kit. operations: of a pose of the forces, before the robot's numbers were folded in, and
+    after; None without the forces, or where nothing was folded in."""
+
+    parts: tuple[Part, ...]
+    operations: int | None = None
+    baked_operations: int | None = None
+
+    @property
+    def files(self) -> dict[str, str]:
+        """Headers and sources of all parts and ``stewart.h``: file name -> text."""
+        found = {"stewart.h": common_header(generator_version())}
+        for part in self.parts:
+            found |= part.files
+        return found
+
+    @property
+    def functions(self) -> tuple[Function, ...]:
+        """The functions of all parts."""
+        return tuple(function for part in self.parts for function in part.functions)
+
+
+def robot_numbers(robot: Robot) -> Numbers:
+    """Fields of ``stewart_robot`` as nested lists."""
+    names = [quantity.name for quantity in notation.LEG + notation.PLATFORM]
+    return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
+
+
+def parts(robot: Robot, choice: Choice) -> Parts:
+    """The parts of a kit; ``choice`` is checked already. Raises ValueError for an unknown fidelity."""
+    found: list[Part] = []
+    before = after = None
+    if "forces" in choice.functions:
+        part, before, after = _forces(robot, choice)
+        found.append(part)
+    if "reactions" in choice.functions:
+        found.append(_reactions(robot, choice))
+    if {"motion", "derivatives"} & set(choice.functions):
+        model = f"stewart_{EXACT.kernel_name}_forces"
+        if all(part.name != model for part in found):
+            found.append(_model(model))
+        found.append(_motion(choice))
+    if _KINEMATICS in choice.functions:
+        found.append(_kinematics())
+    return Parts(tuple(found), before, after)
+
+
+def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
+    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    if choice.bake or choice.scalar:
+        return _derived(robot, choice, level)
+    name = fidelity.force_kernel_name(robot, choice.formulation, level)
+    count = fidelity.operations(robot, choice.formulation, level)
+    says = f"Actuator forces, kernel `{name}`, fidelity {level}: {fidelity.meaning(level)}."
+    return _force_part(f"stewart_{name}_forces", f"stewart_{name}", False, count, says), count, None
+
+
+def _force_part(
+    file: str, prefix: str, is_baked: bool, count: int, says: str, sources: Mapping[str, str] | None = None
+) -> Part:
+    function = Function(
+        "forces", f"{prefix}_forces", f"{file}.h", NOTHING if is_baked else MODEL, prefix, count
+    )
+    files = _committed(file) if sources is None else sources
+    return Part(file, files, (function,), says)
+
+
+def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
+    """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
+    joint = robot.base_joint if level == "general" else EXACT.base_joint
+    form = next(f for f in FORMULATIONS if f.kernel_name == kernel_name(choice.formulation, joint))
+    raw = fidelity_kernel(form, FIDELITIES[level])
+    plain = shared_blocks(raw)
+    made, before, after = plain, force_operations(plain).total.total, None
+    if choice.bake:
+        name = robot_symbol(robot.name).removeprefix("stewart_")
+        name += "" if level == "general" else f"_{level}"
+        made = shared_blocks(baked(raw, robot_numbers(robot), name))
+        after = force_operations(made).total.total
+    count = before if after is None else after
+    ways = [
+        *(["the robot's numbers folded in"] if choice.bake else []),
+        *(["one pose, legs one after the other"] if choice.scalar else []),
+    ]
+    says = f"Actuator forces, {form.name}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
+    suffix = "_pose" if choice.scalar else ""
+    file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
+    sources = _printed(made, plain, file, choice)
+    return _force_part(file, f"stewart_{made.name}{suffix}", choice.bake, count, says, sources), before, after
+
+
+def _printed(made: ForceKernel, plain: ForceKernel, file: str, choice: Choice) -> dict[str, str]:
+    generator = generator_version()
+    if choice.scalar:
+        header, source = scalar.header(made, plain if choice.bake else None, generator), scalar.source
+    else:
+        header, source = lanes.baked_header(made, plain, generator), lanes.source
+    return {f"{file}.h": header, f"{file}.c": source(made, generator)}
+
+
+def _reactions(robot: Robot, choice: Choice) -> Part:
+    name = kernel_name(choice.formulation, robot.base_joint)
+    counts = module(name).OPERATIONS["friction"]
+    functions = [
+        Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}.h", ROBOT, operations=sum(counts["total"]))
+        for stem in STEMS["reactions"]
+    ]
+    says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
+    return Part(f"stewart_{name}", _committed(f"stewart_{name}"), tuple(functions), says)
+
+
+def _model(file: str) -> Part:
+    return Part(file, _committed(file), (), "The prepared constants that the equations of motion read.")
+
+
+def _motion(choice: Choice) -> Part:
+    name = EXACT.kernel_name
+    file = f"stewart_{name}_motion"
+    stems = [stem for group in ("motion", "derivatives") if group in choice.functions for stem in STEMS[group]]
+    counts: Mapping[str, int] = module(f"{name}_motion").OPERATIONS
+    functions = [
+        Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", counts.get(stem))
+        for stem in stems
+    ]
+    return Part(file, _committed(file), tuple(functions), _motion_says(stems))
+
+
+def _motion_says(stems: Iterable[str]) -> str:
+    return f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
+
+
+def _kinematics() -> Part:
+    file = "stewart_kinematics"
+    functions = [Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT) for stem in STEMS[_KINEMATICS]]
+    says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
+    return Part(file, _committed(file), tuple(functions), says)
+
+
+def _committed(file: str) -> dict[str, str]:
+    """Header and source from ``generated/c``."""
+    sources = c_sources(file.removeprefix("stewart_"))
+    return {name: text for name, text in sources.items() if name != "stewart.h"}
+
+
+def generator() -> str:
+    """Version of this package."""
+    return version("stewart-sym")
