@@ -38,8 +38,9 @@ class Target:
     """Which kernel a kit is built around.
 
     kernel: as in ``stewart_<kernel>.h``, or ``stewart_<kernel>_forces.h`` where forces_alone, or
-    ``stewart_<kernel>_pose.h`` where scalar: one pose, its legs one after the other. baked: the
-    robot's numbers are in the kernel. precision: "double" or "float". says: lines of the README about it.
+    ``stewart_<kernel>_pose.h`` where scalar: one pose, its legs one after the other, with functions and types
+    ``stewart_<kernel>_pose_...``. baked: the robot's numbers are in the kernel. precision: "double" or
+    "float". says: lines of the README about it.
     """
 
     kernel: str
@@ -106,7 +107,8 @@ def float_by_default(stewart_h: str) -> str:
 
 def _target_texts(target: Target, symbol: str) -> dict[str, str]:
     """What differs between kits of whole kernels, of forces alone and of baked ones."""
-    call = f"stewart_{target.kernel}"
+    kernel = f"{target.kernel}_pose" if target.scalar else target.kernel
+    call = f"stewart_{kernel}"
     if target.baked:
         declared, made = "stewart_real F[6];", ""
         called = f"{call}_forces(&motion, F)"
@@ -132,7 +134,7 @@ def _target_texts(target: Target, symbol: str) -> dict[str, str]:
         "called": called,
         "says": target.says,
         "files": _table([row for row in _FILES if not (target.baked and row[0].startswith("robot"))]),
-        "functions": _fill(_table(rows), {"kernel": target.kernel}),
+        "functions": _fill(_table(rows), {"kernel": kernel}),
         "outputs": "" if target.forces_alone else _OUTPUTS,
         "arithmetic": _ARITHMETIC[target.precision],
     }
