@@ -141,7 +141,7 @@ def _shared(kernel: ForceKernel) -> str:
     lines = [
         line for q in block.inputs for line in _load(kernel, q, "at" if q in n.MOTION else "model", used)
     ]
-    model = "const stewart_@NAME@_model *model, " if any("= model->" in line for line in lines) else ""
+    model = "const stewart_@NAME@_pose_model *model, " if any("= model->" in line for line in lines) else ""
     parts = {
         "@MEMBERS@": [f"    stewart_real {out.quantity.name}{dims(out.quantity)};" for out in block.outputs],
         "@BODY@": [*lines, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")],
@@ -276,9 +276,9 @@ extern "C" {
 
 @MODEL@
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-int stewart_@NAME@_forces( //M
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real F[6]); //M
-int stewart_@NAME@_forces(const stewart_motion *motion, stewart_real F[6]); //B
+int stewart_@NAME@_pose_forces( //M
+    const stewart_@NAME@_pose_model *model, const stewart_motion *motion, stewart_real F[6]); //M
+int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]); //B
 
 #ifdef __cplusplus
 }
@@ -291,18 +291,18 @@ _MODEL = """\
 /* Constants of one leg. */
 typedef struct {
 @LEG@
-} stewart_@NAME@_leg;
+} stewart_@NAME@_pose_leg;
 
 /* A robot's constants, prepared once. */
 typedef struct {
-    stewart_@NAME@_leg leg[6];
+    stewart_@NAME@_pose_leg leg[6];
     stewart_real size; /* m: no platform point and no base point from base point 1 is farther */
 @PLATFORM@
-} stewart_@NAME@_model;
+} stewart_@NAME@_pose_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
  * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
-int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model);
+int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_model *model);
 """
 
 _TOP = """\
@@ -345,9 +345,9 @@ static stewart_real extent(const stewart_real *vector)
     return STEWART_FABS(vector[0]) + STEWART_FABS(vector[1]) + STEWART_FABS(vector[2]);
 }
 
-int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
+int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_model *model)
 {
-    stewart_@NAME@_model made;
+    stewart_@NAME@_pose_model made;
     prepared_leg found, sum;
     prepared_platform platform;
     const stewart_real *numbers = (const stewart_real *)&made;
@@ -395,7 +395,7 @@ static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out)
 _LEG = """\
 /* One leg, @COUNT@ operations: its column of H, its D and its part of c. Returns a status. */
 @APART@static int @FUNCTION@(
-    const stewart_@NAME@_model *model, const stewart_@NAME@_leg *leg, //M
+    const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
     const leg_numbers *leg, //B
     const stewart_motion *at, const pose_terms *pose, int column, stewart_real A[6][7],
     stewart_real *known, //D
@@ -426,9 +426,9 @@ static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
 """
 
 _POSE = """\
-int stewart_@NAME@_forces( //M
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real F[6]) //M
-int stewart_@NAME@_forces(const stewart_motion *motion, stewart_real F[6]) //B
+int stewart_@NAME@_pose_forces( //M
+    const stewart_@NAME@_pose_model *model, const stewart_motion *motion, stewart_real F[6]) //M
+int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) //B
 {
     pose_terms pose;
     stewart_real A[6][7];
