@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import fidelity, native
 from stewart_sym.derive.bake import _Constants
-from stewart_sym.derive.emit.kit import robot_symbol
+from stewart_sym.derive.emit.kit.words import robot_symbol
 from stewart_sym.derive.notation import Quantity
 from stewart_sym.kernel import MOTION, address
-from stewart_sym.kit import Choice, Kit, kit
+from stewart_sym.kit import Choice
+from stewart_sym.kit.parts import Parts, parts
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 
@@ -25,7 +26,7 @@ EPSILON = np.finfo(np.float64).eps
 Array = NDArray[np.float64]
 
 
-def compiled(robot: Robot, made: Kit, level: str) -> Any:
+def compiled(robot: Robot, made: Parts, level: str) -> Any:
     """The batch of a baked kernel."""
     own = {name: text for name, text in made.files.items() if name.startswith("stewart")}
     suffix = "" if level == "general" else f"_{level}"
@@ -37,7 +38,7 @@ def baked_forces(robot: Robot, motion: Motion, level: str) -> Array:
     F, status = np.full((count, 6), np.nan), np.zeros(count, dtype=np.int32)
     arrays = [np.ascontiguousarray(getattr(motion, name)) for name in MOTION]
     pointers = (ctypes.c_void_p * len(arrays))(*map(address, arrays))
-    call = compiled(robot, kit(robot, Choice(fidelity=level, bake=True)), level)
+    call = compiled(robot, parts(robot, Choice(fidelity=level, bake=True)), level)
     call(ctypes.c_size_t(count), pointers, address(F), address(status))
     assert (status == 0).all()
     return F
@@ -87,7 +88,7 @@ def test_baked_forces_are_those_of_the_prepared_kernel(level: str) -> None:
 
 @pytest.mark.parametrize("level", fidelity.FIDELITIES)
 def test_baking_the_papers_machine_saves_operations(level: str) -> None:
-    made = kit(dasgupta(), Choice(fidelity=level, bake=True))
+    made = parts(dasgupta(), Choice(fidelity=level, bake=True))
     print(level, made.operations, made.baked_operations)
     assert made.baked_operations is not None
     assert made.baked_operations < made.operations
@@ -107,7 +108,7 @@ def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
 
 
 def _baked_operations(robot: Robot, level: str) -> int:
-    count = kit(robot, Choice(fidelity=level, bake=True)).baked_operations
+    count = parts(robot, Choice(fidelity=level, bake=True)).baked_operations
     assert count is not None
     return count
 

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from importlib.resources import as_file, files
 from pathlib import Path
@@ -506,16 +507,47 @@ def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     target = robot.parent / "kit"
-    assert main(["generate", str(robot), "-o", str(target), "--formulation", "paper"]) == 0
+    asked = ["generate", str(robot), "-o", str(target), "--formulation", "paper", "--scalar"]
+    assert main(asked) == 0
     *listed, count = capsys.readouterr().out.splitlines()
     assert re.fullmatch(r"operations of a pose: \d+", count)
-    assert sorted(listed) == sorted(str(path) for path in target.iterdir())
+    assert listed == sorted(str(path) for path in target.iterdir())
     written = folder_state(target)
     (target / "robot.c").write_text("mine")
-    assert "robot.c" in fails_in_one_line(capsys, "generate", robot, "-o", target, "--formulation", "paper")
+    assert "robot.c" in fails_in_one_line(capsys, *asked)
     assert (target / "robot.c").read_text() == "mine"
-    assert main(["generate", str(robot), "-o", str(target), "--formulation", "paper", "--force"]) == 0
+    assert main([*asked, "--force"]) == 0
     assert folder_state(target) == written
+
+
+def test_generate_lists_the_files_and_writes_none(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = robot.parent / "kit"
+    asked = ["generate", str(robot), "-o", str(target), "--functions", "kinematics, reactions"]
+    assert main([*asked, "--list"]) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert not target.exists()
+    assert main(asked) == 0
+    assert capsys.readouterr().out.splitlines() == listed
+
+
+@pytest.mark.slow
+def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> None:
+    """Whenever the signal comes: every file is of one kit or every file is of the other."""
+    target = robot.parent / "kit"
+    command = [sys.executable, "-m", "stewart_sym.cli", "generate", str(robot), "-o", str(target)]
+    states = []
+    for options in (["--scalar"], ["--bake"]):
+        subprocess.run([*command, *options], check=True, capture_output=True)
+        states.append(folder_state(target))
+    started = time.monotonic()
+    subprocess.run([*command, "--scalar"], check=True, capture_output=True)
+    needed = time.monotonic() - started
+    for turn in range(6):
+        process = subprocess.Popen([*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL)
+        time.sleep(needed * (0.75 + 0.05 * turn))
+        process.terminate()
+        process.wait()
+        assert folder_state(target) in states
 
 
 # singularities

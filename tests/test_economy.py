@@ -664,7 +664,7 @@ def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.C
     printed = capsys.readouterr().out
     assert all(str(kit / name) in printed for name in names)
     # Nothing is replaced unasked.
-    (kit / "example.c").write_text("mine")
+    (kit / "main.c").write_text("mine")
     assert "use --force" in fails_in_one_line(capsys, "advise", scene, "--generate", kit)
     assert main(["advise", str(scene), "--generate", str(kit), "--force", "--bake"]) == 0
 

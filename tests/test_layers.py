@@ -40,7 +40,8 @@ FLOORS = (
     {"cli"},
 )
 GENERATE_ON_COMMAND = {
-    f"{PACKAGE}.{name}" for name in ("cli", "kit", "studies.bench_passes", "studies.truth")
+    f"{PACKAGE}.{name}"
+    for name in ("cli", "kit.files", "kit.parts", "kit.vectors", "studies.bench_passes", "studies.truth")
 }
 
 
