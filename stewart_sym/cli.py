@@ -200,6 +200,11 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _cmake_dir(arguments: argparse.Namespace) -> int:
+    print(Path(str(files("stewart_sym"))) / "cmake")
+    return 0
+
+
 def _identify(arguments: argparse.Namespace) -> int:
     from .publish import staged_folder
 
@@ -814,6 +819,14 @@ def _parser() -> argparse.ArgumentParser:
     )
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--force", action="store_true", help="replace files that are there already")
+
+    _verb(
+        verbs,
+        "cmake-dir",
+        _cmake_dir,
+        "print the folder of the CMake package that brings stewart_generate()",
+        "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)",
+    )
 
     verb = _verb(
         verbs,
