@@ -226,6 +226,11 @@ def _generate(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _cmake_dir(arguments: argparse.Namespace) -> int:
+    print(Path(str(files("stewart_sym"))) / "cmake")
+    return 0
+
+
 def _identify(arguments: argparse.Namespace) -> int:
     from .publish import staged_folder
 
@@ -853,6 +858,14 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
     verb.add_argument("--force", action="store_true", help="replace files that were edited or are of other origin")
+
+    _verb(
+        verbs,
+        "cmake-dir",
+        _cmake_dir,
+        "print the folder of the CMake package that brings stewart_generate()",
+        "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)",
+    )
 
     verb = _verb(
         verbs,

@@ -132,11 +132,16 @@ def _case(vector: Vector) -> Case:
 
 
 def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:
-    sources = sorted(name for name in texts if name.endswith(".c") and name not in ("selftest.c", "main.c"))
-    headers = sorted(name for name in texts if name.endswith(".h"))
-    return build.build_files(symbol, sources, headers, generator()) | {
-        "stewart.hpp": cpp.wrapper(symbol, made.parts, generator())
-    }
+    package = build.Package(
+        symbol,
+        generator(),
+        sources=tuple(sorted(n for n in texts if n.endswith(".c") and n not in ("selftest.c", "main.c"))),
+        headers=tuple(sorted(n for n in texts if n.endswith(".h"))),
+        precision=choice.precision,
+        has_cpp=True,
+    )
+    wrapper = cpp.wrapper(made.functions, generator())
+    return build.build_files(package) | {build.WRAPPER: wrapper}
 
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
