@@ -16,28 +16,28 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import fidelity
-from .checks import option
-from .conditioning import characteristic_length, scaled_condition_number
-from .derive import notation
-from .derive.bake import baked
-from .derive.block import Quantity
-from .derive.emit import kit as texts
-from .derive.emit import lanes, scalar
-from .derive.emit.c import common_header
-from .derive.fidelity import FIDELITIES, fidelity_kernel
-from .derive.formulation import EXACT, FORMULATIONS
-from .derive.generate import generator_version, shared_blocks
-from .derive.operations import force_operations
-from .derive.regroup import ForceKernel
-from .dynamics import Formulation, inverse_dynamics
-from .kernel import c_sources, kernel_name, module
-from .kinematics import clear_of_poles, inverse_kinematics
-from .motion import Motion
-from .publish import staged_folder
-from .results import Forces
-from .robot import Robot
-from .studies.truth import Truth
+from .. import fidelity
+from ..checks import option
+from ..conditioning import characteristic_length, scaled_condition_number
+from ..derive import notation
+from ..derive.bake import baked
+from ..derive.block import Quantity
+from ..derive.emit import kit as texts
+from ..derive.emit import lanes, scalar
+from ..derive.emit.c import common_header
+from ..derive.fidelity import FIDELITIES, fidelity_kernel
+from ..derive.formulation import EXACT, FORMULATIONS
+from ..derive.generate import generator_version, shared_blocks
+from ..derive.operations import force_operations
+from ..derive.regroup import ForceKernel
+from ..dynamics import Formulation, inverse_dynamics
+from ..kernel import c_sources, kernel_name, module
+from ..kinematics import clear_of_poles, inverse_kinematics
+from ..motion import Motion
+from ..publish import staged_folder
+from ..results import Forces
+from ..robot import Robot
+from ..studies.truth import Truth
 
 Array = NDArray[np.float64]
 
