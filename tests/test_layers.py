@@ -40,7 +40,7 @@ FLOORS = (
     {"cli"},
 )
 GENERATE_ON_COMMAND = {
-    f"{PACKAGE}.{name}" for name in ("cli", "kit", "studies.bench_passes", "studies.truth")
+    f"{PACKAGE}.{name}" for name in ("cli", "kit", "kit.fmu", "studies.bench_passes", "studies.truth")
 }
 
 
