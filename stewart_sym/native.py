@@ -38,7 +38,13 @@ _NATIVE = "-march=native"
 # Code on Windows is position independent anyway, and clang refuses the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
-"""Of the compiler, for every library."""
+"""Of the compiler, for every library of this machine."""
+
+PORTABLE_FLAGS = (
+    *("-O2", "-std=c99", *_POSITION, "-shared", "-fvisibility=hidden"),
+    *("-fno-math-errno", "-ffp-contract=off"),
+)
+"""For a library that is given away: it runs on any processor of this kind, and shows only what it exports."""
 # A library linked with one of these switches the whole process to flush-to-zero.
 _REFUSED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
@@ -115,12 +121,18 @@ def load(
         return _loaded[key]
 
 
-def compiled(folder: Path, name: str, sources: Mapping[str, str], flags: Sequence[str] = ()) -> Path:
+def compiled(
+    folder: Path,
+    name: str,
+    sources: Mapping[str, str],
+    flags: Sequence[str] = (),
+    base: Sequence[str] = FLAGS,
+) -> Path:
     """Compile as ``load`` does, but anew, into ``folder``, past the cache; returns the library, not loaded.
 
-    Raises as ``load`` does.
+    base: the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises as ``load`` does.
     """
-    return _compile(folder, _recipe(name, sources, flags, None))
+    return _compile(folder, _recipe(name, sources, flags, None, base))
 
 
 def ran(command: Sequence[str], folder: Path) -> str:
@@ -138,14 +150,18 @@ def ran(command: Sequence[str], folder: Path) -> str:
 
 
 def _recipe(
-    name: str, sources: Mapping[str, str], flags: Sequence[str], defines: Mapping[str, str | int] | None
+    name: str,
+    sources: Mapping[str, str],
+    flags: Sequence[str],
+    defines: Mapping[str, str | int] | None,
+    base: Sequence[str] = FLAGS,
 ) -> "_Recipe":
     _check_names(name, sources)
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
     macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
-    return _Recipe(name, dict(sources), compiler, (*FLAGS, *macros, *flags))
+    return _Recipe(name, dict(sources), compiler, (*base, *macros, *flags))
 
 
 @dataclass(frozen=True)

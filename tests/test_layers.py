@@ -41,7 +41,15 @@ FLOORS = (
 )
 GENERATE_ON_COMMAND = {
     f"{PACKAGE}.{name}"
-    for name in ("cli", "kit.files", "kit.parts", "kit.vectors", "studies.bench_passes", "studies.truth")
+    for name in (
+        "cli",
+        "kit.files",
+        "kit.fmu",
+        "kit.parts",
+        "kit.vectors",
+        "studies.bench_passes",
+        "studies.truth",
+    )
 }
 
 
