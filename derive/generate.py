@@ -4,7 +4,7 @@ The last step of ``derive``. The texts depend on this package and on SymPy's min
 path, no order of a set. Knows nothing of the runtime.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from importlib.metadata import version as installed_version
 
@@ -119,13 +119,30 @@ def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
     )
 
 
-def _closed_form(version: str) -> dict[str, str]:
-    built, plain = reduced_motion(), reduced_motion(friction=False)
-    name, model = EXACT.kernel_name, reduced_forces(EXACT)
+def motion_files(functions: Collection[str]) -> dict[str, str]:
+    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.motion.FUNCTIONS`` and what those need.
+
+    Raises ValueError for other functions and for none.
+    """
+    return _motion_files(reduced_motion(), reduced_forces(EXACT), generator_version(), functions)
+
+
+def _motion_files(
+    built: tuple[motion.SumKernel, ...], model: ForceKernel, version: str, functions: Collection[str]
+) -> dict[str, str]:
+    name, plain = EXACT.kernel_name, reduced_motion(friction=False)
     return {
-        f"{name}_motion.py": numpy_motion.module(built, model, version),
-        f"c/stewart_{name}_motion.h": motion_text.header(built, plain, name, version),
-        f"c/stewart_{name}_motion.c": motion_text.source(built, model, version),
+        f"stewart_{name}_motion.h": motion_text.header(built, plain, name, version, functions),
+        f"stewart_{name}_motion.c": motion_text.source(built, model, version, functions),
+    }
+
+
+def _closed_form(version: str) -> dict[str, str]:
+    built, model = reduced_motion(), reduced_forces(EXACT)
+    sources = _motion_files(built, model, version, motion_text.FUNCTIONS)
+    return {
+        f"{EXACT.kernel_name}_motion.py": numpy_motion.module(built, model, version),
+        **{f"c/{file}": text for file, text in sources.items()},
     }
 
 

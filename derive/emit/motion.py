@@ -4,6 +4,9 @@ Uses the prepared model of the force kernel (``lanes``). The six legs stand in l
 part of the sums is one array, added up leg by leg. Knows layout and solving, no dynamics.
 """
 
+import re
+from collections.abc import Collection
+
 from .. import notation as n
 from ..block import Block, Operations
 from ..motion import F_LEG, SumKernel
@@ -26,37 +29,100 @@ from .lane_text import (
 )
 
 LEGS = 6
+FUNCTIONS = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+"""What the emitted file can hold, in the order of its declarations."""
 
 
 def header(
-    kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...], name: str, version: str
+    kernels: tuple[SumKernel, ...],
+    frictionless: tuple[SumKernel, ...],
+    name: str,
+    version: str,
+    functions: Collection[str] = FUNCTIONS,
 ) -> str:
-    """``stewart_<kernel>_motion.h``: what is computed, its cost, its functions."""
+    """``stewart_<kernel>_motion.h``: what is computed, its cost, its functions.
+
+    functions: those that are declared, out of FUNCTIONS. Raises ValueError for others and for none.
+    """
+    asked = _asked(functions)
+    used = [text for what, text in _PUBLIC.items() if what in _called(asked)]
     rows = [
         f" * {kernel.name:17s} {sum_operations(kernel)!s:44s} {sum_operations(plain).total}"
         for kernel, plain in zip(kernels, frictionless, strict=True)
+        if any(f"{kernel.name}_sums(" in text for text in used)
     ]
+    arrays = [what for what in asked if what in _ARRAYS]
+    forced = [what for what in asked if what in _FORCED]
+    text = _HEADER if "derivatives" in asked else _HEADER.replace(_READ, "are not read.\n")
+    parts = {
+        "@OPERATIONS@": rows,
+        "@STRUCTS@": [_struct(what) for what in arrays] + _array_structs(arrays),
+        "@ONE_POSE@": [_DECLARATIONS[what] for what in asked],
+        "@F@": ["F is [count][6]. "] if forced else [""],
+        "@BATCHES@": _batch_declarations(asked),
+    }
     return (
-        _HEADER.replace("@OPERATIONS@", "\n".join(rows))
+        filled(text, parts)
         .replace("@GUARD@", f"STEWART_{name.upper()}_MOTION_H")
         .replace("@VERSION@", version)
         .replace("@NAME@", name)
     )
 
 
-def source(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_motion.c``."""
-    name = model.formulation.kernel_name
-    parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS,
-        _COMMON.replace("@FINITE@", IS_FINITE),
-        *(_kernel(kernel, model) for kernel in kernels),
-        *(_solve(_DEFINITE, width) for width in (8, 24)),
-        *(_solve(_PIVOTED, width) for width in (12, 24)),
-        _PUBLIC,
-        _batches(),
+def source(
+    kernels: tuple[SumKernel, ...],
+    model: ForceKernel,
+    version: str,
+    functions: Collection[str] = FUNCTIONS,
+) -> str:
+    """``stewart_<kernel>_motion.c``: the functions and what they need, nothing else.
+
+    functions: out of FUNCTIONS. Raises ValueError for others and for none.
+    """
+    asked = _asked(functions)
+    pieces = [
+        *_SHARED.items(),
+        *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
+        *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
+        *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
+        *((f"stewart_@NAME@_{what}", text) for what, text in _PUBLIC.items()),
+        *_LOAD_POSE.items(),
+        *((f"stewart_@NAME@_{what}_batch", _batch(what)) for what in MEMBERS),
     ]
-    return "\n".join(parts).replace("@NAME@", name)
+    top = _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS
+    wanted = {f"stewart_@NAME@_{what}{batch}" for what in asked for batch in ("", "_batch")}
+    text = "\n".join([top, _COMMON, *_needed(pieces, wanted)])
+    return text.replace("@NAME@", model.formulation.kernel_name)
+
+
+def _asked(functions: Collection[str]) -> list[str]:
+    """The functions in the order of their declarations."""
+    if not functions or not set(functions) <= set(FUNCTIONS):
+        raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got {list(functions)}")
+    return [what for what in FUNCTIONS if what in functions]
+
+
+def _called(functions: Collection[str]) -> set[str]:
+    """The functions and those that they call."""
+    return {
+        what
+        for what in FUNCTIONS
+        if what in functions or any(f"_{what}(model," in _PUBLIC[caller] for caller in functions)
+    }
+
+
+def _needed(pieces: list[tuple[str, str]], wanted: Collection[str]) -> list[str]:
+    """Texts of the functions that are wanted and of those they call; what isn't wanted itself is static.
+
+    pieces: name and text of each function, those that are called before those that call.
+    """
+    kept: list[str] = []
+    for name, text in reversed(pieces):
+        if name in wanted:
+            kept.append(text)
+        elif any(re.search(rf"\b{name}\(", caller) for caller in kept):
+            kept.append(f"static {text}" if text.startswith("int stewart_") else text)
+    return kept[::-1]
 
 
 def sum_operations(kernel: SumKernel) -> Operations:
@@ -206,29 +272,26 @@ MEMBERS: dict[str, tuple[tuple[str, int], ...]] = _ARRAYS | {name: (one,) for na
 """What each function hands out, with the count of its numbers."""
 
 
-def _batches() -> str:
-    parts = [_LOAD_POSE]
-    for what, members in MEMBERS.items():
-        forced = what in _FORCED
-        marks = {
-            "@WHAT@": what,
-            "@ARGUMENT@": "const stewart_real *F, " if forced else "",
-            "@NEED@": _NEEDED.get(what, ""),
-            "@FORCE@": "F + pose * 6, " if forced else "",
-            "@OUT@": _out(what),
-        }
-        if what in _ARRAYS:
-            marks |= {"@DECLARE@": f"stewart_{what} found;", "@TARGET@": "&found"}
-            copies = [f"copy_to(found.{name}, {count}, pose, out->{name});" for name, count in members]
-        else:
-            count = members[0][1]
-            marks |= {"@DECLARE@": f"stewart_real found[{count}];", "@TARGET@": "found"}
-            copies = [f"copy_to(found, {count}, pose, out);"]
-        text = _BATCH
-        for mark, value in marks.items():
-            text = text.replace(mark, value)
-        parts.append(filled(text, {"@COPIES@": [f"            {line}" for line in copies]}))
-    return "\n".join(parts)
+def _batch(what: str) -> str:
+    members, forced = MEMBERS[what], what in _FORCED
+    marks = {
+        "@WHAT@": what,
+        "@ARGUMENT@": "const stewart_real *F, " if forced else "",
+        "@NEED@": _NEEDED.get(what, ""),
+        "@FORCE@": "F + pose * 6, " if forced else "",
+        "@OUT@": _out(what),
+    }
+    if what in _ARRAYS:
+        marks |= {"@DECLARE@": f"stewart_{what} found;", "@TARGET@": "&found"}
+        copies = [f"copy_to(found.{name}, {count}, pose, out->{name});" for name, count in members]
+    else:
+        count = members[0][1]
+        marks |= {"@DECLARE@": f"stewart_real found[{count}];", "@TARGET@": "found"}
+        copies = [f"copy_to(found, {count}, pose, out);"]
+    text = _BATCH
+    for mark, value in marks.items():
+        text = text.replace(mark, value)
+    return filled(text, {"@COPIES@": [f"            {line}" for line in copies]})
 
 
 def _out(what: str) -> str:
@@ -240,7 +303,13 @@ def _members(quantities: tuple[tuple[str, int], ...], pointer: bool) -> str:
     return "\n".join(f"    stewart_real {row}" for row in rows)
 
 
-_HEADER_TEXT = """\
+_READ = """\
+are read by
+ * `derivatives` alone.
+"""
+"""What the header says of the accelerations, if there are derivatives."""
+
+_HEADER = """\
 /* stewart_@NAME@_motion.h: the closed form of the equations of motion and what follows from it.
  *
  * Written by stewart-sym @VERSION@; do not edit.
@@ -265,53 +334,11 @@ _HEADER_TEXT = """\
 extern "C" {
 #endif
 
-/* H_dot: rate of H; the others as above. */
-typedef struct {
-@EQUATIONS@
-} stewart_equations;
-
-/* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
-typedef struct {
-@DERIVATIVES@
-} stewart_derivatives;
-
-/* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about the motion. */
-typedef struct {
-@LINEARISATION@
-} stewart_linearisation;
-
-/* The same of `count` poses. Any pointer may be null: not wanted. */
-typedef struct {
-@EQUATIONS_ARRAYS@
-} stewart_equations_arrays;
-
-typedef struct {
-@DERIVATIVES_ARRAYS@
-} stewart_derivatives_arrays;
-
-typedef struct {
-@LINEARISATION_ARRAYS@
-} stewart_linearisation_arrays;
-
+@STRUCTS@
 /* One pose. All return a status; outputs are written only if it is STEWART_OK. */
-int stewart_@NAME@_equations(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out);
-int stewart_@NAME@_bias(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6]);
-int stewart_@NAME@_forward_dynamics(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
-    stewart_real acceleration[6]);
+@ONE_POSE@
 
-/* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
-int stewart_@NAME@_joint_inertia(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36]);
-int stewart_@NAME@_derivatives(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out);
-int stewart_@NAME@_linearisation(
-    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
-    stewart_linearisation *out);
-
-/* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
+/* `count` poses; @F@Of the motions, F_ext and M_ext may be null, alpha and a where they are not
  * read. `status` takes one code for each pose; null: not wanted. Return the first
  * code other than STEWART_OK, or STEWART_OK. */
 @BATCHES@
@@ -323,28 +350,68 @@ int stewart_@NAME@_linearisation(
 #endif
 """
 
+_MEANINGS = {
+    "equations": "H_dot: rate of H; the others as above.",
+    "derivatives": "Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], "
+    "[a; alpha].",
+    "linearisation": "Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF "
+    "about the motion.",
+}
+"""Of the structs."""
 
-def _batch_declarations() -> str:
+_DECLARATIONS = {
+    "equations": """\
+int stewart_@NAME@_equations(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out);""",
+    "bias": """\
+int stewart_@NAME@_bias(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6]);""",
+    "forward_dynamics": """\
+int stewart_@NAME@_forward_dynamics(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_real acceleration[6]);
+""",
+    "joint_inertia": """\
+/* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
+int stewart_@NAME@_joint_inertia(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36]);""",
+    "derivatives": """\
+int stewart_@NAME@_derivatives(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out);""",
+    "linearisation": """\
+int stewart_@NAME@_linearisation(
+    const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_linearisation *out);""",
+}
+
+
+def _struct(what: str) -> str:
+    members = _members(_ARRAYS[what], pointer=False)
+    return f"/* {_MEANINGS[what]} */\ntypedef struct {{\n{members}\n}} stewart_{what};\n"
+
+
+def _array_structs(arrays: list[str]) -> list[str]:
+    texts = [
+        f"typedef struct {{\n{_members(_ARRAYS[what], pointer=True)}\n}} stewart_{what}_arrays;\n"
+        for what in arrays
+    ]
+    said = "/* The same of `count` poses. Any pointer may be null: not wanted. */\n"
+    return [said + texts[0], *texts[1:]] if texts else []
+
+
+def _batch_declarations(functions: Collection[str]) -> list[str]:
     lines = []
     for what in MEMBERS:
+        if what not in functions:
+            continue
         argument = "const stewart_real *F, " if what in _FORCED else ""
         lines.append(
             f"int stewart_@NAME@_{what}_batch(\n"
             "    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions,\n"
             f"    {argument}{_out(what)}, int *status);"
         )
-    return "\n".join(lines)
+    return lines
 
-
-_HEADER = (
-    _HEADER_TEXT.replace("@EQUATIONS@", _members(_ARRAYS["equations"], False))
-    .replace("@DERIVATIVES@", _members(_ARRAYS["derivatives"], False))
-    .replace("@LINEARISATION@", _members(_ARRAYS["linearisation"], False))
-    .replace("@EQUATIONS_ARRAYS@", _members(_ARRAYS["equations"], True))
-    .replace("@DERIVATIVES_ARRAYS@", _members(_ARRAYS["derivatives"], True))
-    .replace("@LINEARISATION_ARRAYS@", _members(_ARRAYS["linearisation"], True))
-    .replace("@BATCHES@", _batch_declarations())
-)
 
 _TOP = """\
 /* stewart_@NAME@_motion.c: see stewart_@NAME@_motion.h.
@@ -375,7 +442,10 @@ static int legs_status(const leg_judgement *judged)
     }
     return STEWART_OK;
 }
+"""
 
+_SHARED = {
+    "add_legs": """\
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
 STEWART_APART static void add_legs(
@@ -386,8 +456,9 @@ STEWART_APART static void add_legs(
         sum[i] = sum[i] + (lanes[i][0] + lanes[i][1] + lanes[i][2] + lanes[i][3] + lanes[i][4] + lanes[i][5]);
     }
 }
-
-@FINITE@
+""",
+    "is_finite": IS_FINITE,
+    "copy": """\
 static void copy(const stewart_real *from, int count, stewart_real *to)
 {
     int i;
@@ -395,7 +466,8 @@ static void copy(const stewart_real *from, int count, stewart_real *to)
         to[i] = from[i];
     }
 }
-
+""",
+    "inertia_rows": """\
 /* M from the first 21 sums, as rows of `width` numbers. */
 static void inertia_rows(const stewart_real *sum, int width, stewart_real *rows)
 {
@@ -408,7 +480,8 @@ static void inertia_rows(const stewart_real *sum, int width, stewart_real *rows)
         }
     }
 }
-
+""",
+    "block_rows": """\
 /* Four 3x3 blocks as a 6x6 matrix in rows of `width` numbers. */
 static void block_rows(const stewart_real *blocks, int width, stewart_real *rows)
 {
@@ -419,7 +492,8 @@ static void block_rows(const stewart_real *blocks, int width, stewart_real *rows
         }
     }
 }
-
+""",
+    "column_rows": """\
 /* H from the legs' columns, in rows of `width` numbers. */
 static void column_rows(
     stewart_real (*force)[LANES], stewart_real (*moment)[LANES], int width, stewart_real *rows)
@@ -432,7 +506,9 @@ static void column_rows(
         }
     }
 }
-"""
+""",
+}
+"""What kernels and functions share: name -> text."""
 
 _SUM_KERNEL = """\
 /* ---- @WHAT@ ---- */
@@ -568,7 +644,8 @@ _PIVOTED = {
         }""",
 }
 
-_PUBLIC = """\
+_PUBLIC = {
+    "equations": """\
 int stewart_@NAME@_equations(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out)
 {
@@ -602,7 +679,8 @@ int stewart_@NAME@_equations(
     *out = found;
     return STEWART_OK;
 }
-
+""",
+    "bias": """\
 int stewart_@NAME@_bias(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6])
 {
@@ -622,7 +700,8 @@ int stewart_@NAME@_bias(
     copy(sum, 6, bias);
     return STEWART_OK;
 }
-
+""",
+    "forward_dynamics": """\
 int stewart_@NAME@_forward_dynamics(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6])
@@ -656,7 +735,8 @@ int stewart_@NAME@_forward_dynamics(
     }
     return STEWART_OK;
 }
-
+""",
+    "joint_inertia": """\
 int stewart_@NAME@_joint_inertia(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36])
 {
@@ -700,7 +780,8 @@ int stewart_@NAME@_joint_inertia(
     copy(X, 36, inertia);
     return STEWART_OK;
 }
-
+""",
+    "derivatives": """\
 int stewart_@NAME@_derivatives(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out)
 {
@@ -739,7 +820,8 @@ int stewart_@NAME@_derivatives(
     *out = found;
     return STEWART_OK;
 }
-
+""",
+    "linearisation": """\
 /* A of the linearisation from M^-1 times the derivatives of the wrench, columns 6 to 17 of the rows. */
 static void system_matrix(const stewart_real *omega, stewart_real A[144], stewart_real *system)
 {
@@ -807,9 +889,12 @@ int stewart_@NAME@_linearisation(
     *out = found;
     return STEWART_OK;
 }
-"""
+""",
+}
+"""The functions of one pose: name -> text."""
 
-_LOAD_POSE = """\
+_LOAD_POSE = {
+    "copy_to": """\
 /* Numbers of one pose to their place in an array of all poses, if there is one. */
 static void copy_to(const stewart_real *from, int count, size_t pose, stewart_real *to)
 {
@@ -817,7 +902,8 @@ static void copy_to(const stewart_real *from, int count, size_t pose, stewart_re
         copy(from, count, to + pose * (size_t)count);
     }
 }
-
+""",
+    "load_three": """\
 static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
 {
     int i;
@@ -825,7 +911,8 @@ static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
         to[i] = from ? from[pose * 3 + (size_t)i] : 0;
     }
 }
-
+""",
+    "load_pose": """\
 /* One pose of a batch; what is not given is zero. */
 static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
 {
@@ -838,7 +925,9 @@ static void load_pose(const stewart_motions *motions, size_t pose, stewart_motio
     load_three(motions->F_ext, pose, one->F_ext);
     load_three(motions->M_ext, pose, one->M_ext);
 }
-"""
+""",
+}
+"""What batches share: name -> text."""
 
 _BATCH = """\
 int stewart_@NAME@_@WHAT@_batch(

@@ -1,0 +1,75 @@
+"""Some of the closed form's functions: the emitted C holds these and what they need, and nothing else."""
+
+import re
+import shutil
+from pathlib import Path
+
+import attack_build
+import pytest
+
+from stewart_sym.derive.emit import motion as emitted
+from stewart_sym.derive.generate import EXACT, generator_version, motion_files, reduced_forces, reduced_motion
+
+KIT = [
+    ("equations", "bias", "forward_dynamics", "joint_inertia"),
+    ("derivatives", "linearisation"),
+]
+SUBSETS = [*KIT, emitted.FUNCTIONS, *((function,) for function in emitted.FUNCTIONS)]
+WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wunused", "-Wmissing-prototypes", "-Werror"]
+
+
+@pytest.fixture(scope="module")
+def kernels():
+    return reduced_motion(), reduced_motion(friction=False), reduced_forces(EXACT)
+
+
+@pytest.fixture
+def written(kernels, tmp_path: Path):
+    """Writes header and source of a subset and returns their folder."""
+
+    def write(functions: tuple[str, ...]) -> Path:
+        full, plain, model = kernels
+        version = generator_version()
+        header = emitted.header(full, plain, EXACT.kernel_name, version, functions)
+        (tmp_path / "stewart_exact_motion.h").write_text(header)
+        (tmp_path / "stewart_exact_motion.c").write_text(emitted.source(full, model, version, functions))
+        return tmp_path
+
+    return write
+
+
+@pytest.mark.parametrize("functions", SUBSETS, ids="+".join)
+def test_a_subset_compiles_and_nothing_in_it_is_unused(written, functions: tuple[str, ...]) -> None:
+    if shutil.which("gcc") is None:
+        pytest.skip("gcc is not installed")
+    command = ["gcc", *WARNINGS, "-fsyntax-only", f"-I{attack_build.GENERATED}", "stewart_exact_motion.c"]
+    attack_build.ran(command, written(functions))
+
+
+@pytest.mark.parametrize("functions", SUBSETS, ids="+".join)
+def test_a_subset_has_the_functions_asked_for_and_their_batches(written, functions: tuple[str, ...]) -> None:
+    folder = written(functions)
+    names = {f"stewart_exact_{name}{batch}" for name in functions for batch in ("", "_batch")}
+    header, source = ((folder / f"stewart_exact_motion{end}").read_text() for end in (".h", ".c"))
+    assert set(re.findall(r"^int (\w+)\(", header, re.M)) == names
+    assert set(re.findall(r"^int (\w+)\(", source, re.M)) == names
+
+
+def test_every_function_of_a_subset_is_that_of_the_whole(written) -> None:
+    whole = (written(emitted.FUNCTIONS) / "stewart_exact_motion.c").read_text()
+    for functions in KIT:
+        part = (written(functions) / "stewart_exact_motion.c").read_text()
+        bodies = re.findall(r"^(?:static )?((?:\w+ )+\w+\(.*?^}$)", part, re.M | re.S)
+        assert len(bodies) > 10
+        assert all(body in whole for body in bodies)
+
+
+def test_the_files_of_all_functions_are_the_committed_ones() -> None:
+    for name, text in motion_files(emitted.FUNCTIONS).items():
+        assert text == (attack_build.GENERATED / name).read_text()
+
+
+@pytest.mark.parametrize("functions", [(), ("bias", "forces")])
+def test_other_functions_and_none_are_refused_by_name(functions: tuple[str, ...]) -> None:
+    with pytest.raises(ValueError, match="functions: expected some of equations, "):
+        motion_files(functions)
