@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ..derive import notation
 from ..derive.emit.kit import build, cpp
 from ..derive.emit.kit.deviations import deviations
 from ..derive.emit.kit.example import example
@@ -25,7 +26,7 @@ from ..derive.emit.kit.words import robot_symbol
 from ..derive.generate import generator_version
 from ..robot import Robot
 from .choice import Choice, check, options
-from .fmu import fmu_unit
+from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .vectors import Vector, vectors
 
@@ -204,7 +205,29 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
     return (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _unit(
-    robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], first: Vector
-) -> bytes:
-    raise NotImplementedError
+def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], first: Vector) -> bytes:
+    """The co-simulation unit of the forces; it starts at the pose of their first test vector."""
+    part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
+    (forces,) = part.functions
+    needed = {"stewart.h", part.header, part.source}
+    payload = None
+    if forces.subject:
+        needed |= {"robot.h", "robot.c"}
+        numbers = robot_numbers(robot)
+        payload = {quantity.name: numbers[quantity.name] for quantity in notation.PLATFORM}
+    return fmu_unit(
+        robot.name,
+        robot_symbol(robot.name),
+        {name: text for name, text in texts.items() if name in needed},
+        UnitKernel(
+            part.header,
+            forces.symbol.removesuffix("_forces"),
+            "prepared" if forces.subject else "baked",
+            choice.precision,
+            part.says,
+        ),
+        {"R": first.inputs["R"].reshape(3, 3).tolist(), "t": first.inputs["t"].tolist()},
+        payload,
+        robot_digest(robot.name, robot_numbers(robot)),
+        generator(),
+    )

@@ -18,7 +18,8 @@ from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.emit.kit.words import Numbers, robot_symbol
 from ..derive.fidelity import FIDELITIES, fidelity_kernel
 from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import generator_version, shared_blocks
+from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
+from ..derive.generate import generator_version, motion_files, shared_blocks
 from ..derive.operations import force_operations
 from ..derive.regroup import ForceKernel
 from ..kernel import c_sources, kernel_name, module
@@ -153,7 +154,8 @@ def _motion(choice: Choice) -> Part:
         Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", counts.get(stem))
         for stem in stems
     ]
-    return Part(file, _committed(file), tuple(functions), _motion_says(stems))
+    files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
+    return Part(file, files, tuple(functions), _motion_says(stems))
 
 
 def _motion_says(stems: Iterable[str]) -> str:
