@@ -4,51 +4,35 @@ Takes a checked Robot; chooses the example's pose, has its forces computed, and 
 at once or not at all. The texts are those of ``derive.emit.kit``; knows nothing of their syntax.
 """
 
-import itertools
-import math
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from . import fidelity
-from .checks import option
-from .conditioning import characteristic_length, scaled_condition_number
-from .derive import notation
-from .derive.bake import baked
-from .derive.block import Quantity
-from .derive.emit import kit as texts
-from .derive.emit import lanes, scalar
-from .derive.emit.c import common_header
-from .derive.fidelity import FIDELITIES, fidelity_kernel
-from .derive.formulation import EXACT, FORMULATIONS
-from .derive.generate import generator_version, shared_blocks
-from .derive.operations import force_operations
-from .derive.regroup import ForceKernel
-from .dynamics import Formulation, inverse_dynamics
-from .kernel import c_sources, kernel_name, module
-from .kinematics import clear_of_poles, inverse_kinematics
-from .motion import Motion
-from .publish import staged_folder
-from .results import Forces
-from .robot import Robot
-from .studies.truth import Truth
+from .. import fidelity
+from ..checks import option
+from ..derive import notation
+from ..derive.bake import baked
+from ..derive.block import Quantity
+from ..derive.emit import kit as texts
+from ..derive.emit import lanes, scalar
+from ..derive.emit.c import common_header
+from ..derive.fidelity import FIDELITIES, fidelity_kernel
+from ..derive.formulation import EXACT, FORMULATIONS
+from ..derive.generate import generator_version, shared_blocks
+from ..derive.operations import force_operations
+from ..derive.regroup import ForceKernel
+from ..kernel import c_sources, kernel_name, module
+from ..publish import staged_folder
+from ..robot import Robot
+from ..studies.truth import Truth
+from .poses import sample, significant
 
-Array = NDArray[np.float64]
-
-GOOD_CONDITION = 50.0
-MAX_CONDITION = 1000.0
 # Errors of the forces in float, over rounding unit, condition number and largest force, stay below a quarter.
 TOLERANCE_FACTOR = 8.0
-
-_DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
-# The rotation of the quaternion (20, 1, -2, 1) / sqrt(406): some 14 degrees.
-_SLIGHT_TURN = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]) / 406
 
 
 @dataclass(frozen=True)
@@ -214,99 +198,12 @@ def _checked(robot: Robot, choice: Choice) -> texts.Sample:
     return texts.Sample(
         motion={field: getattr(motion, field).tolist() for field in _names(notation.MOTION)},
         F=F.tolist(),
-        tolerance=float(_significant([TOLERANCE_FACTOR * condition * largest], 2)[0]),
+        tolerance=float(significant([TOLERANCE_FACTOR * condition * largest], 2)[0]),
     )
 
 
 def _names(quantities: Iterable[Quantity]) -> list[str]:
     return [quantity.name for quantity in quantities]
-
-
-# --- the example's pose -----------------------------------------------------------------------
-
-
-def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
-    """The motion of the example, its forces and the condition number of H, moments over a length.
-
-    The pose is a slight turn away from home, where the middle of the platform points is straight above the
-    middle of the base points, 1.1 times the machine's radius away, and the frames are parallel; everything
-    moves and is loaded. A machine that hangs, stands on a wall or has another frame on its platform gets
-    another axis, distance or quarter turns: the first, in a fixed order, that solves with a good condition
-    number, clear of the legs' universal axes and, if possible, within their length limits. Raises ValueError
-    if there is none.
-    """
-    # NumPy, as it rounds like the C and is there without a compiler.
-    around = _candidates(robot)
-    status = _forces(robot, around, formulation).status
-    poses = around[np.flatnonzero(status == 0)]
-    if poses.shape != (0,):
-        H = _forces(robot, poses, formulation).H
-        condition = scaled_condition_number(H, characteristic_length(robot))
-        clear, within = _leg_checks(robot, poses)
-        for also in (within, True):
-            for bound in (GOOD_CONDITION, MAX_CONDITION):
-                good = np.flatnonzero(clear & also & (condition <= bound))
-                if good.size:
-                    motion = poses[int(good[0])]
-                    return motion, _forces(robot, motion, formulation), float(condition[good[0]])
-    raise ValueError(
-        f"robot {robot.name!r}: no good pose for the example: wherever the platform is put, H is singular or "
-        f"its condition number above {MAX_CONDITION:g}, or a leg is near its universal axis"
-    )
-
-
-def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
-    return inverse_dynamics(robot, motion, cast(Formulation, formulation), "numpy", "nan")
-
-
-def _leg_checks(robot: Robot, poses: Motion) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """For each pose: are all legs clear of their universal axes, are all within their length limits."""
-    legs = inverse_kinematics(robot, poses)
-    within = np.clip(legs.L, *robot.length_limits.T) == legs.L
-    return clear_of_poles(robot, legs), within.all(axis=-1)
-
-
-def _candidates(robot: Robot) -> Motion:
-    """Motions around the base, (n,), the likeliest first, in numbers of few digits."""
-    size = _significant([max(_radius(robot.b), _radius(robot.p))], 2)[0] or 1.0
-    distances = [1.1 * size * 1.15**n for n in sorted(range(-8, 11), key=abs)]
-    places = list(itertools.product(_quarter_turns(), _DIRECTIONS, distances))
-    R = np.array([_SLIGHT_TURN @ turn for turn, _, _ in places])
-    off = np.array([distance * np.array(direction) for _, direction, distance in places])
-    t = robot.b.mean(axis=0) + off - R @ robot.p.mean(axis=0)
-    return Motion(
-        R,
-        # Adding zero turns -0.0 into 0.0.
-        np.round(t, 3 - math.floor(math.log10(size))) + 0.0,
-        omega=np.array([0.3, -0.2, 0.4]),
-        v=_significant(size * np.array([0.2, 0.3, -0.1]), 3),
-        alpha=np.array([-0.5, 0.4, 0.7]),
-        a=_significant(size * np.array([0.6, -0.4, 0.5]), 3),
-        F_ext=_significant(robot.M * np.array([1.0, -2.0, 3.0]), 3),
-        M_ext=_significant(robot.M * size * np.array([0.5, 0.3, -0.2]), 3),
-    )
-
-
-def _quarter_turns() -> list[Array]:
-    """The 24 rotations that take the axes into each other, the identity first."""
-    turns = []
-    for order in itertools.permutations(range(3)):
-        for signs in itertools.product((1.0, -1.0), repeat=3):
-            turn = np.zeros((3, 3))
-            turn[range(3), order] = signs
-            if float(np.cross(turn[0], turn[1]) @ turn[2]) > 0.0:
-                turns.append(turn)
-    return turns
-
-
-def _radius(points: Array) -> float:
-    """Root mean square distance of points (6, 3) from their middle, m."""
-    return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))
-
-
-def _significant(values: ArrayLike, digits: int) -> Array:
-    """Values (n,) rounded to so many significant decimal digits."""
-    return np.array([float(f"{value:.{digits - 1}e}") for value in np.asarray(values)])
 
 
 # --- files ------------------------------------------------------------------------------------
