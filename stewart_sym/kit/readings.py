@@ -5,7 +5,7 @@ modules, which run on arrays of objects; kinematics from (1)-(5). Every reading 
 of one pose as stored and hands out what the C writes, flat, in the order of its struct. Knows no file.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import ModuleType, SimpleNamespace
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..kernel import MOTION, kernel_name, module
 from ..studies.truth import ForceTerms, derived_kernel, digits
-from .running import Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
+from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
 
 Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]
@@ -140,7 +140,7 @@ class Readings:
     def forward_kinematics(self, at: Numbers) -> Found:
         """R and t of the pose with lengths L (6,) next to R, t of ``at``."""
         R, t = self._pose_of(at["L"], at["R"].reshape(3, 3), at["t"])
-        turned, place = _known(R, "R"), _known(t, "t")
+        turned, place = _stored("R", R), _stored("t", t)
         q, _, L, _ = self._legs(turned, place)
         terms = np.broadcast_arrays(sizes(q), sizes(place), np.abs(self.robot["b"]))
         reach = np.max(terms, axis=(0, 2))
@@ -219,7 +219,7 @@ class Readings:
     def _terms(self) -> ForceTerms:
         kernel = derived_kernel(self.base_joint, self.formulation, self.fidelity)
 
-        def number(name: str, value: float) -> Running:
+        def number(name: str, value: Any) -> Running:
             return _number(name, value, self.folded and name not in MOTION)
 
         return ForceTerms(kernel, SimpleNamespace(**self.robot), number, Running.sqrt)
@@ -237,22 +237,15 @@ _BLOCKS = {
 }
 
 
-def _number(name: str, value: float, folded: bool = False) -> Running:
-    return Running(value, float(name in _ORTHONORMAL), rounded=folded)
+def _number(name: str, value: Any, folded: bool = False) -> Running:
+    return Running(value, HALF_UNIT * (name in _ORTHONORMAL), rounded=folded)
 
 
-def _stored(name: str, values: Array, folded: bool = False) -> Objects:
+def _stored(name: str, values: NDArray[Any], folded: bool = False) -> Objects:
+    """A quantity's numbers as they are held; ``folded``: rounded last."""
     made = np.empty(values.shape, dtype=object)
     for where in np.ndindex(values.shape):
-        made[where] = _number(name, float(values[where]), folded)
-    return made
-
-
-def _known(values: Objects, name: str) -> Objects:
-    """Numbers at 50 digits with the errors of a stored quantity."""
-    made = np.empty(values.shape, dtype=object)
-    for where in np.ndindex(values.shape):
-        made[where] = Running(values[where], float(name in _ORTHONORMAL))
+        made[where] = _number(name, values[where], folded)
     return made
 
 
@@ -270,8 +263,7 @@ def _with_more(numbers: Objects, more: Array) -> Objects:
 
 
 def _motion(at: Numbers) -> SimpleNamespace:
-    shapes = {name: (3, 3) if name == "R" else (3,) for name in MOTION}
-    return SimpleNamespace(**{name: _stored(name, at[name].reshape(shape)) for name, shape in shapes.items()})
+    return SimpleNamespace(**{name: _stored(name, at[name].reshape(shape)) for name, shape in MOTION.items()})
 
 
 def _flat(found: Mapping[str, Any]) -> Found:
@@ -315,7 +307,7 @@ def _columns(leg: Found, name: str) -> Objects:
     return np.array([leg[f"{name}_{row}"] for row in _ROWS], dtype=object)
 
 
-def _turned(by: Sequence[Any], R: Objects) -> Objects:
+def _turned(by: Objects, R: Objects) -> Objects:
     """R turned by about the vector ``by``, rad; a rotation to all digits (Cayley)."""
     x, y, z = by
     turn = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..studies.truth import digits
 
-Objects = NDArray[np.object_]
+Objects = NDArray[Any]
 Sizes = NDArray[np.float64]
 
 HALF_UNIT = 0.5
@@ -131,7 +131,8 @@ def values(numbers: Objects) -> Sizes:
 def solve(A: Objects, right: Objects) -> Objects:
     """X (n, m) of A X = right, A (n, n), as elimination with partial pivoting finds it.
 
-    Its error: |A^-1| (|dA| |X| + |d right| + n |L| |U| |X|), n rounding units for the elimination.
+    Its error: |A^-1| (|dA| |X| + |d right| + n / 2 |L| |U| |X|), half a unit for each of n operations that
+    end in an entry of L U.
     """
     return _solved(A, right, _partial_pivot)
 
@@ -156,7 +157,7 @@ def _solved(A: Objects, right: Objects, pivot: Callable[[Sequence[Any]], int]) -
     found, factors = _eliminated(rows, columns, pivot)
     X = _rounded_sizes([row[:m] for row in found])
     inverse = _rounded_sizes([row[m:] for row in found])
-    error = inverse @ ((errors(A) + n * factors) @ X + errors(right))
+    error = inverse @ ((errors(A) + n * HALF_UNIT * factors) @ X + errors(right))
     solution = np.empty((n, m), dtype=object)
     for i, j in np.ndindex(n, m):
         solution[i, j] = Running(found[i][j], float(error[i, j]))

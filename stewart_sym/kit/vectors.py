@@ -20,6 +20,7 @@ from ..conditioning import characteristic_length
 from ..forward import forward_kinematics
 from ..kernel import MOTION
 from ..robot import Robot
+from ..rotation import orthonormal
 from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import errors, values
@@ -31,7 +32,7 @@ CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "deriva
 FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS)
 """Functions that there are vectors for."""
 
-MARGIN = 4.0
+MARGIN = 2.0
 """What the C may be worse by than the reading: the same operations grouped in another way."""
 
 FEW = 3
@@ -49,9 +50,9 @@ class Vector:
     """One call of one function: inputs, answers, how far from them rounding may take the C.
 
     function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
-    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function asks
-    for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,). answers: flat arrays by member of the C
-    struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
+    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
+    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,). answers: flat arrays by member of the
+    C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
     largest error by rounding in rounding units: to be multiplied by the epsilon of the precision.
     """
 
@@ -118,7 +119,8 @@ def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion:
     inputs = dict(motion)
     at = motion
     if function in ("forward_dynamics", "linearisation"):
-        inputs["F"] = rounded(significant(values(readings.forces(motion)["F"]), 4))
+        # More than what holds the motion: the platform has to be accelerated.
+        inputs["F"] = rounded(significant(1.5 * values(readings.forces(motion)["F"]), 4))
     elif function == "joint_reactions":
         L = values(readings.inverse_kinematics(motion)["L"])
         inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
@@ -151,7 +153,8 @@ def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     size = characteristic_length(robot)
     for closeness in _CLOSENESS:
         guess = neighbour(robot, R, t, closeness)
-        found = forward_kinematics(robot, L, guess, "nan", limits=False)
+        start = orthonormal(guess[0]), guess[1]
+        found = forward_kinematics(robot, L, start, "nan", limits=False)
         # From lengths in float the pose comes out as good as float, far from any other assembly mode.
         if max(np.abs(found.R - R).max(), np.abs(found.t - t).max() / size) < _SAME:
             return guess

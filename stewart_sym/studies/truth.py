@@ -89,7 +89,7 @@ class ForceTerms:
 
     kernel: ForceKernel
     robot: Any
-    number: Callable[[str, float], Any]
+    number: Callable[[str, Any], Any]
     sqrt: Callable[[Any], Any]
 
     def at(self, motion: Mapping[str, Array]) -> tuple[list[Any], list[list[Any]], list[Any]]:
@@ -119,7 +119,7 @@ class ForceTerms:
     def _named(self, quantities: Iterable[Quantity], values: Mapping[str, Array]) -> Values:
         """Components by name."""
         return {
-            name: self.number(quantity.name, float(np.asarray(values[quantity.name])[key]))
+            name: self.number(quantity.name, np.asarray(values[quantity.name])[key])
             for quantity in quantities
             for name, key in zip(quantity.names, quantity.keys, strict=True)
         }
