@@ -4,9 +4,9 @@ What rounding errors are measured against; the numbers of robot and motion are t
 ``derive`` for the equations and SymPy's mpmath for the digits; knows no generated code.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import mpmath
@@ -29,8 +29,9 @@ Values = dict[str, Any]
 DIGITS = 50
 LEGS = range(6)
 
-_digits = mpmath.MPContext()
-_digits.dps = DIGITS
+digits = mpmath.MPContext()
+digits.dps = DIGITS
+"""Arithmetic of 50 digits, nobody else's."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,68 +56,91 @@ class Truth:
 
     def _pose(self, motion: Mapping[str, Array]) -> list[Any]:
         """F = D - x with H x = c, (35)-(37)."""
-        robot, legs, platform = self._constants
-        pose = robot | _named(n.MOTION, motion)
-        turn = platform | _components(self._kernel.shared, pose | platform)
-        D, H = _digits.matrix(6, 1), _digits.matrix(6, 6)
-        c = _digits.matrix([turn[name] for name in _WRENCH])
-        for i, constants in enumerate(legs):
-            leg = _components(self._kernel.leg, pose | turn | constants)
-            # A fidelity leaves out what is zero.
-            D[i] = leg.get(n.D.name, 0)
-            for row, (column, share) in enumerate(zip(_COLUMN, _WRENCH, strict=True)):
-                H[row, i] = leg[column]
-                c[row] += leg.get(share, 0)
-        return list(D - _digits.lu_solve(H, c))
+        D, H, c = self._terms.at(motion)
+        x = digits.lu_solve(digits.matrix(H), digits.matrix(c))
+        return list(digits.matrix(D) - x)
 
     @cached_property
-    def _kernel(self) -> ForceKernel:
-        level = FIDELITIES[self.fidelity]
-        # Reduced legs are those of EXACT on any base joint: there are none that know another.
-        joint = self.robot.base_joint if self.fidelity == "general" else EXACT.base_joint
-        name = kernel_name(self.formulation, joint)
-        return fidelity_kernel(next(form for form in FORMULATIONS if form.kernel_name == name), level)
+    def _terms(self) -> "ForceTerms":
+        kernel = derived_kernel(self.robot.base_joint, self.formulation, self.fidelity)
+        return ForceTerms(kernel, self.robot, lambda _, value: digits.mpf(value), digits.sqrt)
+
+
+def derived_kernel(base_joint: str, formulation: str, fidelity: str) -> ForceKernel:
+    """The blocks of the forces alone, before sharing."""
+    # Reduced legs are those of EXACT on any base joint: there are none that know another.
+    name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
+    return _derived(name, fidelity)
+
+
+@cache
+def _derived(name: str, fidelity: str) -> ForceKernel:
+    form = next(form for form in FORMULATIONS if form.kernel_name == name)
+    return fidelity_kernel(form, FIDELITIES[fidelity])
+
+
+@dataclass(frozen=True, eq=False)
+class ForceTerms:
+    """D, H and c of (35)-(37) from derived blocks, in any arithmetic.
+
+    robot: what has the fields of ``Robot``. number: makes a number of the arithmetic of a quantity's name and
+    a stored component of it; sqrt: the square root of such a number.
+    """
+
+    kernel: ForceKernel
+    robot: Any
+    number: Callable[[str, Any], Any]
+    sqrt: Callable[[Any], Any]
+
+    def at(self, motion: Mapping[str, Array]) -> tuple[list[Any], list[list[Any]], list[Any]]:
+        """D (6,), H (6, 6), c (6,) of one pose, given as arrays by name; moments about the kernel's point."""
+        robot, legs, platform = self._constants
+        pose = robot | self._named(n.MOTION, motion)
+        turn = platform | self._components(self.kernel.shared, pose | platform)
+        found = [self._components(self.kernel.leg, pose | turn | constants) for constants in legs]
+        # A fidelity leaves out what is zero.
+        D = [leg.get(n.D.name, 0) for leg in found]
+        H = [[leg[row] for leg in found] for row in _COLUMN]
+        return D, H, [sum((leg.get(row, 0) for leg in found), turn[row]) for row in _WRENCH]
 
     @cached_property
     def _constants(self) -> tuple[Values, list[Values], Values]:
         """The robot's numbers that all legs share, those of each leg, and the prepared ones."""
-        robot, kernel = self.robot, self._kernel
-        whole = _named(n.PLATFORM, {q.name: getattr(robot, q.name) for q in n.PLATFORM})
-        whole |= _named([n.b_1], {n.b_1.name: robot.b[0]})
+        robot, kernel = self.robot, self.kernel
+        whole = self._named(n.PLATFORM, {q.name: getattr(robot, q.name) for q in n.PLATFORM})
+        whole |= self._named([n.b_1], {n.b_1.name: robot.b[0]})
         legs = []
         for i in LEGS:
-            raw = _named(n.LEG, {q.name: getattr(robot, q.name)[i] for q in n.LEG})
-            legs.append(raw | _components(kernel.prepare_leg, whole | raw))
+            raw = self._named(n.LEG, {q.name: getattr(robot, q.name)[i] for q in n.LEG})
+            legs.append(raw | self._components(kernel.prepare_leg, whole | raw))
         added = {name: sum(leg.get(name, 0) for leg in legs) for q in ADDED for name in q.names}
-        return whole, legs, _components(kernel.prepare_platform, whole | legs[0] | added)
+        return whole, legs, self._components(kernel.prepare_platform, whole | legs[0] | added)
+
+    def _named(self, quantities: Iterable[Quantity], values: Mapping[str, Array]) -> Values:
+        """Components by name."""
+        return {
+            name: self.number(quantity.name, np.asarray(values[quantity.name])[key])
+            for quantity in quantities
+            for name, key in zip(quantity.names, quantity.keys, strict=True)
+        }
+
+    def _components(self, block: Block, values: Values) -> Values:
+        """What a block hands out, component by component."""
+        found = block.run(values, self.sqrt)
+        return {
+            name: value
+            for out in block.outputs
+            for name, value in zip(out.quantity.names, found[out.quantity.name], strict=True)
+        }
 
 
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
     """Errors of forces beside 50-digit ones, N, of their shape, rounded last."""
     difference = [
-        float(_digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
+        float(digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
     ]
     return np.array(difference).reshape(F.shape)
 
 
 _COLUMN = (*n.H_force.names, *n.H_moment.names)
 _WRENCH = (*n.c_force.names, *n.c_moment.names)
-
-
-def _named(quantities: Iterable[Quantity], values: Mapping[str, Array]) -> Values:
-    """Components by name, exactly as stored."""
-    return {
-        name: _digits.mpf(float(np.asarray(values[quantity.name])[key]))
-        for quantity in quantities
-        for name, key in zip(quantity.names, quantity.keys, strict=True)
-    }
-
-
-def _components(block: Block, values: Values) -> Values:
-    """What a block hands out, component by component."""
-    found = block.run(values, _digits.sqrt)
-    return {
-        name: value
-        for out in block.outputs
-        for name, value in zip(out.quantity.names, found[out.quantity.name], strict=True)
-    }

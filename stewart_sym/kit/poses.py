@@ -1,0 +1,209 @@
+"""Poses of a robot on which a kit is tried: the example's, and others around it.
+
+Chosen by the NumPy kernel in a fixed order of candidates, all in numbers of few digits, so that the same
+robot gives the same poses everywhere. Knows no C and no file.
+"""
+
+import itertools
+import math
+from typing import cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..conditioning import characteristic_length, scaled_condition_number
+from ..dynamics import Formulation, inverse_dynamics
+from ..kinematics import clear_of_poles, inverse_kinematics
+from ..motion import Motion
+from ..results import Forces
+from ..robot import Robot
+
+Array = NDArray[np.float64]
+
+GOOD_CONDITION = 50.0
+MAX_CONDITION = 1000.0
+
+_DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
+# The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), some 14 degrees, is this over that.
+_SLIGHT_TURN, _SLIGHT = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]), 406
+
+# The example's motion and load, for a machine of size 1 m and mass 1 kg.
+_OMEGA, _V = np.array([0.3, -0.2, 0.4]), np.array([0.2, 0.3, -0.1])
+_ALPHA, _A = np.array([-0.5, 0.4, 0.7]), np.array([0.6, -0.4, 0.5])
+_F_EXT, _M_EXT = np.array([1.0, -2.0, 3.0]), np.array([0.5, 0.3, -0.2])
+
+# Away from the example's pose: turns as quaternions of whole numbers, shifts over the machine's size.
+_TURNS = (
+    (12, 1, 2, -1),
+    (15, -2, 1, 1),
+    (9, 0, -1, 1),
+    (20, 2, 2, 3),
+    (18, -1, -2, -3),
+    (11, 1, 0, 1),
+    (30, -2, 3, -4),
+    (1, 0, 0, 0),
+)
+_SHIFTS = ((0.1, -0.05, 0.1), (-0.1, 0.08, 0.05), (0.04, 0.12, -0.1), (-0.06, -0.1, -0.04), (0, 0, 0.15))
+# Rates, accelerations and loads of these poses, over the example's, one after the other.
+_PACES = (0.0, 2.0, -1.0, 0.5, 3.0, -2.0, 1.5)
+_LOADS = (0.0, -1.0, 2.0, 0.5, -3.0)
+
+
+def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
+    """The motion of the example, its forces and the condition number of H, moments over a length.
+
+    The pose is a slight turn away from home, where the middle of the platform points is straight above the
+    middle of the base points, 1.1 times the machine's radius away, and the frames are parallel; everything
+    moves and is loaded. A machine that hangs, stands on a wall or has another frame on its platform gets
+    another axis, distance or quarter turns: the first, in a fixed order, that solves with a good condition
+    number, clear of the legs' universal axes and, if possible, within their length limits. Raises ValueError
+    if there is none.
+    """
+    # NumPy, as it rounds like the C and is there without a compiler.
+    poses, condition, clear, within = _judged(robot, _candidates(robot), formulation)
+    for also in (within, np.full_like(within, True)):
+        for bound in (GOOD_CONDITION, MAX_CONDITION):
+            good = np.flatnonzero(clear & also & (condition <= bound))
+            if good.size:
+                motion = poses[int(good[0])]
+                return motion, _forces(robot, motion, formulation), float(condition[good[0]])
+    raise ValueError(
+        f"robot {robot.name!r}: no good pose for the example: wherever the platform is put, H is singular or "
+        f"its condition number above {MAX_CONDITION:g}, or a leg is near its universal axis"
+    )
+
+
+def poses(robot: Robot, formulation: str, count: int) -> Motion:
+    """Motions (n,), n <= count: the example's first, then others around it with other rates and loads.
+
+    The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes; those within
+    the length limits come first. One of them is at rest, others move backwards or without load. A machine may
+    have fewer than asked for. Raises ValueError as ``sample``.
+    """
+    first, _, _ = sample(robot, formulation)
+    around, condition, clear, within = _judged(robot, _neighbours(robot, first), formulation)
+    good = clear & (condition <= MAX_CONDITION)
+    chosen = [*np.flatnonzero(good & within), *np.flatnonzero(good & ~within)][: count - 1]
+    fields = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    return Motion(
+        **{
+            field: np.stack([getattr(first, field), *(getattr(around, field)[i] for i in chosen)])
+            for field in fields
+        }
+    )
+
+
+def neighbour(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:
+    """A pose beside R (3, 3), t (3,): by a third of a radian over ``closeness``, and shifted."""
+    turn, over = _whole_turn(10 * closeness, 1, -1, 1)
+    # Summed by hand: products by the library round one way on one machine and another way on the next.
+    turned = (turn[:, :, None] * R[None]).sum(axis=1) / over
+    return turned, t + _size(robot) * np.array([0.05, -0.05, 0.05]) / closeness
+
+
+def significant(values: ArrayLike, digits: int) -> Array:
+    """Values (...) rounded to so many significant decimal digits."""
+    given = np.asarray(values, dtype=np.float64)
+    return np.array([float(f"{value:.{digits - 1}e}") for value in given.flat]).reshape(given.shape)
+
+
+Flags = NDArray[np.bool_]
+
+
+def _judged(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
+    """Those that solve; condition numbers; are all legs clear of their axes, are all within their limits."""
+    status = _forces(robot, motions, formulation).status
+    solved = motions[np.flatnonzero(status == 0)]
+    if solved.shape == (0,):
+        return solved, np.empty(0), np.empty(0, dtype=np.bool_), np.empty(0, dtype=np.bool_)
+    condition = scaled_condition_number(_forces(robot, solved, formulation).H, characteristic_length(robot))
+    legs = inverse_kinematics(robot, solved)
+    within = np.clip(legs.L, *robot.length_limits.T) == legs.L
+    return solved, condition, clear_of_poles(robot, legs), within.all(axis=-1)
+
+
+def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
+    return inverse_dynamics(robot, motion, cast(Formulation, formulation), "numpy", "nan")
+
+
+def _candidates(robot: Robot) -> Motion:
+    """Motions around the base, (n,), the likeliest first, in numbers of few digits."""
+    size = _size(robot)
+    distances = [1.1 * size * 1.15**n for n in sorted(range(-8, 11), key=abs)]
+    places = list(itertools.product(_quarter_turns(), _DIRECTIONS, distances))
+    R = np.array([_SLIGHT_TURN / _SLIGHT @ turn for turn, _, _ in places])
+    off = np.array([distance * np.array(direction) for _, direction, distance in places])
+    return _motion(robot, R, off, np.ones(1), np.ones(1))
+
+
+def _neighbours(robot: Robot, first: Motion) -> Motion:
+    """Motions around the example's, (n,), in numbers of few digits; the first is at rest."""
+    # Whole numbers, so that no machine's products round R in another way than others.
+    turned = np.rint(first.R * _SLIGHT)
+    R, off = [], []
+    centre = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    for (w, x, y, z), shift in zip(_TURNS * len(_SHIFTS), itertools.cycle(_SHIFTS), strict=False):
+        turn, over = _whole_turn(w, x, y, z)
+        R.append((turn @ turned) / (over * _SLIGHT))
+        off.append(centre + _size(robot) * np.array(shift))
+    paces, loads = (
+        np.array(list(itertools.islice(itertools.cycle(values), len(R)))) for values in (_PACES, _LOADS)
+    )
+    return _motion(robot, np.array(R), np.array(off), paces, loads)
+
+
+def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Motion:
+    """Motions with turns R (n, 3, 3), the platform points' middle at ``off`` (n, 3) from the base points'.
+
+    pace, load: (n,) or (1,), what the example's rates and accelerations, and its load, are multiplied by.
+    """
+    size = _size(robot)
+    t = robot.b.mean(axis=0) + off - R @ robot.p.mean(axis=0)
+
+    def times(factors: Array, vector: Array) -> Array:
+        # Adding zero turns -0.0 into 0.0.
+        return significant(factors[:, None] * vector, 3) + 0.0
+
+    return Motion(
+        R,
+        np.round(t, 3 - math.floor(math.log10(size))) + 0.0,
+        omega=times(pace, _OMEGA),
+        v=times(pace, size * _V),
+        alpha=times(pace, _ALPHA),
+        a=times(pace, size * _A),
+        F_ext=times(load, robot.M * _F_EXT),
+        M_ext=times(load, robot.M * size * _M_EXT),
+    )
+
+
+def _whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
+    """The rotation of a quaternion of whole numbers: a matrix of whole numbers, and what divides it."""
+    over = w * w + x * x + y * y + z * z
+    turn = [
+        [over - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), over - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), over - 2 * (x * x + y * y)],
+    ]
+    return np.array(turn), over
+
+
+def _quarter_turns() -> list[Array]:
+    """The 24 rotations that take the axes into each other, the identity first."""
+    turns = []
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1.0, -1.0), repeat=3):
+            turn = np.zeros((3, 3))
+            turn[range(3), order] = signs
+            if float(np.cross(turn[0], turn[1]) @ turn[2]) > 0.0:
+                turns.append(turn)
+    return turns
+
+
+def _size(robot: Robot) -> float:
+    """The machine's radius to two digits, m."""
+    return float(significant(max(_radius(robot.b), _radius(robot.p)), 2)) or 1.0
+
+
+def _radius(points: Array) -> float:
+    """Root mean square distance of points (6, 3) from their middle, m."""
+    return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))

@@ -1,0 +1,314 @@
+"""What the functions of a kit compute, read in ``Running`` numbers from what their C was printed from.
+
+The forces from derived blocks; inverse dynamics, reactions and the closed form from the generated NumPy
+modules, which run on arrays of objects; kinematics from (1)-(5). Every reading takes the robot and the motion
+of one pose as stored and hands out what the C writes, flat, in the order of its struct. Knows no file.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kernel import MOTION, kernel_name, module
+from ..studies.truth import ForceTerms, derived_kernel, digits
+from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
+
+Array = NDArray[np.float64]
+Numbers = Mapping[str, Array]
+Found = dict[str, Objects]
+
+LEG_FIELDS = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
+PLATFORM_FIELDS = ("M", "R_0", "I_p", "g")
+
+_ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
+# Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
+_ORTHONORMAL = ("R", "k")
+# Leg lengths agree once they are within this many rounding units of the largest term of S = q + t - b.
+_AGREED = 16.0
+# What repeated turns and one rounding leave of R's orthonormality, in rounding units.
+_TURNED = 4.0
+# Steps that double the digits: to orthonormality from that of float; to lengths, until this share is left.
+_TURNS = 5
+_MOST_STEPS = 20
+_LEFT = 1e-30
+
+
+@dataclass(frozen=True, eq=False)
+class Readings:
+    """The functions of one robot in one formulation.
+
+    robot: arrays of LEG_FIELDS and PLATFORM_FIELDS, legs first, as the C holds them. folded: the constants
+    are rounded after they were prepared and not before.
+    """
+
+    robot: Numbers
+    base_joint: str
+    formulation: str = "exact"
+    fidelity: str = "general"
+    folded: bool = False
+
+    def forces(self, at: Numbers) -> Found:
+        """F of (37), by the regrouped equations of the fidelity."""
+        D, H, c = self._terms.at({name: at[name].reshape(shape) for name, shape in MOTION.items()})
+        x = solve(array(H), array(c)[:, None])[:, 0]
+        return {"F": array(D) - x}
+
+    def inverse_dynamics(self, at: Numbers) -> Found:
+        """F, D, x, K, H, c of (20)-(37)."""
+        motion = _motion(at)
+        leg = self._kernel.leg_dynamics(self._objects, motion)
+        platform = self._kernel.platform_wrench(self._objects, motion)
+        wrenches = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
+        c = np.concatenate([platform["c_force"], platform["c_moment"]])
+        for i in range(6):
+            c = c + wrenches[i]
+        H, c, D = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).T, array(c), array(leg["D"])
+        x = solve(array(H), c[:, None])[:, 0]
+        return _flat({"F": D - x, "D": D, "x": x, "K": leg["K"], "H": H, "c": c})
+
+    def joint_reactions(self, at: Numbers) -> Found:
+        """F_s, F_u, F_p, F_c, M_p, M_u of (21), (26)-(29), (17); ``at`` also has bearing (6,)."""
+        x = self.inverse_dynamics(at)["x"]
+        found = self._kernel.joint_reactions(self._objects, _motion(at), x, array(at["bearing"]))
+        return _flat({name: found[name] for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")})
+
+    def equations(self, at: Numbers) -> Found:
+        """M, C, g, friction, bias, H, H_dot."""
+        total, leg = self._sums("equations", at)
+        C = np.block([[_matrix(total, f"C_{row}{column}") for column in "vw"] for row in "vw"])
+        g, friction = _wrench(total, "g"), _wrench(total, "friction")
+        twist = array(np.concatenate([at["v"], at["omega"]]))
+        found = {"M": _inertia(total), "C": C, "g": g, "friction": friction, "bias": g + friction + C @ twist}
+        return _flat({**found, "H": _columns(leg, "H"), "H_dot": _columns(leg, "H_dot")})
+
+    def bias(self, at: Numbers) -> Found:
+        """C [v; omega] + g + friction."""
+        return {"bias": _wrench(self._sums("bias", at)[0], "bias")}
+
+    def forward_dynamics(self, at: Numbers) -> Found:
+        """acceleration [a; alpha] under F (6,) of ``at``."""
+        total, _ = self._sums("forward_dynamics", at, array(at["F"]))
+        return {"acceleration": solve_definite(_inertia(total), _wrench(total, "right")[:, None])[:, 0]}
+
+    def joint_inertia(self, at: Numbers) -> Found:
+        """H^-1 M H^-T."""
+        total, leg = self._sums("equations", at)
+        H = _columns(leg, "H")
+        return _flat({"inertia": solve(H, solve(H, _inertia(total)).T)})
+
+    def derivatives(self, at: Numbers) -> Found:
+        """F and its derivatives by_pose, by_twist, by_acceleration."""
+        F = self.forces(at)["F"]
+        total, leg = self._sums("derivatives", at, F)
+        right = np.concatenate([*_slopes(total), _inertia(total)], axis=1)
+        by = np.split(solve(_columns(leg, "H"), right), 3, axis=1)
+        names = ("by_pose", "by_twist", "by_acceleration")
+        return _flat({"F": F, **dict(zip(names, by, strict=True))})
+
+    def linearisation(self, at: Numbers) -> Found:
+        """acceleration under F (6,) of ``at``, A and B about the motion with it."""
+        acceleration = self.forward_dynamics(at)["acceleration"]
+        moving = _motion(at)
+        moving.a, moving.alpha = acceleration[:3], acceleration[3:]
+        total, leg = self._sums_of("derivatives", moving, array(at["F"]))
+        right = np.concatenate([*_slopes(total), _columns(leg, "H")], axis=1)
+        x = solve_definite(_inertia(total), right)
+        A, B = array(0, (12, 12)), array(0, (12, 6))
+        A[:6, 6:] = array(np.eye(6, dtype=np.int64))
+        wx, wy, wz = moving.omega
+        A[3:6, 3:6] = array([[0, -wz, wy], [wz, 0, -wx], [-wy, wx, 0]])
+        A[6:], B[6:] = -x[:, :12], x[:, 12:]
+        return _flat({"acceleration": acceleration, "A": A, "B": B})
+
+    def inverse_kinematics(self, at: Numbers) -> Found:
+        """L and L_dot, (2), (5)."""
+        q, _, L, s = self._legs(_stored("R", at["R"].reshape(3, 3)), array(at["t"]))
+        S_dot = np.cross(array(at["omega"]), q) + array(at["v"])
+        return {"L": L, "L_dot": np.sum(s * S_dot, axis=1)}
+
+    def forward_velocity(self, at: Numbers) -> Found:
+        """v and omega of leg rates L_dot (6,) of ``at``."""
+        H = self._wrench_matrix(_stored("R", at["R"].reshape(3, 3)), array(at["t"]))
+        twist = solve(H.T, array(at["L_dot"])[:, None])
+        return {"v": twist[:3, 0], "omega": twist[3:, 0]}
+
+    def forward_kinematics(self, at: Numbers) -> Found:
+        """R and t of the pose with lengths L (6,) next to R, t of ``at``."""
+        R, t = self._pose_of(at["L"], at["R"].reshape(3, 3), at["t"])
+        turned, place = _stored("R", R), _stored("t", t)
+        q, _, L, _ = self._legs(turned, place)
+        terms = np.broadcast_arrays(sizes(q), sizes(place), np.abs(self.robot["b"]))
+        reach = np.max(terms, axis=(0, 2))
+        J = self._wrench_matrix(turned, place).T
+        off = inverse_sizes(J) @ (_AGREED * reach + errors(L))
+        x, y, z = off[3:]
+        bound = np.array([[0, z, y], [z, 0, x], [y, x, 0]]) @ sizes(turned) + _TURNED
+        return _flat({"R": _with_errors(R, bound), "t": _with_errors(t, off[:3] + sizes(place))})
+
+    # ------------------------------------------------------------ legs
+
+    def _legs(self, R: Objects, t: Objects) -> tuple[Objects, Objects, Objects, Objects]:
+        """q, S (6, 3), L (6,), s (6, 3) of (1)-(3)."""
+        b = self._objects.b
+        q = self._objects.p @ R.T
+        # Others take the terms in another order: each intermediate sum is at most the sum of the sizes.
+        S = _with_more(q + t - b, sizes(q) + sizes(t) + sizes(b) + sizes(b[0]))
+        L = np.sqrt(np.sum(S * S, axis=1))
+        return q, S, L, S / L[:, None]
+
+    def _wrench_matrix(self, R: Objects, t: Objects) -> Objects:
+        q, _, _, s = self._legs(R, t)
+        return np.concatenate([s, np.cross(q, s)], axis=1).T
+
+    def _pose_of(self, L: Array, R: Array, t: Array) -> tuple[Objects, Objects]:
+        """R, t of the pose of lengths L next to a pose, at 50 digits, by Newton steps."""
+        unit = np.vectorize(digits.mpf, otypes=[object])
+        turn, place = unit(R), unit(t)
+        for _ in range(_TURNS):
+            turn = turn @ (3 * np.eye(3, dtype=np.int64) - turn.T @ turn) / 2
+        for _ in range(_MOST_STEPS):
+            at = array(turn), array(place)
+            rest = array(L) - self._legs(*at)[2]
+            step = np.array([x.value for x in solve(self._wrench_matrix(*at).T, rest[:, None])[:, 0]])
+            turn, place = _turned(step[3:], turn), place + step[:3]
+            if max(sizes(rest)) < _LEFT * max(L):
+                break
+        return turn, place
+
+    # ------------------------------------------------------------ sums of the closed form
+
+    def _sums(self, what: str, at: Numbers, F: Objects | None = None) -> tuple[Found, Found]:
+        return self._sums_of(what, _motion(at), F)
+
+    def _sums_of(self, what: str, motion: SimpleNamespace, F: Objects | None) -> tuple[Found, Found]:
+        """Sums over the machine, and what each leg hands out, (6,)."""
+        source = self._closed_form
+        of_platform, of_leg = (getattr(source, f"{_BLOCKS[what]}_of_{part}") for part in ("platform", "leg"))
+        leg, platform = self._prepared
+        shared = of_platform(platform, motion)
+        pose = {name: np.asarray(value, dtype=object) for name, value in shared.items()}
+        parts = {name: array(value, (6,)) for name, value in of_leg(leg, platform, pose, motion, F).items()}
+        total = {name: pose[name] + _six(parts[name]) for name in pose if name in parts}
+        return total, parts
+
+    @cached_property
+    def _prepared(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        found: tuple[dict[str, Any], dict[str, Any]] = self._closed_form.prepared(self._objects)
+        return found
+
+    @property
+    def _closed_form(self) -> ModuleType:
+        return module(f"{kernel_name(self.formulation, self.base_joint)}_motion")
+
+    # ------------------------------------------------------------ numbers
+
+    @cached_property
+    def _objects(self) -> SimpleNamespace:
+        return SimpleNamespace(**{name: self._constant(name) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)})
+
+    def _constant(self, name: str) -> Any:
+        values = _stored(name, self.robot[name], self.folded)
+        return values if values.shape else values[()]
+
+    @cached_property
+    def _terms(self) -> ForceTerms:
+        kernel = derived_kernel(self.base_joint, self.formulation, self.fidelity)
+
+        def number(name: str, value: Any) -> Running:
+            return _number(name, value, self.folded and name not in MOTION)
+
+        return ForceTerms(kernel, SimpleNamespace(**self.robot), number, Running.sqrt)
+
+    @property
+    def _kernel(self) -> ModuleType:
+        return module(kernel_name(self.formulation, self.base_joint))
+
+
+_BLOCKS = {
+    "equations": "equations",
+    "bias": "bias",
+    "forward_dynamics": "forward",
+    "derivatives": "derivatives",
+}
+
+
+def _number(name: str, value: Any, folded: bool = False) -> Running:
+    return Running(value, HALF_UNIT * (name in _ORTHONORMAL), rounded=folded)
+
+
+def _stored(name: str, values: NDArray[Any], folded: bool = False) -> Objects:
+    """A quantity's numbers as they are held; ``folded``: rounded last."""
+    made = np.empty(values.shape, dtype=object)
+    for where in np.ndindex(values.shape):
+        made[where] = _number(name, values[where], folded)
+    return made
+
+
+def _with_errors(numbers: Objects, bound: Array) -> Objects:
+    made = np.empty(numbers.shape, dtype=object)
+    for where in np.ndindex(numbers.shape):
+        made[where] = Running(numbers[where], float(bound[where]))
+    return made
+
+
+def _with_more(numbers: Objects, more: Array) -> Objects:
+    """The numbers with larger errors."""
+    values = np.array([number.value for number in numbers.flat], dtype=object).reshape(numbers.shape)
+    return _with_errors(values, errors(numbers) + more)
+
+
+def _motion(at: Numbers) -> SimpleNamespace:
+    return SimpleNamespace(**{name: _stored(name, at[name].reshape(shape)) for name, shape in MOTION.items()})
+
+
+def _flat(found: Mapping[str, Any]) -> Found:
+    return {name: array(value).ravel() for name, value in found.items()}
+
+
+def _six(parts: Objects) -> Running:
+    total: Running = parts[0]
+    for part in parts[1:]:
+        total = total + part
+    return total
+
+
+def _matrix(total: Found, name: str, symmetric: bool = False) -> Objects:
+    """A 3x3 matrix from its components."""
+    keys = [(min(i, j), max(i, j)) if symmetric else (i, j) for i in range(3) for j in range(3)]
+    return array([total[f"{name}_{'xyz'[i]}{'xyz'[j]}"] for i, j in keys]).reshape(3, 3)
+
+
+def _inertia(total: Found) -> Objects:
+    vw = _matrix(total, "M_vw")
+    vv, ww = (_matrix(total, name, symmetric=True) for name in ("M_vv", "M_ww"))
+    return np.block([[vv, vw], [vw.T, ww]])
+
+
+def _slopes(total: Found) -> tuple[Objects, Objects]:
+    """Derivatives of the wrench by pose and by twist."""
+    pose, twist = (
+        np.block([[_matrix(total, f"W_{row}{column}") for column in columns] for row in "fm"])
+        for columns in ("tr", "vw")
+    )
+    return pose, twist
+
+
+def _wrench(total: Found, name: str) -> Objects:
+    return array([total[f"{name}_{row}"] for row in _ROWS])
+
+
+def _columns(leg: Found, name: str) -> Objects:
+    """Rows of force and moment, one column a leg."""
+    return np.array([leg[f"{name}_{row}"] for row in _ROWS], dtype=object)
+
+
+def _turned(by: Objects, R: Objects) -> Objects:
+    """R turned by about the vector ``by``, rad; a rotation to all digits (Cayley)."""
+    x, y, z = by
+    turn = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]], dtype=object)
+    return np.asarray(R + (turn + turn @ turn / 2) @ R / (1 + (x * x + y * y + z * z) / 4))

@@ -1,0 +1,178 @@
+"""Test vectors: what a kit's functions have to answer on a target, and how close.
+
+Takes a checked Robot, tries ``poses``, has them read at 50 digits (``readings``), and hands out inputs,
+answers and bounds as plain arrays. Knows no C: who prints them decides how.
+
+A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after the
+other or side by side. Reading and C have errors of the same size in first order; the bound is MARGIN times
+what running error analysis finds for the reading.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import fidelity as fidelities
+from ..checks import instance, option
+from ..conditioning import characteristic_length
+from ..forward import forward_kinematics
+from ..kernel import MOTION
+from ..robot import Robot
+from ..rotation import orthonormal
+from .poses import neighbour, poses, significant
+from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
+from .running import errors, values
+
+Array = NDArray[np.float64]
+
+KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
+CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS)
+"""Functions that there are vectors for."""
+
+MARGIN = 2.0
+"""What the C may be worse by than the reading: the same operations grouped in another way."""
+
+FEW = 3
+"""Poses of the functions with many answers."""
+
+_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation")
+# How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
+_CLOSENESS = (1, 4, 16, 64)
+_SAME = 1e-3
+_PRECISION = {"double": np.float64, "float": np.float32}
+
+
+@dataclass(frozen=True)
+class Vector:
+    """One call of one function: inputs, answers, how far from them rounding may take the C.
+
+    function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
+    R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
+    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,). answers: flat arrays by member of the
+    C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
+    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision.
+    """
+
+    function: str
+    inputs: dict[str, Array]
+    answers: dict[str, Array]
+    bounds: dict[str, Array]
+
+
+def vectors(
+    robot: Robot,
+    functions: tuple[str, ...],
+    formulation: str = "exact",
+    fidelity: str | None = None,
+    precision: str = "double",
+    count: int = 8,
+    baked: bool = False,
+) -> tuple[Vector, ...]:
+    """Vectors of each function in turn, up to ``count`` of each, at most FEW of those with many answers.
+
+    fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
+    inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
+    folded into the code, so they are the robot's own, rounded last.
+
+    Raises ValueError naming the argument, and for a robot without a good pose.
+    """
+    instance(robot, Robot, "robot")
+    _check(robot, functions, formulation, precision, count)
+    level = fidelities.resolved(robot, formulation, fidelity or "general")
+    kind = _PRECISION[precision]
+    constants = {
+        name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
+    }
+    if not baked:
+        constants = {name: _rounded(value, kind) for name, value in constants.items()}
+    readings = Readings(constants, robot.base_joint, formulation, level, baked)
+    motions = poses(robot, formulation, count)
+    made = partial(_vector, readings, robot, kind)
+    return tuple(
+        made(function, {name: _rounded(getattr(motion, name).ravel(), kind) for name in MOTION})
+        for function in functions
+        for motion in motions[: FEW if function in _LARGE else None]
+    )
+
+
+def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision: str, count: int) -> None:
+    if not isinstance(functions, tuple):
+        raise ValueError(f"functions: expected a tuple of names, got {functions!r}")
+    for function in functions:
+        option(function, FUNCTIONS, "functions")
+    option(precision, tuple(_PRECISION), "precision")
+    if not isinstance(count, int) or count < 1:
+        raise ValueError(f"count: expected a whole number >= 1, got {count!r}")
+    closed = [function for function in functions if function in CLOSED_FORM]
+    if closed and (formulation, robot.base_joint) != ("exact", "universal"):
+        raise ValueError(
+            f"functions: {closed[0]} is of exact with universal base joints, not of {formulation} with "
+            f"{robot.base_joint} ones"
+        )
+
+
+def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
+    rounded = partial(_rounded, kind=kind)
+    inputs = dict(motion)
+    at = motion
+    if function in ("forward_dynamics", "linearisation"):
+        # More than what holds the motion: the platform has to be accelerated.
+        inputs["F"] = rounded(significant(1.5 * values(readings.forces(motion)["F"]), 4))
+    elif function == "joint_reactions":
+        L = values(readings.inverse_kinematics(motion)["L"])
+        inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
+    elif function in KINEMATICS:
+        inputs, at = _kinematic_inputs(readings, robot, kind, function, motion)
+    found = getattr(readings, function)(at if function == "forward_kinematics" else inputs)
+    return Vector(function, inputs, *_answers(found, kind))
+
+
+def _kinematic_inputs(
+    readings: Readings, robot: Robot, kind: type, function: str, motion: Numbers
+) -> tuple[dict[str, Array], Numbers]:
+    """What a function of the kinematics is given, and what its reading is."""
+    if function == "inverse_kinematics":
+        inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
+        return inputs, inputs
+    legs = readings.inverse_kinematics(motion)
+    pose = {name: motion[name] for name in ("R", "t")}
+    if function == "forward_velocity":
+        inputs = {**pose, "L_dot": _rounded(significant(values(legs["L_dot"]), 4), kind)}
+        return inputs, inputs
+    L = _rounded(values(legs["L"]), kind)
+    R, t = _guess(robot, pose["R"].reshape(3, 3), pose["t"], L)
+    inputs = {"L": L, "R_guess": _rounded(R.ravel(), kind), "t_guess": _rounded(t, kind)}
+    return inputs, {**pose, "L": L}
+
+
+def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
+    """A pose near R, t from which the lengths L lead back to it."""
+    size = characteristic_length(robot)
+    for closeness in _CLOSENESS:
+        guess = neighbour(robot, R, t, closeness)
+        start = orthonormal(guess[0]), guess[1]
+        found = forward_kinematics(robot, L, start, "nan", limits=False)
+        # From lengths in float the pose comes out as good as float, far from any other assembly mode.
+        if max(np.abs(found.R - R).max(), np.abs(found.t - t).max() / size) < _SAME:
+            return guess
+    return R, t
+
+
+def _answers(found: Found, kind: type) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Answers and their bounds, which have two digits and are never zero."""
+    # The twentieth is what rounding to two digits may take away.
+    limits = np.finfo(kind)
+    least = float(limits.tiny) / float(limits.eps)
+    bounds = {name: np.maximum(1.05 * MARGIN * errors(numbers), least) for name, numbers in found.items()}
+    return (
+        {name: values(numbers) for name, numbers in found.items()},
+        {name: significant(bound, 2) for name, bound in bounds.items()},
+    )
+
+
+def _rounded(numbers: Array, kind: type) -> Array:
+    """The nearest numbers of the precision, as doubles."""
+    return np.asarray(numbers, dtype=kind).astype(np.float64)
