@@ -844,7 +844,7 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--fidelity",
         metavar="LEVEL",
-        help="of the forces, with so much of the legs' physics: general, frictionless, axisymmetric, slender, "
+        help="how much of the legs' physics the forces know: general, frictionless, axisymmetric, slender, "
         "point_masses, massless, the last four also with _friction; general_static, slender_static, "
         "massless_static",
     )
@@ -857,7 +857,7 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
-    verb.add_argument("--force", action="store_true", help="replace files that were edited or are of other origin")
+    verb.add_argument("--force", action="store_true", help="replace edited files and others' files")
 
     _verb(
         verbs,

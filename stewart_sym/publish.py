@@ -51,9 +51,9 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     """Give an empty folder whose files move into ``directory``, made if missing, when the block ends well.
 
     Files of the same names are replaced, those of the names ``gone`` are removed, others stay. All that
-    happens or, whatever goes wrong, nothing: if a file can't be moved, or on an interrupt, those that were are
-    put back. Raises OSError naming ``directory`` before the block when it can't be written, and the file or
-    folder that is in the way.
+    happens or, whatever goes wrong, nothing: if a file can't be moved, or on an interrupt, those that were
+    are put back. Raises OSError naming ``directory`` before the block when it can't be written, and the file
+    or folder that is in the way.
     """
     target = directory.resolve()
     place = target

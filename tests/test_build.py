@@ -3,21 +3,24 @@
 Each test runs the real tools out of tree, on a robot file of its own.
 """
 
+import dataclasses
 import os
 import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
-from typing import NamedTuple
 
-import kit_generator
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from stewart_sym import cli, fixed_step, laws
-from stewart_sym.derive.emit import kit_build, kit_cpp
+from stewart_sym.derive.emit.kit import build as kit_build
+from stewart_sym.derive.emit.kit import cpp as kit_cpp
+from stewart_sym.derive.emit.kit.functions import MODEL, NOTHING, Function
+from stewart_sym.derive.emit.kit.functions import ROBOT as OF_ROBOT
 from stewart_sym.equations import ForwardDynamics
 from stewart_sym.kernel import c_sources
 from stewart_sym.kit import Choice, kit
@@ -54,7 +57,7 @@ def needed(*tools: str) -> None:
 def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The generator as a program."""
     program = tmp_path_factory.mktemp("bin") / "stewart-sym"
-    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{kit_generator.__file__}" "$@"\n')
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m stewart_sym.cli "$@"\n')
     program.chmod(0o755)
     return program
 
@@ -62,11 +65,18 @@ def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def files() -> dict[str, str]:
     """A kit of forces and motion, file name -> text."""
-    return kit_generator.texts(Robot.from_toml(ROBOT), ("forces", "motion"))
+    return texts(Robot.from_toml(ROBOT), Choice(("forces", "motion")))
+
+
+def texts(robot: Robot, choice: Choice) -> dict[str, str]:
+    """A kit, file name -> text."""
+    return {name: content.decode() for name, content in kit(robot, choice).files.items()}
 
 
 def written(files: dict[str, str], folder: Path) -> Path:
-    kit_generator.write(files, folder)
+    folder.mkdir(exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
     return folder
 
 
@@ -324,7 +334,7 @@ def test_kit_is_built_proved_installed_and_found_by_cmake(tmp_path: Path, files:
     assert headers == {name for name in files if name.endswith(".h")}
     shutil.rmtree(kit)
     shutil.rmtree(build)
-    number = kit_generator.version("stewart-sym")
+    number = version("stewart-sym")
     (tmp_path / "user").mkdir()
     (tmp_path / "user" / "main.c").write_text(USER_C)
     (tmp_path / "user" / "CMakeLists.txt").write_text(
@@ -342,7 +352,7 @@ def test_two_kits_are_parts_of_one_project(tmp_path: Path, files: dict[str, str]
     """As subfolders, which is what FetchContent makes of them; neither tests nor installs by itself."""
     needed("cmake", "ninja")
     robot = Robot.from_toml(ROBOT)
-    other = kit_generator.texts(kit_generator.renamed(robot, "Other"), ("forces",))
+    other = texts(dataclasses.replace(robot, name="Other"), Choice())
     written(files, tmp_path / "first")
     written(other, tmp_path / "second")
     (tmp_path / "main.c").write_text(USER_C)
@@ -433,32 +443,22 @@ def test_version_that_is_no_release_still_configures() -> None:
 # --- C++ ----------------------------------------------------------------------------------------
 
 
-class Function(NamedTuple):
-    """As ``kit_cpp.Function``."""
-
-    stem: str
-    symbol: str
-    header: str
-    subject: str
-    prefix: str
-
-
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
 BAKED = f"{SYMBOL}_forces"
 
 
 def of_model(stem: str, header: str, prefix: str = "stewart_exact") -> Function:
-    return Function(stem, f"{prefix}_{stem}", header, kit_cpp.MODEL, prefix)
+    return Function(stem, f"{prefix}_{stem}", header, MODEL, prefix)
 
 
 FUNCTIONS = (
     of_model("forces", "stewart_exact_forces.h"),
     *(of_model(stem, "stewart_exact_motion.h") for stem in MOTION),
     *(
-        Function(stem, f"stewart_exact_{stem}", "stewart_exact.h", kit_cpp.ROBOT, "")
+        Function(stem, f"stewart_exact_{stem}", "stewart_exact.h", OF_ROBOT, "")
         for stem in ("inverse_dynamics", "joint_reactions")
     ),
-    Function("forces", BAKED, f"{BAKED}.h", kit_cpp.NOTHING, ""),
+    Function("forces", BAKED, f"{BAKED}.h", NOTHING, ""),
 )
 KINEMATICS_H = """
 #pragma once
@@ -560,10 +560,9 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     """Folder of a kit with everything that C++ wraps, and its library."""
     needed("make")
     robot = Robot.from_toml(ROBOT)
-    files = kit_generator.texts(robot, ("forces", "motion"), request.param)
-    baked = kit(robot, Choice(bake=True, precision=request.param)).files
+    files = texts(robot, Choice(("forces", "reactions", "motion", "derivatives"), precision=request.param))
+    baked = texts(robot, Choice(bake=True, precision=request.param))
     more = {name: text for name, text in baked.items() if name.startswith(BAKED)}
-    more |= {name: text for name, text in c_sources("exact").items() if name != "stewart.h"}
     sources = [
         name for name in (files | more) if name.endswith(".c") and name not in ("main.c", "selftest.c")
     ]
@@ -589,7 +588,7 @@ def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: s
 def test_every_function_can_be_wrapped_and_no_status_ignored(tmp_path: Path, compiler: str) -> None:
     needed(compiler)
     stems = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
-    functions = [Function(s, f"stewart_{s}", "stewart_kinematics.h", kit_cpp.ROBOT, "") for s in stems]
+    functions = [Function(s, f"stewart_{s}", "stewart_kinematics.h", OF_ROBOT, "") for s in stems]
     assert {function.stem for function in (*FUNCTIONS, *functions)} == set(kit_cpp.METHODS)
     (tmp_path / "stewart_kinematics.h").write_text(KINEMATICS_H)
     (tmp_path / "stewart.h").write_text(c_sources("exact")["stewart.h"])
@@ -614,7 +613,7 @@ def test_kernels_of_one_pose_have_no_batch_and_unknown_functions_are_told() -> N
     assert "class exact_pose_kernel" in text
     assert "batch" not in text
     with pytest.raises(ValueError, match=r"^functions: expected some of forces, .*, got 'torque'$"):
-        kit_cpp.wrapper([pose._replace(stem="torque")], "0")
+        kit_cpp.wrapper([dataclasses.replace(pose, stem="torque")], "0")
 
 
 def contents(folder: Path) -> dict[str, bytes]:

@@ -543,7 +543,9 @@ def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> N
     subprocess.run([*command, "--scalar"], check=True, capture_output=True)
     needed = time.monotonic() - started
     for turn in range(6):
-        process = subprocess.Popen([*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            [*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL
+        )
         time.sleep(needed * (0.75 + 0.05 * turn))
         process.terminate()
         process.wait()

@@ -68,7 +68,15 @@ def build(folder: Path, compiler: str, main: str = "selftest.c") -> Path:
     program = folder.parent / f"{compiler}-{main}"
     other = {"selftest.c", "main.c"} - {main}
     sources = sorted(path for path in folder.glob("*.c") if path.name not in other)
-    command = [*COMPILERS[compiler], *STRICT, "-O1", "-ffp-contract=off", *map(str, sources), "-o", str(program)]
+    command = [
+        *COMPILERS[compiler],
+        *STRICT,
+        "-O1",
+        "-ffp-contract=off",
+        *map(str, sources),
+        "-o",
+        str(program),
+    ]
     done = subprocess.run([*command, "-lm"], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout + done.stderr) == (0, "")
     return program
@@ -97,7 +105,9 @@ def contents(folder: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize(("which", "formulation"), [("dasgupta", "paper"), ("random", "exact"), ("spherical", "exact")])
+@pytest.mark.parametrize(
+    ("which", "formulation"), [("dasgupta", "paper"), ("random", "exact"), ("spherical", "exact")]
+)
 def test_kit_builds_silently_and_proves_itself(
     tmp_path: Path, which: str, formulation: str, compiler: str
 ) -> None:

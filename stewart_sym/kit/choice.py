@@ -30,8 +30,8 @@ class Choice:
 
     functions: some of ``FUNCTIONS``. formulation: "exact" or "paper". precision: "double" or "float". Of the
     forces alone: fidelity, a level of ``fidelity.FIDELITIES``, None for ``general``; bake: fold the robot's
-    numbers in; scalar: one pose, its legs one after the other, small in code and stack, for processors without
-    vector registers. fmu: a co-simulation unit of the forces as well.
+    numbers in; scalar: one pose, its legs one after the other, small in code and stack, for processors
+    without vector registers. fmu: a co-simulation unit of the forces as well.
     """
 
     functions: tuple[str, ...] = ("forces",)
@@ -51,6 +51,10 @@ class Choice:
     def groups(self) -> tuple[str, ...]:
         """The functions asked for, in the order of ``FUNCTIONS``."""
         return tuple(name for name in FUNCTIONS if name in self.functions)
+
+
+DEFAULT = Choice()
+"""The forces alone, exact and in double."""
 
 
 def check(choice: Choice, robot: Robot) -> None:

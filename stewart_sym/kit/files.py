@@ -5,30 +5,34 @@ Stands above ``parts`` and ``vectors``; writes nothing. Knows which texts a choi
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
-from functools import cache
+from functools import cache, partial
 from importlib.resources import files as resources
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..derive import notation
 from ..derive.emit.kit import build, cpp
 from ..derive.emit.kit.deviations import deviations
 from ..derive.emit.kit.example import example
-from ..derive.emit.kit.functions import Function
+from ..derive.emit.kit.functions import SIGNATURES, Function
 from ..derive.emit.kit.readme import Figures, readme
 from ..derive.emit.kit.readme import Kit as ReadmeKit
 from ..derive.emit.kit.robot import robot_digest, robot_files
 from ..derive.emit.kit.selftest import Case, selftest
 from ..derive.emit.kit.words import robot_symbol
 from ..derive.generate import generator_version
+from ..kernel import MOTION
 from ..robot import Robot
-from .choice import Choice, check, options
+from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .vectors import Vector, vectors
+
+Array = NDArray[np.float64]
 
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
@@ -47,8 +51,8 @@ class Kit:
     baked_operations: int | None
 
 
-def kit(robot: Robot, choice: Choice = Choice()) -> Kit:
-    """The kit of a robot. Raises ValueError for an unknown option, or if no pose is good for the self-test."""
+def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
+    """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
     made = parts(robot, choice)
     found = _vectors(robot, choice, made)
@@ -66,7 +70,7 @@ def kit(robot: Robot, choice: Choice = Choice()) -> Kit:
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
 
 
-def kit_names(robot: Robot, choice: Choice = Choice()) -> list[str]:
+def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
     """Names of the files of a kit, without computing its test vectors; raises as ``kit``."""
     check(choice, robot)
     unit = [f"{robot_symbol(robot.name)}.fmu"] if choice.fmu else []
@@ -105,31 +109,34 @@ def _float_by_default(stewart_h: str) -> str:
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
     """Test vectors by function."""
     stems = tuple(function.stem for function in made.functions)
-    level = choice.level if "forces" in choice.functions else None
+    others = tuple(stem for stem in stems if stem != "forces")
     found: dict[str, list[Vector]] = {stem: [] for stem in stems}
-    for vector in vectors(robot, stems, choice.formulation, level, choice.precision):
+    asked = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
+    of_forces = asked(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
+    for vector in (*of_forces, *(asked(others) if others else ())):
         found[vector.function].append(vector)
     return found
 
 
 def _case(vector: Vector) -> Case:
-    function = Function(vector.function, "", "", "")
-    signature = function.signature
+    signature = SIGNATURES[vector.function]
     motion = None
     if signature.motion:
-        motion = {
-            name: value.reshape(3, 3).tolist() if name == "R" else value.tolist()
-            for name, value in vector.inputs.items()
-            if name not in signature.inputs
-        }
+        # What a function does not read stands still.
+        given = {name: vector.inputs.get(name, np.zeros(3)) for name in MOTION}
+        motion = {name: value.tolist() for name, value in given.items()}
+        motion["R"] = given["R"].reshape(3, 3).tolist()
     names = [out.name for out in signature.outputs]
     return Case(
-        vector.function,
         motion,
-        [float(x) for name in signature.inputs for x in vector.inputs[name]],
-        [float(x) for name in names for x in vector.answers[name]],
-        [float(x) for name in names for x in vector.bounds[name]],
+        _flat(vector.inputs, signature.inputs),
+        _flat(vector.answers, names),
+        _flat(vector.bounds, names),
     )
+
+
+def _flat(arrays: Mapping[str, Array], names: Iterable[str]) -> list[float]:
+    return [float(number) for name in names for number in arrays[name]]
 
 
 def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Choice) -> dict[str, str]:

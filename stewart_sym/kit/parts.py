@@ -16,9 +16,9 @@ from ..derive.emit import lanes, scalar
 from ..derive.emit.c import common_header
 from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.emit.kit.words import Numbers, robot_symbol
+from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.fidelity import FIDELITIES, fidelity_kernel
 from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.generate import generator_version, motion_files, shared_blocks
 from ..derive.operations import force_operations
 from ..derive.regroup import ForceKernel
@@ -148,7 +148,8 @@ def _model(file: str) -> Part:
 def _motion(choice: Choice) -> Part:
     name = EXACT.kernel_name
     file = f"stewart_{name}_motion"
-    stems = [stem for group in ("motion", "derivatives") if group in choice.functions for stem in STEMS[group]]
+    groups = [group for group in ("motion", "derivatives") if group in choice.functions]
+    stems = [stem for group in groups for stem in STEMS[group]]
     counts: Mapping[str, int] = module(f"{name}_motion").OPERATIONS
     functions = [
         Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", counts.get(stem))

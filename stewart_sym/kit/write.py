@@ -11,17 +11,17 @@ from pathlib import Path
 
 from ..publish import staged_folder
 from ..robot import Robot
-from .choice import Choice
+from .choice import DEFAULT, Choice
 from .files import MANIFEST, Kit, kit
 
 
 def write_kit(
-    robot: Robot, directory: Path, choice: Choice = Choice(), force: bool = False
+    robot: Robot, directory: Path, choice: Choice = DEFAULT, force: bool = False
 ) -> tuple[Kit, list[Path]]:
     """Write the C kit of ``robot`` into ``directory``, made if missing, and return it and its files.
 
-    The same robot, choice and version give the same bytes. Raises ValueError of one line: an unknown option, a
-    robot without a pose for the self-test, and as ``put``.
+    The same robot, choice and version give the same bytes. Raises ValueError of one line: an unknown option,
+    a robot without a pose for the self-test, and as ``put``.
     """
     made = kit(robot, choice)
     return made, put(made, directory, force)

@@ -10,6 +10,7 @@ from ..c import STATUS
 from .functions import MODEL, NOTHING, ROBOT, Function
 from .words import filled
 
+
 def wrapper(functions: Sequence[Function], version: str) -> str:
     """``stewart.hpp`` of a kit that holds these functions; version: of the generator.
 

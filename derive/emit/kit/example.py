@@ -45,7 +45,8 @@ def _shown(function: Function, case: Case, symbol: str) -> str:
         values = [literal(float(v), name) for v in case.inputs[start : start + count]]
         start += count
         if name not in _OF_POSE:
-            declared.append(f"    static const stewart_real {name}[{count}] =\n        {braces(values, ' ' * 8)};")
+            numbers = braces(values, " " * 8)
+            declared.append(f"    static const stewart_real {name}[{count}] =\n        {numbers};")
         elif name in ("R", "R_guess"):
             declared.append(f"    stewart_pose pose = {{\n        {braces(values, ' ' * 8)},")
         else:

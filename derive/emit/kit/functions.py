@@ -25,9 +25,9 @@ class Signature:
     """How the functions of one stem are called.
 
     says: what it does, for the README. motion: whether a ``stewart_motion`` is read. inputs: other inputs,
-    name -> count of numbers, in the order in which a self-test keeps them. outputs: what is handed out, in the
-    order of the struct or of the arguments. call: body of a self-test's function that has ``motion``,
-    ``in`` (the other inputs) and ``out`` (all outputs; left as they were on a status other than STEWART_OK).
+    name -> count of numbers, in the order in which a self-test keeps them. outputs: what is handed out, in
+    the order of the struct or of the arguments. call: body of a self-test's function that has ``motion``,
+    ``in`` (the other inputs) and ``out`` (all outputs, untouched on a status other than STEWART_OK).
     """
 
     says: str
@@ -128,11 +128,11 @@ _REACTIONS = (
 _WRENCH, _MATRIX = "N and N m", "kg, kg m and kg m^2"
 
 SIGNATURES: dict[str, Signature] = {
-    "forces": Signature(
-        "Actuator forces of a motion, (37).", FORCES[:1], _further(_IN_ARRAY, "")
-    ),
+    "forces": Signature("Actuator forces of a motion, (37).", FORCES[:1], _further(_IN_ARRAY, "")),
     "inverse_dynamics": Signature(
-        "Inverse dynamics with its terms D, K, H and c, (21) to (37).", FORCES, _further(_struct("stewart_forces"), "")
+        "Inverse dynamics with its terms D, K, H and c, (21) to (37).",
+        FORCES,
+        _further(_struct("stewart_forces"), ""),
     ),
     "joint_reactions": Signature(
         "Reactions in every joint; `bearing`: m along each leg from its base point to where M_p is taken, "

@@ -9,15 +9,17 @@ from dataclasses import dataclass
 
 from ... import notation as n
 from ..c import STATUS
-from .functions import MODEL, NOTHING, Function, Part
+from .functions import MODEL, Function, Part
 from .words import filled, in_markdown, shape, table
 
 
 @dataclass(frozen=True)
 class Figures:
-    """What a README says of one function. error: the largest bound of its test vectors over the largest answer
-    of the same array. stack: bytes, None where nobody measured it; operations: of a pose, None where they
-    depend on the pose."""
+    """What a README says of one function.
+
+    error: the largest bound of its test vectors over the largest answer of the same array. stack: bytes, None
+    where nobody measured it. operations: of a pose, None where they depend on the pose.
+    """
 
     error: float
     stack: int | None
@@ -26,9 +28,13 @@ class Figures:
 
 @dataclass(frozen=True)
 class Kit:
-    """What a README is about. name, symbol: the robot's. digest: of its constants. options: as they were given
-    on the command line. precision: "double" or "float". stack_by: with what stack was measured. baked: the
-    numbers are in the kernel alone. unit: file name of an FMI unit, "" without one."""
+    """What a README is about.
+
+    name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
+    command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
+    has_robot: whether robot.h is among the files. deviations: rule, what it is about, why it is not kept.
+    unit: file name of an FMI unit, "" without one.
+    """
 
     name: str
     symbol: str
@@ -45,7 +51,7 @@ class Kit:
 
 
 def readme(kit: Kit) -> str:
-    """The text. figures: by the functions' stems."""
+    """The text."""
     functions = [function for part in kit.parts for function in part.functions]
     robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
     values = {
@@ -122,8 +128,8 @@ _ARITHMETIC = {
 }
 
 _PREPARED = """\
-`..._prepare(robot, &model)` makes the constants that a function reads; call it once, and again when a constant
-of the robot changes. A model that was not prepared gives a status.
+`..._prepare(robot, &model)` makes the constants that a function reads; call it once, and again when a
+constant of the robot changes. A model that was not prepared gives a status.
 
 """
 
@@ -154,8 +160,8 @@ _README = """\
 
 @parts@
 
-C99, also valid C++; no heap, no global state, no input or output; needs only `sqrt` and `fabs`. @arithmetic@
-Written by stewart-sym @version@; regenerate with
+C99, also valid C++; no heap, no global state, no input or output; needs only `sqrt` and `fabs`.
+@arithmetic@ Written by stewart-sym @version@; regenerate with
 
     stewart-sym generate ROBOT.toml @options@
 
@@ -169,17 +175,18 @@ and do not edit: a second run replaces what it wrote and refuses where a file wa
 
     make
 
-builds the library, the self-test and the example and runs the self-test; `make stack` prints what stack your
-compiler takes. With CMake:
+builds the library, the self-test and the example and runs the self-test; `make stack` prints what stack
+your compiler takes. With CMake:
 
 ```cmake
 add_subdirectory(this_folder)                 # or, after `cmake --install`: find_package(@symbol@)
 target_link_libraries(controller PRIVATE @symbol@::@symbol@)
 ```
 
-On a target: link `selftest.c` with the other sources, `-DSTEWART_NO_STDIO` where nothing can be printed; `main`
-returns 0 only if every answer is within its bound and every wrong call was refused. With `-DSTEWART_NO_MAIN` there
-is `stewart_selftest()` to call at start-up. Keep `-ffp-contract=off`, and never give `-ffast-math`.
+On a target: link `selftest.c` with the other sources, `-DSTEWART_NO_STDIO` where nothing can be
+printed; `main` returns 0 only if every answer is within its bound and every wrong call was refused.
+With `-DSTEWART_NO_MAIN` there is `stewart_selftest()` to call at start-up. Keep `-ffp-contract=off`,
+and never give `-ffast-math`.
 
 ## Functions
 
@@ -190,8 +197,8 @@ is `stewart_selftest()` to call at start-up. Keep `-ffp-contract=off`, and never
 Error: the largest that the self-test lets pass, over the largest number of the same array, at its
 well-conditioned poses. @stack_by@
 
-All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at once. The
-batches take and fill arrays whose first axis is the pose.
+All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at
+once. The batches take and fill arrays whose first axis is the pose.
 
 @prepared@@functions@
 `stewart_motion`, input:
@@ -206,13 +213,13 @@ Status:
 |---|---|---|
 @status@
 
-Limits of stroke, force and speed are not checked here. Equation numbers are those of Dasgupta and Mruthyunjaya,
-Mechanism and Machine Theory 33 (1998) 1135-1152.
+Limits of stroke, force and speed are not checked here. Equation numbers are those of Dasgupta and
+Mruthyunjaya, Mechanism and Machine Theory 33 (1998) 1135-1152.
 
 @unit@## MISRA C:2012
 
-No recursion, no `goto`, no unbounded loop, no dynamic memory, no conversion that is not written. What cppcheck's
-MISRA addon still finds in the kernels:
+No recursion, no `goto`, no unbounded loop, no dynamic memory, no conversion that is not written. What
+cppcheck's MISRA addon still finds in the kernels:
 
 | rule | what | why it stays |
 |---|---|---|

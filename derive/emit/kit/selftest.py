@@ -18,7 +18,6 @@ class Case:
     """One call: the motion's fields, R as (3, 3), None where none is read; the other inputs; every answer and
     its largest error in rounding units, flat, in the order of the signature."""
 
-    function: str
     motion: Numbers | None
     inputs: Sequence[float]
     answers: Sequence[float]
@@ -146,8 +145,8 @@ _SELFTEST = """\
  * out must be within its bound, which grows with the rounding errors that its own inputs can make. Then each
  * is called wrongly, and must say so and write nothing.
  *
- * main returns 0 if all is well. It prints, unless built with -DSTEWART_NO_STDIO; with -DSTEWART_NO_MAIN there
- * is stewart_selftest() alone.
+ * main returns 0 if all is well. It prints, unless built with -DSTEWART_NO_STDIO; with -DSTEWART_NO_MAIN
+ * there is stewart_selftest() alone.
  *
  * Written by stewart-sym @version@; do not edit.
  */
@@ -189,7 +188,8 @@ int stewart_selftest(int *checks, stewart_real *worst);
 static void said(const char *name, int good, int checks, stewart_real worst)
 {
 #if !defined(STEWART_NO_STDIO)
-    (void)printf("%-20s %3d of %3d right, worst error %.2g of its bound\\n", name, good, checks, (double)worst);
+    (void)printf(
+        "%-20s %3d of %3d right, worst error %.2g of its bound\\n", name, good, checks, (double)worst);
 #else
     (void)name;
     (void)good;
