@@ -273,7 +273,7 @@ def test_a_baked_kernel_takes_the_same_unit_of_length() -> None:
         numbers = {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
         folded = shared_blocks(baked(raw, numbers, "machine"))
         assert folded.per_length == 1 / Units.of(robot).length
-        assert f"((value) * (stewart_real){folded.per_length!r})" in lanes.source(folded, "")
+        assert f"((value) * REAL({folded.per_length!r}))" in lanes.source(folded, "")
 
 
 def test_units_know_the_dimension_of_every_number() -> None:

@@ -41,7 +41,7 @@ static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
 struct Threshold {};
 static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
 static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
-static Threshold operator*(int, Threshold t) { return t; }
+static Threshold operator*(Real, Threshold t) { return t; }
 static Real operator/(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_REAL Real
 #define STEWART_SQRT(v) root(v)

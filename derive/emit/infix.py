@@ -11,7 +11,8 @@ import sympy as sp
 
 WIDTH = 108
 HALF = {"STEWART_SQRT": "STEWART_HALF"}
-"""One half by the language's square root: C has one for each arithmetic."""
+WHOLE = {"STEWART_SQRT": "REAL({})"}
+"""One half and whole numbers by the language's square root: C has them for each arithmetic."""
 
 
 def infix(expr: sp.Expr, sqrt: str) -> str:
@@ -20,7 +21,7 @@ def infix(expr: sp.Expr, sqrt: str) -> str:
     if expr.is_Symbol:
         return str(expr.name)
     if expr.is_Integer:
-        return str(int(expr))
+        return _whole(int(expr), sqrt)
     if expr == sp.Rational(1, 2):
         return HALF.get(sqrt, "0.5")
     if expr.is_Add:
@@ -30,6 +31,11 @@ def infix(expr: sp.Expr, sqrt: str) -> str:
     if expr.is_Pow:
         return _power(expr, sqrt)
     raise ValueError(f"cannot print {type(expr).__name__}: {expr}")
+
+
+def _whole(number: int, sqrt: str) -> str:
+    text = WHOLE.get(sqrt, "{}").format(abs(number))
+    return f"-{text}" if number < 0 else text
 
 
 def _sum(expr: sp.Add, sqrt: str) -> str:
@@ -49,7 +55,7 @@ def _product(expr: sp.Mul, sqrt: str) -> str:
     factors = ([coefficient] if coefficient != 1 else []) + list(sp.Mul.make_args(rest))
     over = [f.base for f in factors if f.is_Pow and f.exp == -1]
     upper = [f for f in factors if not (f.is_Pow and f.exp == -1)]
-    text = "*".join(_factor(f, sqrt) for f in upper) or "1"
+    text = "*".join(_factor(f, sqrt) for f in upper) or _whole(1, sqrt)
     if not over:
         return text
     under = "*".join(_factor(f, sqrt) for f in over)
@@ -65,7 +71,7 @@ def _power(expr: sp.Pow, sqrt: str) -> str:
     if expr.exp == sp.Rational(1, 2):
         return f"{sqrt}({infix(expr.base, sqrt)})"
     if expr.exp == -1:
-        return f"1/{_factor(expr.base, sqrt)}"
+        return f"{_whole(1, sqrt)}/{_factor(expr.base, sqrt)}"
     if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
         return "*".join([expr.base.name] * int(expr.exp))
     raise ValueError(f"cannot print the power {expr}: its base needs a name")

@@ -23,7 +23,7 @@ MEMBER = """\
 _MACROS = """
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
-#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = 1 / unit_of_length(made))
+#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = REAL(1) / unit_of_length(made))
 #else
 #define STEWART_OVER_LENGTH(value) (value)
 #define STEWART_CHOOSE_LENGTH(made) ((void)(made))
@@ -33,7 +33,7 @@ _MACROS = """
 _BAKED_MACROS = """
 {switch}
 #if defined(STEWART_SCALED)
-#define STEWART_OVER_LENGTH(value) ((value) * (stewart_real){per_length!r})
+#define STEWART_OVER_LENGTH(value) ((value) * REAL({per_length!r}))
 #else
 #define STEWART_OVER_LENGTH(value) (value)
 #endif
@@ -45,7 +45,7 @@ _UNIT_OF_LENGTH = """\
  * 1 if all of them are zero. */
 static stewart_real unit_of_length(const @MODEL@ *model)
 {
-    stewart_real largest = 0, unit = 1;
+    stewart_real largest = REAL(0), unit = REAL(1);
     int i, j;
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
@@ -53,9 +53,9 @@ static stewart_real unit_of_length(const @MODEL@ *model)
         }
     }
     for (i = 0; i < 100 && unit < largest; ++i) {
-        unit = 2 * unit;
+        unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > 0 && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
         unit = STEWART_HALF * unit;
     }
     return unit;

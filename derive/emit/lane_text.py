@@ -84,13 +84,13 @@ def fault_lines(
     length: str, sine: str | None, before: str, after: str, least_sine: str = "STEWART_POLE_SINE"
 ) -> list[str]:
     """Puts 1 into `after` where a leg is not finite, too short or at its pole, else what was `before`."""
-    before = f"(stewart_real){before}" if before == "0" else before
+    before = f"REAL({before})" if before == "0" else before
     lines = [
-        f"        fault = {length} <= STEWART_MAX ? {before} : (stewart_real)1;",
-        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : (stewart_real)1;",
+        f"        fault = {length} <= STEWART_MAX ? {before} : REAL(1);",
+        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : REAL(1);",
     ]
     if sine is not None:
-        lines.append(f"        fault = {sine} > {least_sine} ? fault : (stewart_real)1;")
+        lines.append(f"        fault = {sine} > {least_sine} ? fault : REAL(1);")
     return [*lines, f"        {after} = fault;"]
 
 

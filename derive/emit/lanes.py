@@ -228,7 +228,7 @@ def _owner_of_raw(quantity: Quantity) -> str:
 def _prepare(kernel: ForceKernel) -> str:
     parts = {
         "@COPIES@": [f"        made.{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
-        "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
+        "@ZERO@": [f"    sum.{name} = REAL(0);" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [
             f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
@@ -388,7 +388,7 @@ def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
 def _solve_pose(about_base_point: bool) -> str:
     """Elimination of one pose, unrolled: the next column is known before the rows that hold it are stored."""
     rows = range(6)
-    body = [f"scale[{i}] = {'moment' if i > 2 else '1'};" for i in rows]
+    body = [f"scale[{i}] = {'moment' if i > 2 else 'REAL(1)'};" for i in rows]
     body += [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_base_point]
     for k in rows:
         below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_base_point]
@@ -427,7 +427,7 @@ def _exchange(k: int, below: list[int]) -> list[str]:
 def _eliminate(k: int, below: list[int]) -> list[str]:
     """Column k eliminated below row k; a1 to a5 become the entries of the next column."""
     return [
-        f"inverse{k} = 1 / a{k};",
+        f"inverse{k} = REAL(1) / a{k};",
         *(f"factor{i} = a{i} * inverse{k};" for i in below),
         *(
             f"a{i} = A[{i}][{k + 1}]{f' - factor{i} * A[{k}][{k + 1}]' if i in below else ''};"
@@ -452,25 +452,27 @@ def _solve_block(kernel: ForceKernel) -> str:
     body = [
         "stewart_real " + ", ".join(f"a{i}{j} = column[{j}][{i}][l]" for i, j in row) + ";" for row in entries
     ]
-    body.append("stewart_real " + ", ".join(f"s{i} = {'moment[l]' if i > 2 else '1'}" for i in rows) + ";")
+    body.append(
+        "stewart_real " + ", ".join(f"s{i} = {'moment[l]' if i > 2 else 'REAL(1)'}" for i in rows) + ";"
+    )
     body.append("stewart_real fault = bad[l];")
     for k in rows:
         below = [i for i in rows[k + 1 :] if (i, k) in entries[i]]
         for i in below:
             body += _sink(k, i)
         if k < rows[-1]:
-            body.append(f"const stewart_real inverse{k} = 1 / a{k}{k};")
+            body.append(f"const stewart_real inverse{k} = REAL(1) / a{k}{k};")
         for i in below:
             body.append(f"const stewart_real factor{i}{k} = a{i}{k} * inverse{k};")
             body += [f"a{i}{j} = a{i}{j} - factor{i}{k} * a{k}{j};" for j in columns[k + 1 :]]
-        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_ROUNDING * s{k} ? fault : (stewart_real)1;")
+        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_ROUNDING * s{k} ? fault : REAL(1);")
     for i in reversed(rows):
         body += [f"a{i}6 = a{i}6 - a{i}{j} * a{j}6;" for j in rows[i + 1 :]]
         body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
     for i in rows:
         body += [
             f"const stewart_real F{i} = {_force(kernel, f'D[{i}][l]', f'a{i}6')};",
-            f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : (stewart_real)1;",
+            f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : REAL(1);",
             f"F[{i}][l] = F{i};",
         ]
     body.append("bad[l] = fault;")
@@ -484,12 +486,12 @@ def _sink(k: int, i: int) -> list[str]:
     mask = f"below{i}{k}"
     lines = [
         f"const stewart_real {mask} = STEWART_FABS(a{i}{k}) > STEWART_FABS(a{k}{k})",
-        "    ? (stewart_real)1 : (stewart_real)0;",
+        "    ? REAL(1) : REAL(0);",
     ]
     for upper, lower in [(f"s{k}", f"s{i}"), *((f"a{k}{j}", f"a{i}{j}") for j in range(k, 7))]:
         lines += [
-            f"const stewart_real {upper}_{i} = {mask} > 0 ? {lower} : {upper};",
-            f"{lower} = {mask} > 0 ? {upper} : {lower};",
+            f"const stewart_real {upper}_{i} = {mask} > REAL(0) ? {lower} : {upper};",
+            f"{lower} = {mask} > REAL(0) ? {upper} : {lower};",
             f"{upper} = {upper}_{i};",
         ]
     return lines
@@ -509,13 +511,15 @@ def _force(kernel: ForceKernel, known: str, solved: str) -> str:
 
 def _batch(kernel: ForceKernel) -> str:
     given = kernel.used_motion()
-    missing = ["!motions", "!F", *(f"!motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext))]
+    missing = ["motions", "F", *(f"motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext))]
     if kernel.constants is None:
-        missing.insert(0, "!model")
+        missing.insert(0, "model")
     parts = {
         "@LOADS@": _transposed(given),
         "@ONE@": _copied(given),
-        "@MISSING@": wrap(f"    if ({' || '.join(missing)}) {{", " " * 8, before=r"\|\|"),
+        "@MISSING@": wrap(
+            f"    if ({' || '.join(f'{name} == NULL' for name in missing)}) {{", " " * 8, before=r"\|\|"
+        ),
     }
     text = _only(_BATCH, kernel)
     for mark, lines in parts.items():
@@ -530,7 +534,7 @@ def _transposed(motion: tuple[Quantity, ...]) -> str:
         line = f"{call}(whole(motions->{q.name}, {size(q)}, first, count, padded), in->{q.name});"
         if q in (n.F_ext, n.M_ext):
             lines += [
-                f"    if (motions->{q.name}) {{",
+                f"    if (motions->{q.name} != NULL) {{",
                 f"        {line}",
                 "    } else {",
                 f"        clear(in->{q.name});",
@@ -546,7 +550,7 @@ def _copied(motion: tuple[Quantity, ...]) -> str:
     for q in motion[1:]:
         value = f"motions->{q.name}[at]"
         if q in (n.F_ext, n.M_ext):
-            value = f"motions->{q.name} ? {value} : 0"
+            value = f"motions->{q.name} != NULL ? {value} : REAL(0)"
         lines.append(f"        one.{q.name}[i] = {value};")
     return "\n".join(lines)
 
@@ -647,8 +651,6 @@ static int leg_status(const leg_lanes *leg, int l)
 """
 
 _NUMBERS = """\
-#define REAL(value) ((stewart_real)(value))
-
 /* What differs from leg to leg; the last two lanes repeat leg 6. */
 typedef struct {
 @MEMBERS@
@@ -703,9 +705,10 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     prepared_leg found, sum;
     prepared_platform platform;
     const stewart_real *numbers = (const stewart_real *)&made;
+    const size_t count = sizeof made / sizeof *numbers;
     size_t number;
     int i;
-    if (!robot || !model) {
+    if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
 @ZERO@
@@ -720,7 +723,7 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
     STEWART_CHOOSE_LENGTH(&made);
-    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+    for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -839,16 +842,16 @@ int stewart_@NAME@_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     int i, j, status;
     <P:int near_pole = 0;:P>
-    if (<M:!model || :M>!motion || !F) {
+    if (<M:model == NULL || :M>motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     shared_of_pose(model, motion, &shared);
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
-        if (legs.bad[i] > 0) {
+        if (legs.bad[i] > REAL(0)) {
             <Q:return leg_status(&legs, i);:Q>
             <P:status = leg_status(&legs, i);:P>
             <P:if (status != STEWART_OK) {:P>
@@ -857,7 +860,7 @@ int stewart_@NAME@_forces(
             <P:near_pole = 1;:P>
         }
     }
-    <P:if (near_pole) {:P>
+    <P:if (near_pole != 0) {:P>
     <P:    legs_near_pole(model, motion, &shared, &legs);:P>
     <P:}:P>
     for (j = 0; j < 3; ++j) {
@@ -873,8 +876,8 @@ int stewart_@NAME@_forces(
         }
         A[j][6] = force;
         A[j + 3][6] = STEWART_OVER_LENGTH(turn);
-        A[j][7] = 0;
-        A[j + 3][7] = 0;
+        A[j][7] = REAL(0);
+        A[j + 3][7] = REAL(0);
     }
     status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
     if (status != STEWART_OK) {
@@ -914,11 +917,11 @@ static const stewart_real *whole(
     const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
     size_t l, i;
-    if (first + LANES <= count) {
-        return from + first * width;
+    if (first + (size_t)LANES <= count) {
+        return &from[first * width];
     }
-    for (l = 0; l < LANES; ++l) {
-        const size_t pose = first + l < count ? first + l : count - 1;
+    for (l = 0; l < (size_t)LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1U;
         for (i = 0; i < width; ++i) {
             padded[l * width + i] = from[pose * width + i];
         }
@@ -954,7 +957,7 @@ static void clear(stewart_real (*to)[LANES])
     int i, l;
     for (i = 0; i < 3; ++i) {
         for (l = 0; l < LANES; ++l) {
-            to[i][l] = 0;
+            to[i][l] = REAL(0);
         }
     }
 }
@@ -970,8 +973,8 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
     shared_lanes shared;
     int i, l;
     for (l = 0; l < LANES; ++l) {
-        out->moment[l] = 0;
-        out->bad[l] = 0;
+        out->moment[l] = REAL(0);
+        out->bad[l] = REAL(0);
     }
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
@@ -1000,10 +1003,10 @@ static int forces_of(
     stewart_motion one;
     int i;
     for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose * 9 + (size_t)i];
+        one.R[i] = motions->R[pose * 9U + (size_t)i];
     }
     for (i = 0; i < 3; ++i) {
-        const size_t at = pose * 3 + (size_t)i;
+        const size_t at = pose * 3U + (size_t)i;
 @ONE@
     }
     return stewart_@NAME@_forces(<M:model, :M>&one, F);
@@ -1022,20 +1025,20 @@ int stewart_@NAME@_forces_batch(
 @MISSING@
         return STEWART_BAD_ARGUMENT;
     }
-    for (first = 0; first < count; first += LANES) {
+    for (first = 0; first < count; first += (size_t)LANES) {
         load_block(motions, first, count, &in);
         forces_of_block(model, &in, &done);
         for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
-            if (done.bad[l] > 0) {
-                code = forces_of(<M:model, :M>motions, pose, F + pose * 6);
+            if (done.bad[l] > REAL(0)) {
+                code = forces_of(<M:model, :M>motions, pose, &F[pose * 6U]);
             } else {
                 for (i = 0; i < 6; ++i) {
-                    F[pose * 6 + (size_t)i] = done.F[i][l];
+                    F[pose * 6U + (size_t)i] = done.F[i][l];
                 }
             }
-            if (status) {
+            if (status != NULL) {
                 status[pose] = code;
             }
             result = result == STEWART_OK ? code : result;

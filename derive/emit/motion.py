@@ -13,7 +13,7 @@ from ..motion import F_LEG, SumKernel
 from ..prepared import t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
-from .infix import infix
+from .infix import infix, wrap
 from .lane_text import (
     JUDGED,
     LANES,
@@ -263,8 +263,8 @@ _FORCED = ("forward_dynamics", "linearisation")
 """Functions that take actuator forces."""
 
 _NEEDED = {
-    **dict.fromkeys(_FORCED, "\n        || !F"),
-    "derivatives": "\n        || !motions->alpha || !motions->a",
+    **dict.fromkeys(_FORCED, ("F",)),
+    "derivatives": ("motions->alpha", "motions->a"),
 }
 """What else a batch must be given."""
 
@@ -277,8 +277,8 @@ def _batch(what: str) -> str:
     marks = {
         "@WHAT@": what,
         "@ARGUMENT@": "const stewart_real *F, " if forced else "",
-        "@NEED@": _NEEDED.get(what, ""),
-        "@FORCE@": "F + pose * 6, " if forced else "",
+        "@MISSING@": _missing(what),
+        "@FORCE@": "&F[pose * 6U], " if forced else "",
         "@OUT@": _out(what),
     }
     if what in _ARRAYS:
@@ -292,6 +292,13 @@ def _batch(what: str) -> str:
     for mark, value in marks.items():
         text = text.replace(mark, value)
     return filled(text, {"@COPIES@": [f"            {line}" for line in copies]})
+
+
+def _missing(what: str) -> str:
+    """The question whether a pointer is null that must not be."""
+    given = ("model", "motions", "out", *(f"motions->{name}" for name in ("R", "t", "omega", "v")))
+    text = " || ".join(f"{name} == NULL" for name in (*given, *_NEEDED.get(what, ())))
+    return wrap(f"    if ({text}) {{", " " * 8, before=r"\|\|")
 
 
 def _out(what: str) -> str:
@@ -433,7 +440,7 @@ static int legs_status(const leg_judgement *judged)
 {
     int i;
     for (i = 0; i < 6; ++i) {
-        if (judged->bad[i] > 0) {
+        if (judged->bad[i] > REAL(0)) {
             if (!(judged->L[i] <= STEWART_MAX)) {
                 return STEWART_NOT_FINITE;
             }
@@ -572,7 +579,7 @@ static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
 @SCALES@
     for (k = 0; k < 6; ++k) {
 @PIVOT@
-        inverse[k] = 1 / A[k * @WIDTH@ + k];
+        inverse[k] = REAL(1) / A[k * @WIDTH@ + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * @WIDTH@ + k] * inverse[k];
             for (j = 0; j < @WIDTH@; ++j) {
@@ -614,14 +621,14 @@ _PIVOTED = {
     "@MATRIX@": "H",
     "@METHOD@": "by elimination with partial pivoting",
     "@SCALES@": """\
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             moment = STEWART_LARGER(STEWART_FABS(A[i * @WIDTH@ + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? (stewart_real)1 : moment;
+        scale[i] = i < 3 ? REAL(1) : moment;
     }""",
     "@PIVOT@": """\
         int pivot = k;
@@ -653,7 +660,7 @@ int stewart_@NAME@_equations(
     stewart_equations found;
     stewart_real sum[69];
     int i, j, status;
-    if (!model || !motion || !out) {
+    if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = equations_sums(model, motion, &legs, sum);
@@ -661,9 +668,9 @@ int stewart_@NAME@_equations(
         return status;
     }
     inertia_rows(sum, 6, found.M);
-    block_rows(sum + 21, 6, found.C);
-    copy(sum + 57, 6, found.g);
-    copy(sum + 63, 6, found.friction);
+    block_rows(&sum[21], 6, found.C);
+    copy(&sum[57], 6, found.g);
+    copy(&sum[63], 6, found.friction);
     column_rows(legs.H_force, legs.H_moment, 6, found.H);
     column_rows(legs.H_dot_force, legs.H_dot_moment, 6, found.H_dot);
     for (i = 0; i < 6; ++i) {
@@ -673,7 +680,7 @@ int stewart_@NAME@_equations(
         }
         found.bias[i] = bias;
     }
-    if (!is_finite(sum, 69) || !is_finite(found.bias, 6) || !is_finite(found.H_dot, 36)) {
+    if (is_finite(sum, 69) == 0 || is_finite(found.bias, 6) == 0 || is_finite(found.H_dot, 36) == 0) {
         return STEWART_NOT_FINITE;
     }
     *out = found;
@@ -687,14 +694,14 @@ int stewart_@NAME@_bias(
     bias_legs legs;
     stewart_real sum[6];
     int status;
-    if (!model || !motion || !bias) {
+    if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = bias_sums(model, motion, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }
-    if (!is_finite(sum, 6)) {
+    if (is_finite(sum, 6) == 0) {
         return STEWART_NOT_FINITE;
     }
     copy(sum, 6, bias);
@@ -709,7 +716,7 @@ int stewart_@NAME@_forward_dynamics(
     forward_dynamics_legs legs;
     stewart_real A[48], sum[27];
     int i, status;
-    if (!model || !motion || !F || !acceleration) {
+    if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = forward_dynamics_sums(model, motion, F, &legs, sum);
@@ -719,14 +726,14 @@ int stewart_@NAME@_forward_dynamics(
     inertia_rows(sum, 8, A);
     for (i = 0; i < 6; ++i) {
         A[8 * i + 6] = sum[21 + i];
-        A[8 * i + 7] = 0;
+        A[8 * i + 7] = REAL(0);
     }
     status = solve_definite_8(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(&A[8 * i + 6], 1)) {
+        if (is_finite(&A[8 * i + 6], 1) == 0) {
             return STEWART_NOT_FINITE;
         }
     }
@@ -743,7 +750,7 @@ int stewart_@NAME@_joint_inertia(
     equations_legs legs;
     stewart_real A[72], X[36], sum[69];
     int i, j, status;
-    if (!model || !motion || !inertia) {
+    if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = equations_sums(model, motion, &legs, sum);
@@ -751,7 +758,7 @@ int stewart_@NAME@_joint_inertia(
         return status;
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
-    inertia_rows(sum, 12, A + 6);
+    inertia_rows(sum, 12, &A[6]);
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
         return status;
@@ -763,7 +770,7 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     for (i = 0; i < 6; ++i) {
-        copy(X + 6 * i, 6, A + 12 * i + 6);
+        copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
@@ -774,7 +781,7 @@ int stewart_@NAME@_joint_inertia(
             X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
         }
     }
-    if (!is_finite(X, 36)) {
+    if (is_finite(X, 36) == 0) {
         return STEWART_NOT_FINITE;
     }
     copy(X, 36, inertia);
@@ -789,7 +796,7 @@ int stewart_@NAME@_derivatives(
     stewart_derivatives found;
     stewart_real A[144], sum[93];
     int i, j, status;
-    if (!model || !motion || !out) {
+    if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = stewart_@NAME@_forces(model, motion, found.F);
@@ -800,15 +807,15 @@ int stewart_@NAME@_derivatives(
         return status;
     }
     column_rows(legs.H_force, legs.H_moment, 24, A);
-    block_rows(sum + 21, 24, A + 6);
-    block_rows(sum + 57, 24, A + 12);
-    inertia_rows(sum, 24, A + 18);
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    inertia_rows(sum, 24, &A[18]);
     status = solve_pivoted_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(A + 24 * i + 6, 18)) {
+        if (is_finite(&A[24 * i + 6], 18) == 0) {
             return STEWART_NOT_FINITE;
         }
         for (j = 0; j < 6; ++j) {
@@ -827,10 +834,10 @@ static void system_matrix(const stewart_real *omega, stewart_real A[144], stewar
 {
     int i, j;
     for (i = 0; i < 144; ++i) {
-        system[i] = 0;
+        system[i] = REAL(0);
     }
     for (i = 0; i < 6; ++i) {
-        system[12 * i + 6 + i] = 1;
+        system[12 * i + 6 + i] = REAL(1);
         for (j = 0; j < 12; ++j) {
             system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
         }
@@ -852,7 +859,7 @@ int stewart_@NAME@_linearisation(
     stewart_motion moving;
     stewart_real A[144], sum[93];
     int i, j, status;
-    if (!model || !motion || !F || !out) {
+    if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = stewart_@NAME@_forward_dynamics(model, motion, F, found.acceleration);
@@ -861,29 +868,29 @@ int stewart_@NAME@_linearisation(
     }
     moving = *motion;
     copy(found.acceleration, 3, moving.a);
-    copy(found.acceleration + 3, 3, moving.alpha);
+    copy(&found.acceleration[3], 3, moving.alpha);
     status = derivatives_sums(model, &moving, F, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }
     inertia_rows(sum, 24, A);
-    block_rows(sum + 21, 24, A + 6);
-    block_rows(sum + 57, 24, A + 12);
-    column_rows(legs.H_force, legs.H_moment, 24, A + 18);
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
     status = solve_definite_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     system_matrix(motion->omega, A, found.A);
     for (i = 0; i < 36; ++i) {
-        found.B[i] = 0;
+        found.B[i] = REAL(0);
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
         }
     }
-    if (!is_finite(found.A, 144) || !is_finite(found.B, 72)) {
+    if (is_finite(found.A, 144) == 0 || is_finite(found.B, 72) == 0) {
         return STEWART_NOT_FINITE;
     }
     *out = found;
@@ -898,8 +905,8 @@ _LOAD_POSE = {
 /* Numbers of one pose to their place in an array of all poses, if there is one. */
 static void copy_to(const stewart_real *from, int count, size_t pose, stewart_real *to)
 {
-    if (to) {
-        copy(from, count, to + pose * (size_t)count);
+    if (to != NULL) {
+        copy(from, count, &to[pose * (size_t)count]);
     }
 }
 """,
@@ -908,7 +915,7 @@ static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
 {
     int i;
     for (i = 0; i < 3; ++i) {
-        to[i] = from ? from[pose * 3 + (size_t)i] : 0;
+        to[i] = from != NULL ? from[pose * 3U + (size_t)i] : REAL(0);
     }
 }
 """,
@@ -916,7 +923,7 @@ static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
 /* One pose of a batch; what is not given is zero. */
 static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
 {
-    copy(motions->R + pose * 9, 9, one->R);
+    copy(&motions->R[pose * 9U], 9, one->R);
     load_three(motions->t, pose, one->t);
     load_three(motions->omega, pose, one->omega);
     load_three(motions->v, pose, one->v);
@@ -938,7 +945,7 @@ int stewart_@NAME@_@WHAT@_batch(
     @DECLARE@
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v@NEED@) {
+@MISSING@
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -948,7 +955,7 @@ int stewart_@NAME@_@WHAT@_batch(
         if (code == STEWART_OK) {
 @COPIES@
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;

@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
  * along that axis has lost six bits; the leg's third axis is taken instead. */
@@ -29,15 +29,16 @@
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
 #endif
 
+#define REAL(value) ((stewart_real)(value))
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
@@ -65,7 +66,7 @@ static int legs_status(const leg_judgement *judged)
 {
     int i;
     for (i = 0; i < 6; ++i) {
-        if (judged->bad[i] > 0) {
+        if (judged->bad[i] > REAL(0)) {
             if (!(judged->L[i] <= STEWART_MAX)) {
                 return STEWART_NOT_FINITE;
             }
@@ -207,53 +208,53 @@ static void equations_of_pose(
     out->t_1[1] = t_y - b_1_y;
     out->t_1[2] = t_z - b_1_z;
     sum[0] = M_P;
-    sum[1] = 0;
-    sum[2] = 0;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
     sum[3] = M_P;
-    sum[4] = 0;
+    sum[4] = REAL(0);
     sum[5] = M_P;
-    sum[6] = 0;
+    sum[6] = REAL(0);
     sum[7] = h_base_z;
     sum[8] = -h_base_y;
     sum[9] = -h_base_z;
-    sum[10] = 0;
+    sum[10] = REAL(0);
     sum[11] = h_base_x;
     sum[12] = h_base_y;
     sum[13] = -h_base_x;
-    sum[14] = 0;
+    sum[14] = REAL(0);
     sum[15] = J_base_xx;
     sum[16] = J_base_xy;
     sum[17] = J_base_xz;
     sum[18] = J_base_yy;
     sum[19] = J_base_yz;
     sum[20] = J_base_zz;
-    sum[21] = 0;
-    sum[22] = 0;
-    sum[23] = 0;
-    sum[24] = 0;
-    sum[25] = 0;
-    sum[26] = 0;
-    sum[27] = 0;
-    sum[28] = 0;
-    sum[29] = 0;
-    sum[30] = 0;
+    sum[21] = REAL(0);
+    sum[22] = REAL(0);
+    sum[23] = REAL(0);
+    sum[24] = REAL(0);
+    sum[25] = REAL(0);
+    sum[26] = REAL(0);
+    sum[27] = REAL(0);
+    sum[28] = REAL(0);
+    sum[29] = REAL(0);
+    sum[30] = REAL(0);
     sum[31] = w_h_z;
     sum[32] = -w_h_y;
     sum[33] = -w_h_z;
-    sum[34] = 0;
+    sum[34] = REAL(0);
     sum[35] = w_h_x;
     sum[36] = w_h_y;
     sum[37] = -w_h_x;
-    sum[38] = 0;
-    sum[39] = 0;
-    sum[40] = 0;
-    sum[41] = 0;
-    sum[42] = 0;
-    sum[43] = 0;
-    sum[44] = 0;
-    sum[45] = 0;
-    sum[46] = 0;
-    sum[47] = 0;
+    sum[38] = REAL(0);
+    sum[39] = REAL(0);
+    sum[40] = REAL(0);
+    sum[41] = REAL(0);
+    sum[42] = REAL(0);
+    sum[43] = REAL(0);
+    sum[44] = REAL(0);
+    sum[45] = REAL(0);
+    sum[46] = REAL(0);
+    sum[47] = REAL(0);
     sum[48] = c8 - c7;
     sum[49] = J_base_yz*omega_y + c9 - J_base_yy*omega_z;
     sum[50] = J_base_zz*omega_y - J_base_yz*omega_z - c10;
@@ -269,9 +270,9 @@ static void equations_of_pose(
     sum[60] = g_y*h_base_z - g_z*h_base_y;
     sum[61] = g_z*h_base_x - g_x*h_base_z;
     sum[62] = g_x*h_base_y - g_y*h_base_x;
-    sum[63] = 0;
-    sum[64] = 0;
-    sum[65] = 0;
+    sum[63] = REAL(0);
+    sum[64] = REAL(0);
+    sum[65] = REAL(0);
     sum[66] = C_P*omega_x;
     sum[67] = C_P*omega_y;
     sum[68] = C_P*omega_z;
@@ -326,7 +327,7 @@ STEWART_APART static void equations_of_legs(
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -338,7 +339,7 @@ STEWART_APART static void equations_of_legs(
         /* (10) leg length, and distance of its tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
             + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = 1/rho;
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -404,9 +405,10 @@ STEWART_APART static void equations_of_legs(
         const stewart_real C_xi_13 = -c6*phi_dot;
         const stewart_real C_xi_21 = c5;
         const stewart_real C_xi_22 = L_dot*h_x;
-        const stewart_real c7 = 2*L;
-        const stewart_real c8 = 2*J_xz - c7*h_z;
-        const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + 2*k3*(J_zz + c7*h_x - J_xx)) - STEWART_HALF*c1*c8;
+        const stewart_real c7 = REAL(2)*L;
+        const stewart_real c8 = REAL(2)*J_xz - c7*h_z;
+        const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + REAL(2)*k3*(J_zz + c7*h_x - J_xx))
+            - STEWART_HALF*c1*c8;
         const stewart_real C_xi_23 = -c9*phi_dot;
         const stewart_real c10 = h_y*k1;
         const stewart_real C_xi_31 = c6*phi_dot - c10*theta_dot;
@@ -614,9 +616,9 @@ STEWART_APART static void equations_of_legs(
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->judged.bad[l] = fault;
     }
 }
@@ -775,7 +777,7 @@ STEWART_APART static void bias_of_legs(
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -787,7 +789,7 @@ STEWART_APART static void bias_of_legs(
         /* (10) leg length, and distance of its tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
             + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = 1/rho;
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -815,7 +817,7 @@ STEWART_APART static void bias_of_legs(
         const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real two_phi_dot = 2*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -825,7 +827,7 @@ STEWART_APART static void bias_of_legs(
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
         const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             - L_share*two_phi_dot;
@@ -897,9 +899,9 @@ STEWART_APART static void bias_of_legs(
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->judged.bad[l] = fault;
     }
 }
@@ -1000,20 +1002,20 @@ static void forward_dynamics_of_pose(
     out->B_0[7] = omega_yz;
     out->B_0[8] = B_zz;
     sum[0] = M_P;
-    sum[1] = 0;
-    sum[2] = 0;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
     sum[3] = M_P;
-    sum[4] = 0;
+    sum[4] = REAL(0);
     sum[5] = M_P;
-    sum[6] = 0;
+    sum[6] = REAL(0);
     sum[7] = h_base_z;
     sum[8] = -h_base_y;
     sum[9] = -h_base_z;
-    sum[10] = 0;
+    sum[10] = REAL(0);
     sum[11] = h_base_x;
     sum[12] = h_base_y;
     sum[13] = -h_base_x;
-    sum[14] = 0;
+    sum[14] = REAL(0);
     sum[15] = J_base_xx;
     sum[16] = J_base_xy;
     sum[17] = J_base_xz;
@@ -1082,7 +1084,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -1094,7 +1096,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         /* (10) leg length, and distance of its tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
             + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = 1/rho;
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -1122,7 +1124,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real two_phi_dot = 2*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
         const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
@@ -1132,7 +1134,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
         const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             - L_share*two_phi_dot;
@@ -1261,9 +1263,9 @@ STEWART_APART static void forward_dynamics_of_legs(
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->judged.bad[l] = fault;
     }
 }
@@ -1439,35 +1441,35 @@ static void derivatives_of_pose(
     out->B[7] = B_zy;
     out->B[8] = B_zz;
     sum[0] = M_P;
-    sum[1] = 0;
-    sum[2] = 0;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
     sum[3] = M_P;
-    sum[4] = 0;
+    sum[4] = REAL(0);
     sum[5] = M_P;
-    sum[6] = 0;
+    sum[6] = REAL(0);
     sum[7] = h_base_z;
     sum[8] = -h_base_y;
     sum[9] = -h_base_z;
-    sum[10] = 0;
+    sum[10] = REAL(0);
     sum[11] = h_base_x;
     sum[12] = h_base_y;
     sum[13] = -h_base_x;
-    sum[14] = 0;
+    sum[14] = REAL(0);
     sum[15] = J_base_xx;
     sum[16] = J_base_xy;
     sum[17] = J_base_xz;
     sum[18] = J_base_yy;
     sum[19] = J_base_yz;
     sum[20] = J_base_zz;
-    sum[21] = 0;
-    sum[22] = 0;
-    sum[23] = 0;
-    sum[24] = 0;
-    sum[25] = 0;
-    sum[26] = 0;
-    sum[27] = 0;
-    sum[28] = 0;
-    sum[29] = 0;
+    sum[21] = REAL(0);
+    sum[22] = REAL(0);
+    sum[23] = REAL(0);
+    sum[24] = REAL(0);
+    sum[25] = REAL(0);
+    sum[26] = REAL(0);
+    sum[27] = REAL(0);
+    sum[28] = REAL(0);
+    sum[29] = REAL(0);
     sum[30] = B_xz*h_base_y - B_xy*h_base_z;
     sum[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
     sum[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
@@ -1477,15 +1479,15 @@ static void derivatives_of_pose(
     sum[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
     sum[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
     sum[38] = B_zy*h_base_x - B_zx*h_base_y;
-    sum[39] = 0;
-    sum[40] = 0;
-    sum[41] = 0;
-    sum[42] = 0;
-    sum[43] = 0;
-    sum[44] = 0;
-    sum[45] = 0;
-    sum[46] = 0;
-    sum[47] = 0;
+    sum[39] = REAL(0);
+    sum[40] = REAL(0);
+    sum[41] = REAL(0);
+    sum[42] = REAL(0);
+    sum[43] = REAL(0);
+    sum[44] = REAL(0);
+    sum[45] = REAL(0);
+    sum[46] = REAL(0);
+    sum[47] = REAL(0);
     sum[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
     sum[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
     sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
@@ -1495,15 +1497,15 @@ static void derivatives_of_pose(
     sum[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
     sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
     sum[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
-    sum[57] = 0;
-    sum[58] = 0;
-    sum[59] = 0;
-    sum[60] = 0;
-    sum[61] = 0;
-    sum[62] = 0;
-    sum[63] = 0;
-    sum[64] = 0;
-    sum[65] = 0;
+    sum[57] = REAL(0);
+    sum[58] = REAL(0);
+    sum[59] = REAL(0);
+    sum[60] = REAL(0);
+    sum[61] = REAL(0);
+    sum[62] = REAL(0);
+    sum[63] = REAL(0);
+    sum[64] = REAL(0);
+    sum[65] = REAL(0);
     sum[66] = c43 + c44;
     sum[67] = w_h_z - c11;
     sum[68] = -c9 - w_h_y;
@@ -1513,15 +1515,15 @@ static void derivatives_of_pose(
     sum[72] = w_h_y - c10;
     sum[73] = -c8 - w_h_x;
     sum[74] = c43 + c45;
-    sum[75] = 0;
-    sum[76] = 0;
-    sum[77] = 0;
-    sum[78] = 0;
-    sum[79] = 0;
-    sum[80] = 0;
-    sum[81] = 0;
-    sum[82] = 0;
-    sum[83] = 0;
+    sum[75] = REAL(0);
+    sum[76] = REAL(0);
+    sum[77] = REAL(0);
+    sum[78] = REAL(0);
+    sum[79] = REAL(0);
+    sum[80] = REAL(0);
+    sum[81] = REAL(0);
+    sum[82] = REAL(0);
+    sum[83] = REAL(0);
     sum[84] = C_P + c26 - c25;
     sum[85] = c30;
     sum[86] = -c35;
@@ -1586,7 +1588,7 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -1598,7 +1600,7 @@ STEWART_APART static void derivatives_of_legs(
         /* (10) leg length, and distance of its tip from the fixed axis */
         const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
             + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = 1/rho;
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -1630,7 +1632,7 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real theta_dot2 = c3;
         const stewart_real c4 = phi_dot*phi_dot;
         const stewart_real phi_dot2 = c4;
-        const stewart_real c5 = 2*phi_dot;
+        const stewart_real c5 = REAL(2)*phi_dot;
         const stewart_real two_phi_dot = c5;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
@@ -1641,7 +1643,7 @@ STEWART_APART static void derivatives_of_legs(
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
-        const stewart_real c7 = 2*theta_dot;
+        const stewart_real c7 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
         const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
@@ -1704,16 +1706,16 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real c16 = c15 - h_z*k1*k3;
         const stewart_real tau_L = C_p*L_dot + h_z*theta_ddot - c11*phi_ddot - c16*c4 - c3*h_x;
         const stewart_real c18 = c7*h_x;
-        const stewart_real c19 = 2*L;
+        const stewart_real c19 = REAL(2)*L;
         const stewart_real c20 = c19*h_x;
         const stewart_real c21 = k1*w_x + k3*w_z;
         const stewart_real c22 = k1*w_z - k3*w_x;
         const stewart_real c24 = c10 + c9*k1;
-        const stewart_real c25 = 2*J_xz - c19*h_z;
+        const stewart_real c25 = REAL(2)*J_xz - c19*h_z;
         const stewart_real c26 = c25*k1;
         const stewart_real c27 = J_zz + c20 - J_xx;
         const stewart_real c28 = c27*k3;
-        const stewart_real c29 = c26 + 2*c28;
+        const stewart_real c29 = c26 + REAL(2)*c28;
         const stewart_real c30 = STEWART_HALF*k1;
         const stewart_real c31 = c29*c30 - STEWART_HALF*c25*c6;
         const stewart_real tau_theta = C_us*theta_dot + L_ddot*h_z + L_dot*c18 + c21*gamma_n + c24*phi_ddot
@@ -1750,41 +1752,42 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real G_ddot_12 = c49 + c50*theta_dot;
         const stewart_real c51 = c4*c8;
         const stewart_real G_ddot_13 = c51 - theta_ddot;
-        const stewart_real G_ddot_21 = 2*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot;
+        const stewart_real G_ddot_21 = REAL(2)*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot;
         const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c41*c5*k3 - c43*c50;
         const stewart_real c52 = c4*k1*k1;
-        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L - 2*L_dot*L_dot*inv_L*inv_L*inv_L;
+        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L
+            - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
         const stewart_real G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47)
             - c40*c46 - c49*inv_rho;
         const stewart_real c53 = inv_rho*kappa;
         const stewart_real c54 = -c1 - c2;
         const stewart_real c55 = inv_rho*theta_dot;
         const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54
-            - c55*(-kappa*kappa - 1)) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
+            - c55*(-kappa*kappa - REAL(1))) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
         const stewart_real G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44
             - c47*kappa) - c42*c45;
         const stewart_real tau_rate_12 = -c18;
         const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
-        const stewart_real c56 = 2*h_x;
+        const stewart_real c56 = REAL(2)*h_x;
         const stewart_real tau_rate_22 = C_us + L_dot*c56;
         const stewart_real tau_rate_23 = -c31*c5;
-        const stewart_real tau_rate_31 = 2*c16*phi_dot - 2*c34;
-        const stewart_real tau_rate_32 = c31*c5 + 2*c39 - 2*c38;
-        const stewart_real tau_rate_33 = C_us + 2*c35 + 2*c36;
+        const stewart_real tau_rate_31 = REAL(2)*c16*phi_dot - REAL(2)*c34;
+        const stewart_real tau_rate_32 = c31*c5 + REAL(2)*c39 - REAL(2)*c38;
+        const stewart_real tau_rate_33 = C_us + REAL(2)*c35 + REAL(2)*c36;
         const stewart_real c57 = h_y*phi_ddot;
         const stewart_real c58 = c56*k3 - h_z*k1;
         const stewart_real tau_place_12 = k1*(-c4*c58 - c57) - c48*h_z;
-        const stewart_real c59 = 4*h_x;
-        const stewart_real c60 = c30*(c59*k3 - 2*h_z*k1) + c6*h_z;
+        const stewart_real c59 = REAL(4)*h_x;
+        const stewart_real c60 = c30*(c59*k3 - REAL(2)*h_z*k1) + c6*h_z;
         const stewart_real tau_place_21 = c56*theta_ddot - c4*c60 - c57*k1;
-        const stewart_real c61 = c30*(2*J_zz + L*c59 - 2*J_xx) - c25*k3;
+        const stewart_real c61 = c30*(REAL(2)*J_zz + L*c59 - REAL(2)*J_xx) - c25*k3;
         const stewart_real c62 = c26 + c28;
         const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61)
             - k3*(c9*phi_ddot + gamma_n*w_x - c4*c62 - g_k*w_z);
         const stewart_real tau_place_23 = -C_s*w_n_omega - c21*gamma_y;
         const stewart_real c63 = c60*phi_dot;
-        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(2*c15 - 2*c8*h_z)
+        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(REAL(2)*c15 - REAL(2)*c8*h_z)
             + theta_dot*(c11*theta_dot + c63) - h_y*k1*theta_ddot;
         const stewart_real c64 = L_dot*c58;
         const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot
@@ -1918,18 +1921,18 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
         const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
         const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
-        const stewart_real c77 = 2*h_z;
-        const stewart_real c78 = 2*k3_h;
+        const stewart_real c77 = REAL(2)*h_z;
+        const stewart_real c78 = REAL(2)*k3_h;
         const stewart_real A_1_leg_11 = C_p + G_dot_21*c77 - G_dot_31*c78;
         const stewart_real A_1_leg_12 = G_dot_22*c77 + inv_rho*tau_rate_13 - G_dot_32*c78;
-        const stewart_real A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12;
-        const stewart_real c79 = 2*M_mixed;
-        const stewart_real c80 = 2*M_phi;
+        const stewart_real A_1_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12;
+        const stewart_real c79 = REAL(2)*M_mixed;
+        const stewart_real c80 = REAL(2)*M_phi;
         const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c79 + G_dot_31*c80 + tau_rate_31);
         const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c79 + G_dot_32*c80 + inv_rho*tau_rate_33
             - G_dot_12*c78);
         const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c79 + G_dot_33*c80 + c7*k3_h - inv_L*tau_rate_32);
-        const stewart_real c81 = 2*M_theta;
+        const stewart_real c81 = REAL(2)*M_theta;
         const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c81 + G_dot_31*c79 + tau_rate_21);
         const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c77 + G_dot_22*c81 + G_dot_32*c79
             + inv_rho*tau_rate_23);
@@ -2147,9 +2150,9 @@ STEWART_APART static void derivatives_of_legs(
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
-        fault = k3 > STEWART_POLE_SINE ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->judged.bad[l] = fault;
     }
 }
@@ -2188,7 +2191,7 @@ static int solve_definite_8(stewart_real A[6 * 8])
         if (!(A[k * 8 + k] > STEWART_ROUNDING * scale[k])) {
             return STEWART_FABS(A[k * 8 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
-        inverse[k] = 1 / A[k * 8 + k];
+        inverse[k] = REAL(1) / A[k * 8 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 8 + k] * inverse[k];
             for (j = 0; j < 8; ++j) {
@@ -2223,7 +2226,7 @@ static int solve_definite_24(stewart_real A[6 * 24])
         if (!(A[k * 24 + k] > STEWART_ROUNDING * scale[k])) {
             return STEWART_FABS(A[k * 24 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
-        inverse[k] = 1 / A[k * 24 + k];
+        inverse[k] = REAL(1) / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 24 + k] * inverse[k];
             for (j = 0; j < 24; ++j) {
@@ -2251,14 +2254,14 @@ static int solve_pivoted_12(stewart_real A[6 * 12])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             moment = STEWART_LARGER(STEWART_FABS(A[i * 12 + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? (stewart_real)1 : moment;
+        scale[i] = i < 3 ? REAL(1) : moment;
     }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
@@ -2279,7 +2282,7 @@ static int solve_pivoted_12(stewart_real A[6 * 12])
             A[k * 12 + j] = A[pivot * 12 + j];
             A[pivot * 12 + j] = moved;
         }
-        inverse[k] = 1 / A[k * 12 + k];
+        inverse[k] = REAL(1) / A[k * 12 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 12 + k] * inverse[k];
             for (j = 0; j < 12; ++j) {
@@ -2307,14 +2310,14 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             moment = STEWART_LARGER(STEWART_FABS(A[i * 24 + j]), moment);
         }
     }
     for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? (stewart_real)1 : moment;
+        scale[i] = i < 3 ? REAL(1) : moment;
     }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
@@ -2335,7 +2338,7 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
             A[k * 24 + j] = A[pivot * 24 + j];
             A[pivot * 24 + j] = moved;
         }
-        inverse[k] = 1 / A[k * 24 + k];
+        inverse[k] = REAL(1) / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 24 + k] * inverse[k];
             for (j = 0; j < 24; ++j) {
@@ -2364,7 +2367,7 @@ int stewart_exact_equations(
     stewart_equations found;
     stewart_real sum[69];
     int i, j, status;
-    if (!model || !motion || !out) {
+    if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = equations_sums(model, motion, &legs, sum);
@@ -2372,9 +2375,9 @@ int stewart_exact_equations(
         return status;
     }
     inertia_rows(sum, 6, found.M);
-    block_rows(sum + 21, 6, found.C);
-    copy(sum + 57, 6, found.g);
-    copy(sum + 63, 6, found.friction);
+    block_rows(&sum[21], 6, found.C);
+    copy(&sum[57], 6, found.g);
+    copy(&sum[63], 6, found.friction);
     column_rows(legs.H_force, legs.H_moment, 6, found.H);
     column_rows(legs.H_dot_force, legs.H_dot_moment, 6, found.H_dot);
     for (i = 0; i < 6; ++i) {
@@ -2384,7 +2387,7 @@ int stewart_exact_equations(
         }
         found.bias[i] = bias;
     }
-    if (!is_finite(sum, 69) || !is_finite(found.bias, 6) || !is_finite(found.H_dot, 36)) {
+    if (is_finite(sum, 69) == 0 || is_finite(found.bias, 6) == 0 || is_finite(found.H_dot, 36) == 0) {
         return STEWART_NOT_FINITE;
     }
     *out = found;
@@ -2397,14 +2400,14 @@ int stewart_exact_bias(
     bias_legs legs;
     stewart_real sum[6];
     int status;
-    if (!model || !motion || !bias) {
+    if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = bias_sums(model, motion, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }
-    if (!is_finite(sum, 6)) {
+    if (is_finite(sum, 6) == 0) {
         return STEWART_NOT_FINITE;
     }
     copy(sum, 6, bias);
@@ -2418,7 +2421,7 @@ int stewart_exact_forward_dynamics(
     forward_dynamics_legs legs;
     stewart_real A[48], sum[27];
     int i, status;
-    if (!model || !motion || !F || !acceleration) {
+    if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = forward_dynamics_sums(model, motion, F, &legs, sum);
@@ -2428,14 +2431,14 @@ int stewart_exact_forward_dynamics(
     inertia_rows(sum, 8, A);
     for (i = 0; i < 6; ++i) {
         A[8 * i + 6] = sum[21 + i];
-        A[8 * i + 7] = 0;
+        A[8 * i + 7] = REAL(0);
     }
     status = solve_definite_8(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(&A[8 * i + 6], 1)) {
+        if (is_finite(&A[8 * i + 6], 1) == 0) {
             return STEWART_NOT_FINITE;
         }
     }
@@ -2451,7 +2454,7 @@ int stewart_exact_joint_inertia(
     equations_legs legs;
     stewart_real A[72], X[36], sum[69];
     int i, j, status;
-    if (!model || !motion || !inertia) {
+    if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = equations_sums(model, motion, &legs, sum);
@@ -2459,7 +2462,7 @@ int stewart_exact_joint_inertia(
         return status;
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
-    inertia_rows(sum, 12, A + 6);
+    inertia_rows(sum, 12, &A[6]);
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
         return status;
@@ -2471,7 +2474,7 @@ int stewart_exact_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     for (i = 0; i < 6; ++i) {
-        copy(X + 6 * i, 6, A + 12 * i + 6);
+        copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
     status = solve_pivoted_12(A);
     if (status != STEWART_OK) {
@@ -2482,7 +2485,7 @@ int stewart_exact_joint_inertia(
             X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
         }
     }
-    if (!is_finite(X, 36)) {
+    if (is_finite(X, 36) == 0) {
         return STEWART_NOT_FINITE;
     }
     copy(X, 36, inertia);
@@ -2496,7 +2499,7 @@ int stewart_exact_derivatives(
     stewart_derivatives found;
     stewart_real A[144], sum[93];
     int i, j, status;
-    if (!model || !motion || !out) {
+    if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = stewart_exact_forces(model, motion, found.F);
@@ -2507,15 +2510,15 @@ int stewart_exact_derivatives(
         return status;
     }
     column_rows(legs.H_force, legs.H_moment, 24, A);
-    block_rows(sum + 21, 24, A + 6);
-    block_rows(sum + 57, 24, A + 12);
-    inertia_rows(sum, 24, A + 18);
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    inertia_rows(sum, 24, &A[18]);
     status = solve_pivoted_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        if (!is_finite(A + 24 * i + 6, 18)) {
+        if (is_finite(&A[24 * i + 6], 18) == 0) {
             return STEWART_NOT_FINITE;
         }
         for (j = 0; j < 6; ++j) {
@@ -2533,10 +2536,10 @@ static void system_matrix(const stewart_real *omega, stewart_real A[144], stewar
 {
     int i, j;
     for (i = 0; i < 144; ++i) {
-        system[i] = 0;
+        system[i] = REAL(0);
     }
     for (i = 0; i < 6; ++i) {
-        system[12 * i + 6 + i] = 1;
+        system[12 * i + 6 + i] = REAL(1);
         for (j = 0; j < 12; ++j) {
             system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
         }
@@ -2558,7 +2561,7 @@ int stewart_exact_linearisation(
     stewart_motion moving;
     stewart_real A[144], sum[93];
     int i, j, status;
-    if (!model || !motion || !F || !out) {
+    if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     status = stewart_exact_forward_dynamics(model, motion, F, found.acceleration);
@@ -2567,29 +2570,29 @@ int stewart_exact_linearisation(
     }
     moving = *motion;
     copy(found.acceleration, 3, moving.a);
-    copy(found.acceleration + 3, 3, moving.alpha);
+    copy(&found.acceleration[3], 3, moving.alpha);
     status = derivatives_sums(model, &moving, F, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }
     inertia_rows(sum, 24, A);
-    block_rows(sum + 21, 24, A + 6);
-    block_rows(sum + 57, 24, A + 12);
-    column_rows(legs.H_force, legs.H_moment, 24, A + 18);
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
     status = solve_definite_24(A);
     if (status != STEWART_OK) {
         return status;
     }
     system_matrix(motion->omega, A, found.A);
     for (i = 0; i < 36; ++i) {
-        found.B[i] = 0;
+        found.B[i] = REAL(0);
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
         }
     }
-    if (!is_finite(found.A, 144) || !is_finite(found.B, 72)) {
+    if (is_finite(found.A, 144) == 0 || is_finite(found.B, 72) == 0) {
         return STEWART_NOT_FINITE;
     }
     *out = found;
@@ -2599,8 +2602,8 @@ int stewart_exact_linearisation(
 /* Numbers of one pose to their place in an array of all poses, if there is one. */
 static void copy_to(const stewart_real *from, int count, size_t pose, stewart_real *to)
 {
-    if (to) {
-        copy(from, count, to + pose * (size_t)count);
+    if (to != NULL) {
+        copy(from, count, &to[pose * (size_t)count]);
     }
 }
 
@@ -2608,14 +2611,14 @@ static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
 {
     int i;
     for (i = 0; i < 3; ++i) {
-        to[i] = from ? from[pose * 3 + (size_t)i] : 0;
+        to[i] = from != NULL ? from[pose * 3U + (size_t)i] : REAL(0);
     }
 }
 
 /* One pose of a batch; what is not given is zero. */
 static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
 {
-    copy(motions->R + pose * 9, 9, one->R);
+    copy(&motions->R[pose * 9U], 9, one->R);
     load_three(motions->t, pose, one->t);
     load_three(motions->omega, pose, one->omega);
     load_three(motions->v, pose, one->v);
@@ -2633,7 +2636,8 @@ int stewart_exact_equations_batch(
     stewart_equations found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2649,7 +2653,7 @@ int stewart_exact_equations_batch(
             copy_to(found.H, 36, pose, out->H);
             copy_to(found.H_dot, 36, pose, out->H_dot);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;
@@ -2665,8 +2669,8 @@ int stewart_exact_derivatives_batch(
     stewart_derivatives found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !motions->alpha || !motions->a) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2679,7 +2683,7 @@ int stewart_exact_derivatives_batch(
             copy_to(found.by_twist, 36, pose, out->by_twist);
             copy_to(found.by_acceleration, 36, pose, out->by_acceleration);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;
@@ -2695,20 +2699,20 @@ int stewart_exact_linearisation_batch(
     stewart_linearisation found;
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !F) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
         int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_linearisation(model, &one, F + pose * 6, &found);
+        code = stewart_exact_linearisation(model, &one, &F[pose * 6U], &found);
         if (code == STEWART_OK) {
             copy_to(found.acceleration, 6, pose, out->acceleration);
             copy_to(found.A, 144, pose, out->A);
             copy_to(found.B, 72, pose, out->B);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;
@@ -2724,7 +2728,8 @@ int stewart_exact_bias_batch(
     stewart_real found[6];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2734,7 +2739,7 @@ int stewart_exact_bias_batch(
         if (code == STEWART_OK) {
             copy_to(found, 6, pose, out);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;
@@ -2750,18 +2755,18 @@ int stewart_exact_forward_dynamics_batch(
     stewart_real found[6];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !F) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
         int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_forward_dynamics(model, &one, F + pose * 6, found);
+        code = stewart_exact_forward_dynamics(model, &one, &F[pose * 6U], found);
         if (code == STEWART_OK) {
             copy_to(found, 6, pose, out);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;
@@ -2777,7 +2782,8 @@ int stewart_exact_joint_inertia_batch(
     stewart_real found[36];
     size_t pose;
     int result = STEWART_OK;
-    if (!model || !motions || !out || !motions->R || !motions->t || !motions->omega || !motions->v) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -2787,7 +2793,7 @@ int stewart_exact_joint_inertia_batch(
         if (code == STEWART_OK) {
             copy_to(found, 36, pose, out);
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;

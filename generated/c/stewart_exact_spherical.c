@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
  * along that axis has lost six bits; the leg's third axis is taken instead. */
@@ -29,15 +29,16 @@
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
 #endif
 
+#define REAL(value) ((stewart_real)(value))
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -97,7 +98,7 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real S_z = q_z + t_z - b_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-    const stewart_real inv_L = 1/L;
+    const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
@@ -151,10 +152,10 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real c7 = m_d*r_d0_x*r_d0_x;
     const stewart_real c8 = m_u*r_u0_x*r_u0_x;
     const stewart_real c9 = L*m_u;
-    const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2*c9*r_u0_x);
-    const stewart_real c10 = 2*inv_L*u_x;
-    const stewart_real K_u = c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-        - c10*c6 - c10*c7 - c10*c8 - 4*c9*inv_L*r_u0_x*u_x);
+    const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + REAL(2)*c9*r_u0_x);
+    const stewart_real c10 = REAL(2)*inv_L*u_x;
+    const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10
+        - I_u0_yy*c10 - c10*c6 - c10*c7 - c10*c8 - REAL(4)*c9*inv_L*r_u0_x*u_x);
     const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
     const stewart_real c11 = C_s*inv_L;
     const stewart_real K_s_w = c11;
@@ -293,7 +294,7 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real S_z = q_z + t_z - b_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-    const stewart_real inv_L = 1/L;
+    const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
@@ -341,20 +342,20 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real c3 = m_d*r_d0_x*r_d0_x;
     const stewart_real c4 = m_u*r_u0_x*r_u0_x;
     const stewart_real c5 = L*m_u;
-    const stewart_real c6 = 2*r_u0_x;
+    const stewart_real c6 = REAL(2)*r_u0_x;
     const stewart_real F_s_e = c1*(I_d0_yy + I_u0_yy + c2 + c3 + c4 + c5*c6);
-    const stewart_real c8 = 2*u_x;
+    const stewart_real c8 = REAL(2)*u_x;
     const stewart_real c7 = I_d0_yy*inv_L;
     const stewart_real c9 = c7*c8;
     const stewart_real c10 = I_u0_yy*inv_L;
     const stewart_real c11 = c5*inv_L;
-    const stewart_real c12 = 4*u_x;
+    const stewart_real c12 = REAL(4)*u_x;
     const stewart_real c13 = c2*inv_L;
     const stewart_real c14 = c3*inv_L;
     const stewart_real c15 = c14*c8;
     const stewart_real c16 = c4*inv_L;
-    const stewart_real F_s_u = c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x
-        - c13*c8 - c15 - c16*c8 - c9);
+    const stewart_real F_s_u = c1*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - c10*c8
+        - c11*c12*r_u0_x - c13*c8 - c15 - c16*c8 - c9);
     const stewart_real c17 = m_d*r_d0_x;
     const stewart_real c18 = m_u*r_u0_x;
     const stewart_real F_s_gamma = -inv_L*(c17 + c18 + c5);
@@ -379,9 +380,9 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real c30 = c2*c26;
     const stewart_real c31 = c26*c3;
     const stewart_real c32 = c26*c4;
-    const stewart_real c33 = c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*u_x
-        - c19 - 4*inv_L*m_u*r_u0_x*u_x;
-    const stewart_real F_u_u = -inv_L*(2*inv_L*m_d*r_d0_x*u_x - c33);
+    const stewart_real c33 = c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L
+        - REAL(4)*L*inv_L*m_u*u_x - c19 - REAL(4)*inv_L*m_u*r_u0_x*u_x;
+    const stewart_real F_u_u = -inv_L*(REAL(2)*inv_L*m_d*r_d0_x*u_x - c33);
     const stewart_real c34 = c17*inv_L;
     const stewart_real c35 = c18*inv_L;
     const stewart_real c36 = c11 + c34 + c35 - m_u;
@@ -424,8 +425,8 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real M_p_s_e = inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7
         + c44*c6 - I_d0_yy - bearing*c18 - c3 - c43);
     const stewart_real c45 = -bearing*c19;
-    const stewart_real M_p_s_u = inv_L*(C_u*bearing*inv_L + 4*L*bearing*inv_L*m_u*u_x
-        + 4*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9 - C_u - bearing*c27 - bearing*c28 - bearing*c30
+    const stewart_real M_p_s_u = inv_L*(C_u*bearing*inv_L + REAL(4)*L*bearing*inv_L*m_u*u_x
+        + REAL(4)*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9 - C_u - bearing*c27 - bearing*c28 - bearing*c30
         - bearing*c31 - bearing*c32 - bearing*c8*m_u - c29*c43 - c45);
     const stewart_real M_p_s_gamma = bearing*m_u + c17 - bearing*c34 - bearing*c35 - c44;
     const stewart_real M_p_w = c45;
@@ -451,12 +452,13 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     out->M_p[0] = M_p_x;
     out->M_p[1] = M_p_y;
     out->M_p[2] = M_p_z;
-    out->M_u = 0;
+    out->M_u = REAL(0);
 }
 
-/* The largest of `result` and the sizes of the values. */
-static stewart_real largest(const stewart_real *values, int count, stewart_real result)
+/* The largest of `least` and the sizes of the values. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
+    stewart_real result = least;
     int i;
     for (i = 0; i < count; ++i) {
         if (STEWART_FABS(values[i]) > result) {
@@ -480,8 +482,8 @@ static int is_finite(const stewart_real *values, int count)
 /* S = q + t - b is known to within rounding of its largest term. */
 static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
 {
-    stewart_real reach = largest(terms->q, 3, 0);
-    if (!is_finite(&terms->L, 1)) {
+    stewart_real reach = largest(terms->q, 3, REAL(0));
+    if (is_finite(&terms->L, 1) == 0) {
         return STEWART_NOT_FINITE;
     }
     reach = largest(at->t, 3, reach);
@@ -496,7 +498,7 @@ static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stew
  * of the moment rows; a pivot that is rounding error beside its row means that H is singular. */
 static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
 {
-    stewart_real scale[6] = {1, 1, 1, 1, 1, 1};
+    stewart_real scale[6] = {REAL(1), REAL(1), REAL(1), REAL(1), REAL(1), REAL(1)};
     stewart_real inverse[6];
     int i, j, k;
     for (i = 3; i < 6; ++i) {
@@ -518,9 +520,9 @@ static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
             A[pivot][j] = moved;
         }
         if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
+            return is_finite(&A[k][k], 1) != 0 ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
-        inverse[k] = 1 / A[k][k];
+        inverse[k] = REAL(1) / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
             for (j = k + 1; j < 7; ++j) {
@@ -538,19 +540,18 @@ static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
     return STEWART_OK;
 }
 
-static const stewart_real no_load[3] = {0, 0, 0};
-
 static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
 {
+    static const stewart_real no_load[3] = {REAL(0), REAL(0), REAL(0)};
     stewart_motions at;
-    at.R = motions->R + 9 * pose;
-    at.t = motions->t + 3 * pose;
-    at.omega = motions->omega + 3 * pose;
-    at.v = motions->v + 3 * pose;
-    at.alpha = motions->alpha + 3 * pose;
-    at.a = motions->a + 3 * pose;
-    at.F_ext = motions->F_ext ? motions->F_ext + 3 * pose : no_load;
-    at.M_ext = motions->M_ext ? motions->M_ext + 3 * pose : no_load;
+    at.R = &motions->R[9U * pose];
+    at.t = &motions->t[3U * pose];
+    at.omega = &motions->omega[3U * pose];
+    at.v = &motions->v[3U * pose];
+    at.alpha = &motions->alpha[3U * pose];
+    at.a = &motions->a[3U * pose];
+    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U * pose] : no_load;
+    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U * pose] : no_load;
     return at;
 }
 
@@ -570,8 +571,8 @@ static stewart_motions motion_as_arrays(const stewart_motion *motion)
 
 static int motions_given(const stewart_motions *motions)
 {
-    return motions && motions->R && motions->t && motions->omega && motions->v && motions->alpha
-        && motions->a;
+    return motions != NULL && motions->R != NULL && motions->t != NULL && motions->omega != NULL
+        && motions->v != NULL && motions->alpha != NULL && motions->a != NULL ? 1 : 0;
 }
 
 /* Inverse dynamics of one pose, (1)-(37). */
@@ -580,7 +581,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7];
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     int i, j, status;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -618,7 +619,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     for (i = 0; i < 6; ++i) {
         out->F[i] = out->D[i] - out->x[i];
     }
-    return is_finite(out->F, 6) ? STEWART_OK : STEWART_NOT_FINITE;
+    return is_finite(out->F, 6) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status. */
@@ -626,10 +627,11 @@ static int pose_reactions(
     const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
     const stewart_real x[6], stewart_reactions *out)
 {
+    const size_t numbers = sizeof *out / sizeof(stewart_real);
     reaction_terms terms;
     int i, j;
     for (i = 0; i < 6; ++i) {
-        leg_reactions(robot, &robot->leg[i], at, x[i], bearing ? bearing[i] : 0, &terms);
+        leg_reactions(robot, &robot->leg[i], at, x[i], bearing != NULL ? bearing[i] : REAL(0), &terms);
         for (j = 0; j < 3; ++j) {
             out->F_s[i][j] = terms.F_s[j];
             out->F_u[i][j] = terms.F_u[j];
@@ -639,14 +641,13 @@ static int pose_reactions(
         }
         out->M_u[i] = terms.M_u;
     }
-    return is_finite((const stewart_real *)out, (int)(sizeof *out / sizeof(stewart_real)))
-        ? STEWART_OK : STEWART_NOT_FINITE;
+    return is_finite((const stewart_real *)out, (int)numbers) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
 {
     size_t i;
-    if (to) {
+    if (to != NULL) {
         for (i = 0; i < count; ++i) {
             to[pose * count + i] = from[i];
         }
@@ -659,7 +660,7 @@ int stewart_exact_spherical_inverse_dynamics(
     stewart_forces result;
     stewart_motions at;
     int status;
-    if (!robot || !motion || !forces) {
+    if (robot == NULL || motion == NULL || forces == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     at = motion_as_arrays(motion);
@@ -678,7 +679,7 @@ int stewart_exact_spherical_joint_reactions(
     stewart_reactions found;
     stewart_motions at;
     int status;
-    if (!robot || !motion || !forces || !reactions) {
+    if (robot == NULL || motion == NULL || forces == NULL || reactions == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     at = motion_as_arrays(motion);
@@ -700,7 +701,7 @@ int stewart_exact_spherical_inverse_dynamics_batch(
     stewart_forces result;
     size_t pose;
     int first = STEWART_OK;
-    if (!robot || !motions_given(motions) || !forces) {
+    if (robot == NULL || motions_given(motions) == 0 || forces == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -713,12 +714,11 @@ int stewart_exact_spherical_inverse_dynamics_batch(
             copy(forces->K, pose, (const stewart_real *)result.K, 18);
             copy(forces->H, pose, (const stewart_real *)result.H, 36);
             copy(forces->c, pose, result.c, 6);
-        } else if (first == STEWART_OK) {
-            first = code;
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
+        first = first == STEWART_OK ? code : first;
     }
     return first;
 }
@@ -731,7 +731,7 @@ int stewart_exact_spherical_joint_reactions_batch(
     stewart_reactions result;
     size_t pose;
     int first = STEWART_OK;
-    if (!robot || !motions_given(motions) || !reactions) {
+    if (robot == NULL || motions_given(motions) == 0 || reactions == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
@@ -747,12 +747,11 @@ int stewart_exact_spherical_joint_reactions_batch(
             copy(reactions->F_c, pose, (const stewart_real *)result.F_c, 18);
             copy(reactions->M_p, pose, (const stewart_real *)result.M_p, 18);
             copy(reactions->M_u, pose, result.M_u, 6);
-        } else if (first == STEWART_OK) {
-            first = code;
         }
-        if (status) {
+        if (status != NULL) {
             status[pose] = code;
         }
+        first = first == STEWART_OK ? code : first;
     }
     return first;
 }

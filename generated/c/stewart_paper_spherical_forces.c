@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
  * along that axis has lost six bits; the leg's third axis is taken instead. */
@@ -29,15 +29,16 @@
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
 #endif
 
+#define REAL(value) ((stewart_real)(value))
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict
@@ -57,7 +58,7 @@
 
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
-#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = 1 / unit_of_length(made))
+#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = REAL(1) / unit_of_length(made))
 #else
 #define STEWART_OVER_LENGTH(value) (value)
 #define STEWART_CHOOSE_LENGTH(made) ((void)(made))
@@ -176,17 +177,17 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->r[0] = b_x - b_1_x;
     out->r[1] = b_y - b_1_y;
     out->r[2] = b_z - b_1_z;
-    out->M_add = 0;
-    out->h_add[0] = 0;
-    out->h_add[1] = 0;
-    out->h_add[2] = 0;
-    out->J_add[0] = 0;
-    out->J_add[1] = 0;
-    out->J_add[2] = 0;
-    out->J_add[3] = 0;
-    out->J_add[4] = 0;
-    out->J_add[5] = 0;
-    out->C_add = 0;
+    out->M_add = REAL(0);
+    out->h_add[0] = REAL(0);
+    out->h_add[1] = REAL(0);
+    out->h_add[2] = REAL(0);
+    out->J_add[0] = REAL(0);
+    out->J_add[1] = REAL(0);
+    out->J_add[2] = REAL(0);
+    out->J_add[3] = REAL(0);
+    out->J_add[4] = REAL(0);
+    out->J_add[5] = REAL(0);
+    out->C_add = REAL(0);
 }
 
 typedef struct {
@@ -249,7 +250,7 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
  * 1 if all of them are zero. */
 static stewart_real unit_of_length(const stewart_paper_spherical_model *model)
 {
-    stewart_real largest = 0, unit = 1;
+    stewart_real largest = REAL(0), unit = REAL(1);
     int i, j;
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
@@ -257,9 +258,9 @@ static stewart_real unit_of_length(const stewart_paper_spherical_model *model)
         }
     }
     for (i = 0; i < 100 && unit < largest; ++i) {
-        unit = 2 * unit;
+        unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > 0 && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
         unit = STEWART_HALF * unit;
     }
     return unit;
@@ -272,22 +273,23 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     prepared_leg found, sum;
     prepared_platform platform;
     const stewart_real *numbers = (const stewart_real *)&made;
+    const size_t count = sizeof made / sizeof *numbers;
     size_t number;
     int i;
-    if (!robot || !model) {
+    if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    sum.M_add = 0;
-    sum.h_add[0] = 0;
-    sum.h_add[1] = 0;
-    sum.h_add[2] = 0;
-    sum.J_add[0] = 0;
-    sum.J_add[1] = 0;
-    sum.J_add[2] = 0;
-    sum.J_add[3] = 0;
-    sum.J_add[4] = 0;
-    sum.J_add[5] = 0;
-    sum.C_add = 0;
+    sum.M_add = REAL(0);
+    sum.h_add[0] = REAL(0);
+    sum.h_add[1] = REAL(0);
+    sum.h_add[2] = REAL(0);
+    sum.J_add[0] = REAL(0);
+    sum.J_add[1] = REAL(0);
+    sum.J_add[2] = REAL(0);
+    sum.J_add[3] = REAL(0);
+    sum.J_add[4] = REAL(0);
+    sum.J_add[5] = REAL(0);
+    sum.C_add = REAL(0);
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
         made.p[0][i] = found.p[0];
@@ -355,7 +357,7 @@ int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_sp
     made.b_1[1] = platform.b_1[1];
     made.b_1[2] = platform.b_1[2];
     STEWART_CHOOSE_LENGTH(&made);
-    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
+    for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -504,7 +506,7 @@ static void legs_of_pose(
         const stewart_real S_z = S_1_z - r_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -558,11 +560,11 @@ static void legs_of_pose(
         const stewart_real c7 = m_u*r_u0_x*r_u0_x;
         const stewart_real c8 = L*m_u;
         const stewart_real c9 = m_u*L*L;
-        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + 2*c8*r_u0_x + 2*c9);
-        const stewart_real c10 = 2*inv_L*u_x;
-        const stewart_real c11 = 4*inv_L*u_x;
-        const stewart_real K_u = c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-            - c10*c6 - c10*c7 - c11*c8*r_u0_x - c11*c9);
+        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + REAL(2)*c8*r_u0_x + REAL(2)*c9);
+        const stewart_real c10 = REAL(2)*inv_L*u_x;
+        const stewart_real c11 = REAL(4)*inv_L*u_x;
+        const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10
+            - I_u0_yy*c10 - c10*c6 - c10*c7 - c11*c8*r_u0_x - c11*c9);
         const stewart_real K_gamma = -inv_L*(c5 + c8 + m_d*r_d0_x);
         const stewart_real c12 = C_s*inv_L;
         const stewart_real K_s_w = c12;
@@ -604,8 +606,8 @@ static void legs_of_pose(
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
-        fault = L <= STEWART_MAX ? (stewart_real)0 : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
@@ -638,9 +640,9 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
     stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
     int pivot;
-    scale[0] = 1;
-    scale[1] = 1;
-    scale[2] = 1;
+    scale[0] = REAL(1);
+    scale[1] = REAL(1);
+    scale[2] = REAL(1);
     scale[3] = moment;
     scale[4] = moment;
     scale[5] = moment;
@@ -669,7 +671,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         a1 = pivot == 1 ? moved : a1;
         a2 = pivot == 2 ? moved : a2;
     }
-    inverse0 = 1 / a0;
+    inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
     a1 = A[1][1] - factor1 * A[0][1];
@@ -711,7 +713,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
-    inverse1 = 1 / a1;
+    inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
     factor4 = a4 * inverse1;
@@ -751,7 +753,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
-    inverse2 = 1 / a2;
+    inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
     factor5 = a5 * inverse2;
@@ -783,7 +785,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
-    inverse3 = 1 / a3;
+    inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
     a4 = A[4][4] - factor4 * A[3][4];
@@ -807,7 +809,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         a4 = pivot == 5 ? a5 : a4;
         a5 = pivot == 5 ? moved : a5;
     }
-    inverse4 = 1 / a4;
+    inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
@@ -833,15 +835,15 @@ int stewart_paper_spherical_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real moment = 0;
+    stewart_real moment = REAL(0);
     int i, j, status;
-    if (!model || !motion || !F) {
+    if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     shared_of_pose(model, motion, &shared);
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
-        if (legs.bad[i] > 0) {
+        if (legs.bad[i] > REAL(0)) {
             return leg_status(&legs, i);
         }
     }
@@ -858,8 +860,8 @@ int stewart_paper_spherical_forces(
         }
         A[j][6] = force;
         A[j + 3][6] = STEWART_OVER_LENGTH(turn);
-        A[j][7] = 0;
-        A[j + 3][7] = 0;
+        A[j][7] = REAL(0);
+        A[j + 3][7] = REAL(0);
     }
     status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
     if (status != STEWART_OK) {
@@ -1041,7 +1043,7 @@ static void leg_of_block(
         const stewart_real S_z = S_1_z - r_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = 1/L;
+        const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
@@ -1095,11 +1097,11 @@ static void leg_of_block(
         const stewart_real c7 = m_u*r_u0_x*r_u0_x;
         const stewart_real c8 = L*m_u;
         const stewart_real c9 = m_u*L*L;
-        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + 2*c8*r_u0_x + 2*c9);
-        const stewart_real c10 = 2*inv_L*u_x;
-        const stewart_real c11 = 4*inv_L*u_x;
-        const stewart_real K_u = c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-            - c10*c6 - c10*c7 - c11*c8*r_u0_x - c11*c9);
+        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + REAL(2)*c8*r_u0_x + REAL(2)*c9);
+        const stewart_real c10 = REAL(2)*inv_L*u_x;
+        const stewart_real c11 = REAL(4)*inv_L*u_x;
+        const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10
+            - I_u0_yy*c10 - c10*c6 - c10*c7 - c11*c8*r_u0_x - c11*c9);
         const stewart_real K_gamma = -inv_L*(c5 + c8 + m_d*r_d0_x);
         const stewart_real c12 = C_s*inv_L;
         const stewart_real K_s_w = c12;
@@ -1142,8 +1144,8 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
-        fault = L <= STEWART_MAX ? bad[l] : (stewart_real)1;
-        fault = L > STEWART_ROUNDING * reach ? fault : (stewart_real)1;
+        fault = L <= STEWART_MAX ? bad[l] : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
         bad[l] = fault;
     }
 }
@@ -1172,61 +1174,62 @@ STEWART_APART static void solve_block(
             a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
         stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
             a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
-        stewart_real s0 = 1, s1 = 1, s2 = 1, s3 = moment[l], s4 = moment[l], s5 = moment[l];
+        stewart_real s0 = REAL(1), s1 = REAL(1), s2 = REAL(1), s3 = moment[l], s4 = moment[l],
+            s5 = moment[l];
         stewart_real fault = bad[l];
         const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s0_1 = below10 > 0 ? s1 : s0;
-        s1 = below10 > 0 ? s0 : s1;
+            ? REAL(1) : REAL(0);
+        const stewart_real s0_1 = below10 > REAL(0) ? s1 : s0;
+        s1 = below10 > REAL(0) ? s0 : s1;
         s0 = s0_1;
-        const stewart_real a00_1 = below10 > 0 ? a10 : a00;
-        a10 = below10 > 0 ? a00 : a10;
+        const stewart_real a00_1 = below10 > REAL(0) ? a10 : a00;
+        a10 = below10 > REAL(0) ? a00 : a10;
         a00 = a00_1;
-        const stewart_real a01_1 = below10 > 0 ? a11 : a01;
-        a11 = below10 > 0 ? a01 : a11;
+        const stewart_real a01_1 = below10 > REAL(0) ? a11 : a01;
+        a11 = below10 > REAL(0) ? a01 : a11;
         a01 = a01_1;
-        const stewart_real a02_1 = below10 > 0 ? a12 : a02;
-        a12 = below10 > 0 ? a02 : a12;
+        const stewart_real a02_1 = below10 > REAL(0) ? a12 : a02;
+        a12 = below10 > REAL(0) ? a02 : a12;
         a02 = a02_1;
-        const stewart_real a03_1 = below10 > 0 ? a13 : a03;
-        a13 = below10 > 0 ? a03 : a13;
+        const stewart_real a03_1 = below10 > REAL(0) ? a13 : a03;
+        a13 = below10 > REAL(0) ? a03 : a13;
         a03 = a03_1;
-        const stewart_real a04_1 = below10 > 0 ? a14 : a04;
-        a14 = below10 > 0 ? a04 : a14;
+        const stewart_real a04_1 = below10 > REAL(0) ? a14 : a04;
+        a14 = below10 > REAL(0) ? a04 : a14;
         a04 = a04_1;
-        const stewart_real a05_1 = below10 > 0 ? a15 : a05;
-        a15 = below10 > 0 ? a05 : a15;
+        const stewart_real a05_1 = below10 > REAL(0) ? a15 : a05;
+        a15 = below10 > REAL(0) ? a05 : a15;
         a05 = a05_1;
-        const stewart_real a06_1 = below10 > 0 ? a16 : a06;
-        a16 = below10 > 0 ? a06 : a16;
+        const stewart_real a06_1 = below10 > REAL(0) ? a16 : a06;
+        a16 = below10 > REAL(0) ? a06 : a16;
         a06 = a06_1;
         const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s0_2 = below20 > 0 ? s2 : s0;
-        s2 = below20 > 0 ? s0 : s2;
+            ? REAL(1) : REAL(0);
+        const stewart_real s0_2 = below20 > REAL(0) ? s2 : s0;
+        s2 = below20 > REAL(0) ? s0 : s2;
         s0 = s0_2;
-        const stewart_real a00_2 = below20 > 0 ? a20 : a00;
-        a20 = below20 > 0 ? a00 : a20;
+        const stewart_real a00_2 = below20 > REAL(0) ? a20 : a00;
+        a20 = below20 > REAL(0) ? a00 : a20;
         a00 = a00_2;
-        const stewart_real a01_2 = below20 > 0 ? a21 : a01;
-        a21 = below20 > 0 ? a01 : a21;
+        const stewart_real a01_2 = below20 > REAL(0) ? a21 : a01;
+        a21 = below20 > REAL(0) ? a01 : a21;
         a01 = a01_2;
-        const stewart_real a02_2 = below20 > 0 ? a22 : a02;
-        a22 = below20 > 0 ? a02 : a22;
+        const stewart_real a02_2 = below20 > REAL(0) ? a22 : a02;
+        a22 = below20 > REAL(0) ? a02 : a22;
         a02 = a02_2;
-        const stewart_real a03_2 = below20 > 0 ? a23 : a03;
-        a23 = below20 > 0 ? a03 : a23;
+        const stewart_real a03_2 = below20 > REAL(0) ? a23 : a03;
+        a23 = below20 > REAL(0) ? a03 : a23;
         a03 = a03_2;
-        const stewart_real a04_2 = below20 > 0 ? a24 : a04;
-        a24 = below20 > 0 ? a04 : a24;
+        const stewart_real a04_2 = below20 > REAL(0) ? a24 : a04;
+        a24 = below20 > REAL(0) ? a04 : a24;
         a04 = a04_2;
-        const stewart_real a05_2 = below20 > 0 ? a25 : a05;
-        a25 = below20 > 0 ? a05 : a25;
+        const stewart_real a05_2 = below20 > REAL(0) ? a25 : a05;
+        a25 = below20 > REAL(0) ? a05 : a25;
         a05 = a05_2;
-        const stewart_real a06_2 = below20 > 0 ? a26 : a06;
-        a26 = below20 > 0 ? a06 : a26;
+        const stewart_real a06_2 = below20 > REAL(0) ? a26 : a06;
+        a26 = below20 > REAL(0) ? a06 : a26;
         a06 = a06_2;
-        const stewart_real inverse0 = 1 / a00;
+        const stewart_real inverse0 = REAL(1) / a00;
         const stewart_real factor10 = a10 * inverse0;
         a11 = a11 - factor10 * a01;
         a12 = a12 - factor10 * a02;
@@ -1241,100 +1244,100 @@ STEWART_APART static void solve_block(
         a24 = a24 - factor20 * a04;
         a25 = a25 - factor20 * a05;
         a26 = a26 - factor20 * a06;
-        fault = STEWART_FABS(a00) > STEWART_ROUNDING * s0 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a00) > STEWART_ROUNDING * s0 ? fault : REAL(1);
         const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s1_2 = below21 > 0 ? s2 : s1;
-        s2 = below21 > 0 ? s1 : s2;
+            ? REAL(1) : REAL(0);
+        const stewart_real s1_2 = below21 > REAL(0) ? s2 : s1;
+        s2 = below21 > REAL(0) ? s1 : s2;
         s1 = s1_2;
-        const stewart_real a11_2 = below21 > 0 ? a21 : a11;
-        a21 = below21 > 0 ? a11 : a21;
+        const stewart_real a11_2 = below21 > REAL(0) ? a21 : a11;
+        a21 = below21 > REAL(0) ? a11 : a21;
         a11 = a11_2;
-        const stewart_real a12_2 = below21 > 0 ? a22 : a12;
-        a22 = below21 > 0 ? a12 : a22;
+        const stewart_real a12_2 = below21 > REAL(0) ? a22 : a12;
+        a22 = below21 > REAL(0) ? a12 : a22;
         a12 = a12_2;
-        const stewart_real a13_2 = below21 > 0 ? a23 : a13;
-        a23 = below21 > 0 ? a13 : a23;
+        const stewart_real a13_2 = below21 > REAL(0) ? a23 : a13;
+        a23 = below21 > REAL(0) ? a13 : a23;
         a13 = a13_2;
-        const stewart_real a14_2 = below21 > 0 ? a24 : a14;
-        a24 = below21 > 0 ? a14 : a24;
+        const stewart_real a14_2 = below21 > REAL(0) ? a24 : a14;
+        a24 = below21 > REAL(0) ? a14 : a24;
         a14 = a14_2;
-        const stewart_real a15_2 = below21 > 0 ? a25 : a15;
-        a25 = below21 > 0 ? a15 : a25;
+        const stewart_real a15_2 = below21 > REAL(0) ? a25 : a15;
+        a25 = below21 > REAL(0) ? a15 : a25;
         a15 = a15_2;
-        const stewart_real a16_2 = below21 > 0 ? a26 : a16;
-        a26 = below21 > 0 ? a16 : a26;
+        const stewart_real a16_2 = below21 > REAL(0) ? a26 : a16;
+        a26 = below21 > REAL(0) ? a16 : a26;
         a16 = a16_2;
         const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s1_3 = below31 > 0 ? s3 : s1;
-        s3 = below31 > 0 ? s1 : s3;
+            ? REAL(1) : REAL(0);
+        const stewart_real s1_3 = below31 > REAL(0) ? s3 : s1;
+        s3 = below31 > REAL(0) ? s1 : s3;
         s1 = s1_3;
-        const stewart_real a11_3 = below31 > 0 ? a31 : a11;
-        a31 = below31 > 0 ? a11 : a31;
+        const stewart_real a11_3 = below31 > REAL(0) ? a31 : a11;
+        a31 = below31 > REAL(0) ? a11 : a31;
         a11 = a11_3;
-        const stewart_real a12_3 = below31 > 0 ? a32 : a12;
-        a32 = below31 > 0 ? a12 : a32;
+        const stewart_real a12_3 = below31 > REAL(0) ? a32 : a12;
+        a32 = below31 > REAL(0) ? a12 : a32;
         a12 = a12_3;
-        const stewart_real a13_3 = below31 > 0 ? a33 : a13;
-        a33 = below31 > 0 ? a13 : a33;
+        const stewart_real a13_3 = below31 > REAL(0) ? a33 : a13;
+        a33 = below31 > REAL(0) ? a13 : a33;
         a13 = a13_3;
-        const stewart_real a14_3 = below31 > 0 ? a34 : a14;
-        a34 = below31 > 0 ? a14 : a34;
+        const stewart_real a14_3 = below31 > REAL(0) ? a34 : a14;
+        a34 = below31 > REAL(0) ? a14 : a34;
         a14 = a14_3;
-        const stewart_real a15_3 = below31 > 0 ? a35 : a15;
-        a35 = below31 > 0 ? a15 : a35;
+        const stewart_real a15_3 = below31 > REAL(0) ? a35 : a15;
+        a35 = below31 > REAL(0) ? a15 : a35;
         a15 = a15_3;
-        const stewart_real a16_3 = below31 > 0 ? a36 : a16;
-        a36 = below31 > 0 ? a16 : a36;
+        const stewart_real a16_3 = below31 > REAL(0) ? a36 : a16;
+        a36 = below31 > REAL(0) ? a16 : a36;
         a16 = a16_3;
         const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s1_4 = below41 > 0 ? s4 : s1;
-        s4 = below41 > 0 ? s1 : s4;
+            ? REAL(1) : REAL(0);
+        const stewart_real s1_4 = below41 > REAL(0) ? s4 : s1;
+        s4 = below41 > REAL(0) ? s1 : s4;
         s1 = s1_4;
-        const stewart_real a11_4 = below41 > 0 ? a41 : a11;
-        a41 = below41 > 0 ? a11 : a41;
+        const stewart_real a11_4 = below41 > REAL(0) ? a41 : a11;
+        a41 = below41 > REAL(0) ? a11 : a41;
         a11 = a11_4;
-        const stewart_real a12_4 = below41 > 0 ? a42 : a12;
-        a42 = below41 > 0 ? a12 : a42;
+        const stewart_real a12_4 = below41 > REAL(0) ? a42 : a12;
+        a42 = below41 > REAL(0) ? a12 : a42;
         a12 = a12_4;
-        const stewart_real a13_4 = below41 > 0 ? a43 : a13;
-        a43 = below41 > 0 ? a13 : a43;
+        const stewart_real a13_4 = below41 > REAL(0) ? a43 : a13;
+        a43 = below41 > REAL(0) ? a13 : a43;
         a13 = a13_4;
-        const stewart_real a14_4 = below41 > 0 ? a44 : a14;
-        a44 = below41 > 0 ? a14 : a44;
+        const stewart_real a14_4 = below41 > REAL(0) ? a44 : a14;
+        a44 = below41 > REAL(0) ? a14 : a44;
         a14 = a14_4;
-        const stewart_real a15_4 = below41 > 0 ? a45 : a15;
-        a45 = below41 > 0 ? a15 : a45;
+        const stewart_real a15_4 = below41 > REAL(0) ? a45 : a15;
+        a45 = below41 > REAL(0) ? a15 : a45;
         a15 = a15_4;
-        const stewart_real a16_4 = below41 > 0 ? a46 : a16;
-        a46 = below41 > 0 ? a16 : a46;
+        const stewart_real a16_4 = below41 > REAL(0) ? a46 : a16;
+        a46 = below41 > REAL(0) ? a16 : a46;
         a16 = a16_4;
         const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s1_5 = below51 > 0 ? s5 : s1;
-        s5 = below51 > 0 ? s1 : s5;
+            ? REAL(1) : REAL(0);
+        const stewart_real s1_5 = below51 > REAL(0) ? s5 : s1;
+        s5 = below51 > REAL(0) ? s1 : s5;
         s1 = s1_5;
-        const stewart_real a11_5 = below51 > 0 ? a51 : a11;
-        a51 = below51 > 0 ? a11 : a51;
+        const stewart_real a11_5 = below51 > REAL(0) ? a51 : a11;
+        a51 = below51 > REAL(0) ? a11 : a51;
         a11 = a11_5;
-        const stewart_real a12_5 = below51 > 0 ? a52 : a12;
-        a52 = below51 > 0 ? a12 : a52;
+        const stewart_real a12_5 = below51 > REAL(0) ? a52 : a12;
+        a52 = below51 > REAL(0) ? a12 : a52;
         a12 = a12_5;
-        const stewart_real a13_5 = below51 > 0 ? a53 : a13;
-        a53 = below51 > 0 ? a13 : a53;
+        const stewart_real a13_5 = below51 > REAL(0) ? a53 : a13;
+        a53 = below51 > REAL(0) ? a13 : a53;
         a13 = a13_5;
-        const stewart_real a14_5 = below51 > 0 ? a54 : a14;
-        a54 = below51 > 0 ? a14 : a54;
+        const stewart_real a14_5 = below51 > REAL(0) ? a54 : a14;
+        a54 = below51 > REAL(0) ? a14 : a54;
         a14 = a14_5;
-        const stewart_real a15_5 = below51 > 0 ? a55 : a15;
-        a55 = below51 > 0 ? a15 : a55;
+        const stewart_real a15_5 = below51 > REAL(0) ? a55 : a15;
+        a55 = below51 > REAL(0) ? a15 : a55;
         a15 = a15_5;
-        const stewart_real a16_5 = below51 > 0 ? a56 : a16;
-        a56 = below51 > 0 ? a16 : a56;
+        const stewart_real a16_5 = below51 > REAL(0) ? a56 : a16;
+        a56 = below51 > REAL(0) ? a16 : a56;
         a16 = a16_5;
-        const stewart_real inverse1 = 1 / a11;
+        const stewart_real inverse1 = REAL(1) / a11;
         const stewart_real factor21 = a21 * inverse1;
         a22 = a22 - factor21 * a12;
         a23 = a23 - factor21 * a13;
@@ -1359,68 +1362,68 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor51 * a14;
         a55 = a55 - factor51 * a15;
         a56 = a56 - factor51 * a16;
-        fault = STEWART_FABS(a11) > STEWART_ROUNDING * s1 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a11) > STEWART_ROUNDING * s1 ? fault : REAL(1);
         const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s2_3 = below32 > 0 ? s3 : s2;
-        s3 = below32 > 0 ? s2 : s3;
+            ? REAL(1) : REAL(0);
+        const stewart_real s2_3 = below32 > REAL(0) ? s3 : s2;
+        s3 = below32 > REAL(0) ? s2 : s3;
         s2 = s2_3;
-        const stewart_real a22_3 = below32 > 0 ? a32 : a22;
-        a32 = below32 > 0 ? a22 : a32;
+        const stewart_real a22_3 = below32 > REAL(0) ? a32 : a22;
+        a32 = below32 > REAL(0) ? a22 : a32;
         a22 = a22_3;
-        const stewart_real a23_3 = below32 > 0 ? a33 : a23;
-        a33 = below32 > 0 ? a23 : a33;
+        const stewart_real a23_3 = below32 > REAL(0) ? a33 : a23;
+        a33 = below32 > REAL(0) ? a23 : a33;
         a23 = a23_3;
-        const stewart_real a24_3 = below32 > 0 ? a34 : a24;
-        a34 = below32 > 0 ? a24 : a34;
+        const stewart_real a24_3 = below32 > REAL(0) ? a34 : a24;
+        a34 = below32 > REAL(0) ? a24 : a34;
         a24 = a24_3;
-        const stewart_real a25_3 = below32 > 0 ? a35 : a25;
-        a35 = below32 > 0 ? a25 : a35;
+        const stewart_real a25_3 = below32 > REAL(0) ? a35 : a25;
+        a35 = below32 > REAL(0) ? a25 : a35;
         a25 = a25_3;
-        const stewart_real a26_3 = below32 > 0 ? a36 : a26;
-        a36 = below32 > 0 ? a26 : a36;
+        const stewart_real a26_3 = below32 > REAL(0) ? a36 : a26;
+        a36 = below32 > REAL(0) ? a26 : a36;
         a26 = a26_3;
         const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s2_4 = below42 > 0 ? s4 : s2;
-        s4 = below42 > 0 ? s2 : s4;
+            ? REAL(1) : REAL(0);
+        const stewart_real s2_4 = below42 > REAL(0) ? s4 : s2;
+        s4 = below42 > REAL(0) ? s2 : s4;
         s2 = s2_4;
-        const stewart_real a22_4 = below42 > 0 ? a42 : a22;
-        a42 = below42 > 0 ? a22 : a42;
+        const stewart_real a22_4 = below42 > REAL(0) ? a42 : a22;
+        a42 = below42 > REAL(0) ? a22 : a42;
         a22 = a22_4;
-        const stewart_real a23_4 = below42 > 0 ? a43 : a23;
-        a43 = below42 > 0 ? a23 : a43;
+        const stewart_real a23_4 = below42 > REAL(0) ? a43 : a23;
+        a43 = below42 > REAL(0) ? a23 : a43;
         a23 = a23_4;
-        const stewart_real a24_4 = below42 > 0 ? a44 : a24;
-        a44 = below42 > 0 ? a24 : a44;
+        const stewart_real a24_4 = below42 > REAL(0) ? a44 : a24;
+        a44 = below42 > REAL(0) ? a24 : a44;
         a24 = a24_4;
-        const stewart_real a25_4 = below42 > 0 ? a45 : a25;
-        a45 = below42 > 0 ? a25 : a45;
+        const stewart_real a25_4 = below42 > REAL(0) ? a45 : a25;
+        a45 = below42 > REAL(0) ? a25 : a45;
         a25 = a25_4;
-        const stewart_real a26_4 = below42 > 0 ? a46 : a26;
-        a46 = below42 > 0 ? a26 : a46;
+        const stewart_real a26_4 = below42 > REAL(0) ? a46 : a26;
+        a46 = below42 > REAL(0) ? a26 : a46;
         a26 = a26_4;
         const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s2_5 = below52 > 0 ? s5 : s2;
-        s5 = below52 > 0 ? s2 : s5;
+            ? REAL(1) : REAL(0);
+        const stewart_real s2_5 = below52 > REAL(0) ? s5 : s2;
+        s5 = below52 > REAL(0) ? s2 : s5;
         s2 = s2_5;
-        const stewart_real a22_5 = below52 > 0 ? a52 : a22;
-        a52 = below52 > 0 ? a22 : a52;
+        const stewart_real a22_5 = below52 > REAL(0) ? a52 : a22;
+        a52 = below52 > REAL(0) ? a22 : a52;
         a22 = a22_5;
-        const stewart_real a23_5 = below52 > 0 ? a53 : a23;
-        a53 = below52 > 0 ? a23 : a53;
+        const stewart_real a23_5 = below52 > REAL(0) ? a53 : a23;
+        a53 = below52 > REAL(0) ? a23 : a53;
         a23 = a23_5;
-        const stewart_real a24_5 = below52 > 0 ? a54 : a24;
-        a54 = below52 > 0 ? a24 : a54;
+        const stewart_real a24_5 = below52 > REAL(0) ? a54 : a24;
+        a54 = below52 > REAL(0) ? a24 : a54;
         a24 = a24_5;
-        const stewart_real a25_5 = below52 > 0 ? a55 : a25;
-        a55 = below52 > 0 ? a25 : a55;
+        const stewart_real a25_5 = below52 > REAL(0) ? a55 : a25;
+        a55 = below52 > REAL(0) ? a25 : a55;
         a25 = a25_5;
-        const stewart_real a26_5 = below52 > 0 ? a56 : a26;
-        a56 = below52 > 0 ? a26 : a56;
+        const stewart_real a26_5 = below52 > REAL(0) ? a56 : a26;
+        a56 = below52 > REAL(0) ? a26 : a56;
         a26 = a26_5;
-        const stewart_real inverse2 = 1 / a22;
+        const stewart_real inverse2 = REAL(1) / a22;
         const stewart_real factor32 = a32 * inverse2;
         a33 = a33 - factor32 * a23;
         a34 = a34 - factor32 * a24;
@@ -1436,42 +1439,42 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor52 * a24;
         a55 = a55 - factor52 * a25;
         a56 = a56 - factor52 * a26;
-        fault = STEWART_FABS(a22) > STEWART_ROUNDING * s2 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a22) > STEWART_ROUNDING * s2 ? fault : REAL(1);
         const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s3_4 = below43 > 0 ? s4 : s3;
-        s4 = below43 > 0 ? s3 : s4;
+            ? REAL(1) : REAL(0);
+        const stewart_real s3_4 = below43 > REAL(0) ? s4 : s3;
+        s4 = below43 > REAL(0) ? s3 : s4;
         s3 = s3_4;
-        const stewart_real a33_4 = below43 > 0 ? a43 : a33;
-        a43 = below43 > 0 ? a33 : a43;
+        const stewart_real a33_4 = below43 > REAL(0) ? a43 : a33;
+        a43 = below43 > REAL(0) ? a33 : a43;
         a33 = a33_4;
-        const stewart_real a34_4 = below43 > 0 ? a44 : a34;
-        a44 = below43 > 0 ? a34 : a44;
+        const stewart_real a34_4 = below43 > REAL(0) ? a44 : a34;
+        a44 = below43 > REAL(0) ? a34 : a44;
         a34 = a34_4;
-        const stewart_real a35_4 = below43 > 0 ? a45 : a35;
-        a45 = below43 > 0 ? a35 : a45;
+        const stewart_real a35_4 = below43 > REAL(0) ? a45 : a35;
+        a45 = below43 > REAL(0) ? a35 : a45;
         a35 = a35_4;
-        const stewart_real a36_4 = below43 > 0 ? a46 : a36;
-        a46 = below43 > 0 ? a36 : a46;
+        const stewart_real a36_4 = below43 > REAL(0) ? a46 : a36;
+        a46 = below43 > REAL(0) ? a36 : a46;
         a36 = a36_4;
         const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s3_5 = below53 > 0 ? s5 : s3;
-        s5 = below53 > 0 ? s3 : s5;
+            ? REAL(1) : REAL(0);
+        const stewart_real s3_5 = below53 > REAL(0) ? s5 : s3;
+        s5 = below53 > REAL(0) ? s3 : s5;
         s3 = s3_5;
-        const stewart_real a33_5 = below53 > 0 ? a53 : a33;
-        a53 = below53 > 0 ? a33 : a53;
+        const stewart_real a33_5 = below53 > REAL(0) ? a53 : a33;
+        a53 = below53 > REAL(0) ? a33 : a53;
         a33 = a33_5;
-        const stewart_real a34_5 = below53 > 0 ? a54 : a34;
-        a54 = below53 > 0 ? a34 : a54;
+        const stewart_real a34_5 = below53 > REAL(0) ? a54 : a34;
+        a54 = below53 > REAL(0) ? a34 : a54;
         a34 = a34_5;
-        const stewart_real a35_5 = below53 > 0 ? a55 : a35;
-        a55 = below53 > 0 ? a35 : a55;
+        const stewart_real a35_5 = below53 > REAL(0) ? a55 : a35;
+        a55 = below53 > REAL(0) ? a35 : a55;
         a35 = a35_5;
-        const stewart_real a36_5 = below53 > 0 ? a56 : a36;
-        a56 = below53 > 0 ? a36 : a56;
+        const stewart_real a36_5 = below53 > REAL(0) ? a56 : a36;
+        a56 = below53 > REAL(0) ? a36 : a56;
         a36 = a36_5;
-        const stewart_real inverse3 = 1 / a33;
+        const stewart_real inverse3 = REAL(1) / a33;
         const stewart_real factor43 = a43 * inverse3;
         a44 = a44 - factor43 * a34;
         a45 = a45 - factor43 * a35;
@@ -1480,27 +1483,27 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor53 * a34;
         a55 = a55 - factor53 * a35;
         a56 = a56 - factor53 * a36;
-        fault = STEWART_FABS(a33) > STEWART_ROUNDING * s3 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a33) > STEWART_ROUNDING * s3 ? fault : REAL(1);
         const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
-            ? (stewart_real)1 : (stewart_real)0;
-        const stewart_real s4_5 = below54 > 0 ? s5 : s4;
-        s5 = below54 > 0 ? s4 : s5;
+            ? REAL(1) : REAL(0);
+        const stewart_real s4_5 = below54 > REAL(0) ? s5 : s4;
+        s5 = below54 > REAL(0) ? s4 : s5;
         s4 = s4_5;
-        const stewart_real a44_5 = below54 > 0 ? a54 : a44;
-        a54 = below54 > 0 ? a44 : a54;
+        const stewart_real a44_5 = below54 > REAL(0) ? a54 : a44;
+        a54 = below54 > REAL(0) ? a44 : a54;
         a44 = a44_5;
-        const stewart_real a45_5 = below54 > 0 ? a55 : a45;
-        a55 = below54 > 0 ? a45 : a55;
+        const stewart_real a45_5 = below54 > REAL(0) ? a55 : a45;
+        a55 = below54 > REAL(0) ? a45 : a55;
         a45 = a45_5;
-        const stewart_real a46_5 = below54 > 0 ? a56 : a46;
-        a56 = below54 > 0 ? a46 : a56;
+        const stewart_real a46_5 = below54 > REAL(0) ? a56 : a46;
+        a56 = below54 > REAL(0) ? a46 : a56;
         a46 = a46_5;
-        const stewart_real inverse4 = 1 / a44;
+        const stewart_real inverse4 = REAL(1) / a44;
         const stewart_real factor54 = a54 * inverse4;
         a55 = a55 - factor54 * a45;
         a56 = a56 - factor54 * a46;
-        fault = STEWART_FABS(a44) > STEWART_ROUNDING * s4 ? fault : (stewart_real)1;
-        fault = STEWART_FABS(a55) > STEWART_ROUNDING * s5 ? fault : (stewart_real)1;
+        fault = STEWART_FABS(a44) > STEWART_ROUNDING * s4 ? fault : REAL(1);
+        fault = STEWART_FABS(a55) > STEWART_ROUNDING * s5 ? fault : REAL(1);
         a56 = a56 / a55;
         a46 = a46 - a45 * a56;
         a46 = a46 * inverse4;
@@ -1523,22 +1526,22 @@ STEWART_APART static void solve_block(
         a06 = a06 - a05 * a56;
         a06 = a06 * inverse0;
         const stewart_real F0 = D[0][l] - a06;
-        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : REAL(1);
         F[0][l] = F0;
         const stewart_real F1 = D[1][l] - a16;
-        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : REAL(1);
         F[1][l] = F1;
         const stewart_real F2 = D[2][l] - a26;
-        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : REAL(1);
         F[2][l] = F2;
         const stewart_real F3 = D[3][l] - a36;
-        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : REAL(1);
         F[3][l] = F3;
         const stewart_real F4 = D[4][l] - a46;
-        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : REAL(1);
         F[4][l] = F4;
         const stewart_real F5 = D[5][l] - a56;
-        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : (stewart_real)1;
+        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : REAL(1);
         F[5][l] = F5;
         bad[l] = fault;
     }
@@ -1549,11 +1552,11 @@ static const stewart_real *whole(
     const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
     size_t l, i;
-    if (first + LANES <= count) {
-        return from + first * width;
+    if (first + (size_t)LANES <= count) {
+        return &from[first * width];
     }
-    for (l = 0; l < LANES; ++l) {
-        const size_t pose = first + l < count ? first + l : count - 1;
+    for (l = 0; l < (size_t)LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1U;
         for (i = 0; i < width; ++i) {
             padded[l * width + i] = from[pose * width + i];
         }
@@ -1589,7 +1592,7 @@ static void clear(stewart_real (*to)[LANES])
     int i, l;
     for (i = 0; i < 3; ++i) {
         for (l = 0; l < LANES; ++l) {
-            to[i][l] = 0;
+            to[i][l] = REAL(0);
         }
     }
 }
@@ -1603,12 +1606,12 @@ static void load_block(const stewart_motions *motions, size_t first, size_t coun
     spread_vector(whole(motions->v, 3, first, count, padded), in->v);
     spread_vector(whole(motions->alpha, 3, first, count, padded), in->alpha);
     spread_vector(whole(motions->a, 3, first, count, padded), in->a);
-    if (motions->F_ext) {
+    if (motions->F_ext != NULL) {
         spread_vector(whole(motions->F_ext, 3, first, count, padded), in->F_ext);
     } else {
         clear(in->F_ext);
     }
-    if (motions->M_ext) {
+    if (motions->M_ext != NULL) {
         spread_vector(whole(motions->M_ext, 3, first, count, padded), in->M_ext);
     } else {
         clear(in->M_ext);
@@ -1620,8 +1623,8 @@ static void forces_of_block(const stewart_paper_spherical_model *model, const mo
     shared_lanes shared;
     int i, l;
     for (l = 0; l < LANES; ++l) {
-        out->moment[l] = 0;
-        out->bad[l] = 0;
+        out->moment[l] = REAL(0);
+        out->bad[l] = REAL(0);
     }
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
@@ -1650,17 +1653,17 @@ static int forces_of(
     stewart_motion one;
     int i;
     for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose * 9 + (size_t)i];
+        one.R[i] = motions->R[pose * 9U + (size_t)i];
     }
     for (i = 0; i < 3; ++i) {
-        const size_t at = pose * 3 + (size_t)i;
+        const size_t at = pose * 3U + (size_t)i;
         one.t[i] = motions->t[at];
         one.omega[i] = motions->omega[at];
         one.v[i] = motions->v[at];
         one.alpha[i] = motions->alpha[at];
         one.a[i] = motions->a[at];
-        one.F_ext[i] = motions->F_ext ? motions->F_ext[at] : 0;
-        one.M_ext[i] = motions->M_ext ? motions->M_ext[at] : 0;
+        one.F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
+        one.M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
     }
     return stewart_paper_spherical_forces(model, &one, F);
 }
@@ -1674,24 +1677,24 @@ int stewart_paper_spherical_forces_batch(
     size_t first;
     int result = STEWART_OK;
     int i, l;
-    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !motions->alpha || !motions->a) {
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    for (first = 0; first < count; first += LANES) {
+    for (first = 0; first < count; first += (size_t)LANES) {
         load_block(motions, first, count, &in);
         forces_of_block(model, &in, &done);
         for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
-            if (done.bad[l] > 0) {
-                code = forces_of(model, motions, pose, F + pose * 6);
+            if (done.bad[l] > REAL(0)) {
+                code = forces_of(model, motions, pose, &F[pose * 6U]);
             } else {
                 for (i = 0; i < 6; ++i) {
-                    F[pose * 6 + (size_t)i] = done.F[i][l];
+                    F[pose * 6U + (size_t)i] = done.F[i][l];
                 }
             }
-            if (status) {
+            if (status != NULL) {
                 status[pose] = code;
             }
             result = result == STEWART_OK ? code : result;

@@ -1,0 +1,190 @@
+"""MISRA C:2012 by cppcheck's addon: a kit's sources depart from the listed rules and from no others.
+
+What the addon cannot see is asked of text, objects and call graph: no recursion, no heap, no jump, no array
+of variable length, no loop without a bound. The rules are those that cppcheck 2.10, of Debian 12, finds.
+"""
+
+import re
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import attack_build
+import pytest
+
+import stewart_sym as ss
+from stewart_sym.derive.emit.kit_deviations import DEVIATIONS, KINDS, deviations
+from stewart_sym.derive.generate import motion_files
+from stewart_sym.kit import Choice, kit
+
+MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
+DERIVATIVES = ("derivatives", "linearisation")
+QUICK = ("massless forces", "forces scalar", "forces scalar baked", "reactions", "robot")
+SLOW = ("forces", "forces baked", "motion", "derivatives")
+PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
+ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}
+# What compilers make of copies of structs.
+COPIES = {"memcpy", "memset", "memmove"}
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
+
+
+def committed(stem: str) -> dict[str, str]:
+    names = ("stewart.h", f"{stem}.h", f"{stem}.c")
+    return {name: (attack_build.GENERATED / name).read_text() for name in names}
+
+
+def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
+    return committed("stewart_exact_forces") | motion_files(functions)
+
+
+def of_kit(**choice: bool) -> dict[str, str]:
+    """The files of a kit of the paper's machine, the example's own left out."""
+    files = kit(ss.robots.dasgupta1998(), Choice(fidelity="general", **choice)).files
+    return {name: text for name, text in files.items() if re.match(r"(stewart|robot)\w*\.[ch]$", name)}
+
+
+SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
+    "massless forces": (lambda: committed("stewart_exact_massless_forces"), r"_forces\.c"),
+    "forces": (lambda: committed("stewart_exact_forces"), r"_forces\.c"),
+    "forces baked": (lambda: of_kit(bake=True), r"_forces\.c"),
+    "forces scalar": (lambda: of_kit(scalar=True), r"_pose\.c"),
+    "forces scalar baked": (lambda: of_kit(scalar=True, bake=True), r"_pose\.c"),
+    "reactions": (lambda: committed("stewart_exact"), r"exact\.c"),
+    "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
+    "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
+    "robot": (lambda: of_kit(scalar=True), r"^robot\.c"),
+}
+"""Kind of source -> how its files are made, and which of them is looked at."""
+ANY = [pytest.param(name, marks=[pytest.mark.slow] if name in SLOW else []) for name in SOURCES]
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory):
+    """The source of a kind, written beside its headers."""
+    made: dict[str, Path] = {}
+
+    def write(kind: str) -> Path:
+        if kind not in made:
+            make, pattern = SOURCES[kind]
+            folder = tmp_path_factory.mktemp("sources")
+            for name, text in make().items():
+                (folder / name).write_text(text)
+            (made[kind],) = (path for path in folder.glob("*.c") if re.search(pattern, path.name))
+        return made[kind]
+
+    return write
+
+
+def need(*tools: str) -> None:
+    for tool in tools:
+        if shutil.which(tool) is None:
+            pytest.skip(f"{tool} is not installed")
+
+
+def rules_found(source: Path, precision: str = PRECISIONS[0]) -> set[str]:
+    """Numbers of the rules by which the addon finds something."""
+    command = ["cppcheck", "--addon=misra", "--std=c99", "--quiet", "-D__GNUC__=12", "-USTEWART_REAL"]
+    # Without the flow of values, which takes most of the time and is cut off by the clock.
+    command += ["-U__cplusplus", "--performance-valueflow-max-time=0", "--template={id}", precision]
+    done = subprocess.run(
+        [*command, source.name], cwd=source.parent, capture_output=True, text=True, check=True
+    )
+    found = set(done.stderr.split())
+    assert all(name.startswith("misra-c2012-") for name in found), found
+    return {name.removeprefix("misra-c2012-") for name in found}
+
+
+@pytest.mark.parametrize("name", ANY)
+def test_the_rules_departed_from_are_the_listed_ones(written, name: str) -> None:
+    need("cppcheck")
+    kind = "forces" if name == "massless forces" else name
+    assert rules_found(written(name)) == {each.rule for each in deviations([kind])}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["forces", "forces scalar", "reactions", "motion"])
+def test_float_departs_from_no_other_rule(written, kind: str) -> None:
+    need("cppcheck")
+    assert rules_found(written(kind), PRECISIONS[1]) == {each.rule for each in deviations([kind])}
+
+
+def test_the_checker_finds_what_is_there(tmp_path: Path) -> None:
+    need("cppcheck")
+    source = tmp_path / "wrong.c"
+    source.write_text(
+        "#include <stdlib.h>\n"
+        "double f(double x, int n)\n{\n"
+        "    if (n)\n        goto end;\n"
+        "    x = 2 * x;\n"
+        "    free(0);\n"
+        "end:\n    return f(x, n);\n}\n"
+    )
+    assert rules_found(source) >= {"8.4", "10.3", "14.4", "15.1", "17.2", "21.3"}
+
+
+def test_every_deviation_is_of_a_kind_that_is_checked() -> None:
+    assert set(KINDS) == set(SOURCES) - {"massless forces"}
+    assert all(each.kinds and set(each.kinds) <= set(KINDS) for each in DEVIATIONS)
+    assert len({each.rule for each in DEVIATIONS}) == len(DEVIATIONS)
+    with pytest.raises(ValueError, match="kinds: expected some of forces, "):
+        deviations(["heap"])
+
+
+# ---------------------------------------------------------------- beyond the addon
+
+
+def call_graph(source: Path) -> tuple[dict[str, set[str]], str]:
+    """Function -> functions that it calls, before any inlining; and what gcc says of the stack's use."""
+    flags = ["-std=c99", "-O0", "-fno-math-errno", "-fcallgraph-info=su", "-Wvla", "-Walloca", "-Werror"]
+    attack_build.ran(["gcc", *flags, "-c", source.name, "-o", "graph.o"], source.parent)
+    text = next(source.parent.glob("*.ci")).read_text()
+    names = dict(re.findall(r'node: { title: "([^"]*)" label: "(\w+)', text))
+    calls: dict[str, set[str]] = {names[title]: set() for title in names}
+    for caller, called in re.findall(r'edge: { sourcename: "([^"]*)" targetname: "([^"]*)"', text):
+        calls[names[caller]].add(names[called])
+    return calls, text
+
+
+@pytest.mark.parametrize("name", ANY)
+def test_nothing_recurses_and_the_stack_is_known(written, name: str) -> None:
+    need("gcc")
+    calls, said = call_graph(written(name))
+    while calls:
+        leaves = {function for function, called in calls.items() if not called & set(calls)}
+        assert leaves, f"these call each other: {sorted(calls)}"
+        calls = {function: called for function, called in calls.items() if function not in leaves}
+    assert "bytes (static)" in said or name == "robot"
+    assert "bytes (dynamic)" not in said
+
+
+@pytest.mark.parametrize("name", ANY)
+def test_a_source_calls_square_roots_and_copies_alone(written, name: str) -> None:
+    need("gcc", "nm")
+    source = written(name)
+    for flags in (["-O0"], ["-O2", "-DSTEWART_FLOAT"]):
+        attack_build.ran(["gcc", "-std=c99", *flags, "-c", source.name, "-o", "called.o"], source.parent)
+        listed = attack_build.ran(["nm", "-u", "called.o"], source.parent).split()
+        called = {symbol for symbol in listed if symbol != "U" and not symbol.startswith(("__", "_GLOBAL"))}
+        model = {"stewart_exact_forces"} if name in ("motion", "derivatives") else set()
+        assert called <= ARITHMETIC | COPIES | model
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> None:
+    text = re.sub(r"/\*.*?\*/", "", written(name).read_text(), flags=re.S)
+    assert not re.search(r"\b(while|do|goto|setjmp|longjmp|malloc|calloc|realloc|free|alloca)\b", text)
+    step = r"(?:\+\+(\w+)|--(\w+)|(\w+) \+= \(size_t\)LANES)"
+    for loop in re.findall(r"for \((.*)\) {", text):
+        counter, end, *stepped = re.fullmatch(rf"(\w+) = [^;]+; ([^;]+); {step}", loop).groups()
+        assert counter in stepped
+        assert re.search(rf"\b{counter} (<|>=) [\w(]", end)
+    assert text.count("for (") == len(re.findall(r"for \((.*)\) {", text))
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_no_comma_operator(written, name: str) -> None:
+    need("clang")
+    source = written(name)
+    attack_build.ran(["clang", "-std=c99", "-fsyntax-only", "-Wcomma", "-Werror", source.name], source.parent)
