@@ -25,7 +25,7 @@ from stewart_sym.derive import notation
 from stewart_sym.derive.emit.kit.robot import robot_files
 from stewart_sym.derive.emit.kit.words import robot_symbol
 from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, kit_names, put, write_kit
-from stewart_sym.kit.choice import check
+from stewart_sym.kit.choice import DEFAULT, check
 from stewart_sym.kit.poses import sample
 from stewart_sym.robot import Robot
 
@@ -59,7 +59,7 @@ def renamed(name: str) -> Robot:
 
 
 @cache
-def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = Choice()) -> Kit:
+def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = DEFAULT) -> Kit:
     return kit(renamed(name), choice)
 
 
