@@ -14,7 +14,7 @@ import attack_build
 import pytest
 
 import stewart_sym as ss
-from stewart_sym.derive.emit.kit_deviations import DEVIATIONS, KINDS, deviations
+from stewart_sym.derive.emit.kit.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.derive.generate import motion_files
 from stewart_sym.kit import Choice, kit
 
