@@ -20,6 +20,7 @@ In the order of the flow, each knowing only what stands before it:
     adjoint         slopes of a block's outputs along all its steps, by reverse differentiation
     rounding        what every step of a block rounds away
     tip             one leg at its tip: inertia, Coriolis matrix, derivatives
+    kinematics      lengths and rates of the legs, and steps of the search of a pose
     motion          the closed form: M, C, g, forward dynamics, derivatives
     operations      what a whole kernel costs
     thresholds      where each status begins, and why there

@@ -12,11 +12,13 @@ import sympy as sp
 
 from . import motion
 from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
+from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
+from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
 from .reduce import share
 from .regressor import Regressor, regressor
@@ -54,6 +56,12 @@ def reduced_regressor() -> Regressor:
     return Regressor(leg=share(raw.leg), platform=share(raw.platform))
 
 
+def reduced_kinematics() -> Kinematics:
+    """The blocks of the kinematics as they are emitted: derived, then shared."""
+    raw = kinematics()
+    return Kinematics(*(share(block) for block in (raw.vectors, raw.row, raw.rate, raw.turned)))
+
+
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
@@ -82,7 +90,12 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
-    return files | _closed_form(version)
+    files |= _closed_form(version)
+    progress("deriving the kinematics")
+    blocks = reduced_kinematics()
+    files["c/stewart_kinematics.h"] = kinematics_text.header(blocks, version)
+    files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
+    return files
 
 
 def _error_bounds(version: str) -> dict[str, str]:

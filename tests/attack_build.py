@@ -26,6 +26,8 @@ def oracles() -> dict[str, tuple[str, str]]:
             found[path.stem] = (kernel.removesuffix("_motion"), "motion")
         elif kernel.endswith("_bounds"):
             found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
+        elif kernel == "kinematics":
+            found[path.stem] = (kernel, "kinematics")
         elif kernel.endswith("_forces"):
             found[path.stem] = (kernel.removesuffix("_forces"), "forces")
         else:

@@ -16,7 +16,7 @@ from stewart_sym.derive.generate import generated_files
 KERNELS = [form.kernel_name for form in FORMULATIONS]
 SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
 SOURCES += [f"exact_{name}_forces" for name in FIDELITIES if name != "general"]
-SOURCES.append("exact_bounds")
+SOURCES += ["exact_bounds", "kinematics"]
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 REPOSITORY = Path(__file__).parent.parent
 

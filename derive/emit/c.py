@@ -20,6 +20,7 @@ STATUS = (
     ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
     ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
     ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
 )
 FORCES = (
     (Quantity("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"), "[6]"),

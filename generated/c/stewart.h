@@ -29,6 +29,7 @@ typedef double stewart_real;
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
 #define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
 #define STEWART_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
+#define STEWART_NOT_CONVERGED 7 /* no pose with these leg lengths was found */
 
 /* Where a status begins, and the worst error seen on this side of it among 10^6
  * random poses near failure, in rounding units times the condition number of the problem itself, at

@@ -1,0 +1,144 @@
+"""Kinematics of the legs, (1)-(5), and of a step of the platform, for the search of a pose from leg lengths.
+
+Stands beside ``kernels`` on ``leg``, whose vectors it takes: lengths, rates, the rows of J = H^T, and the
+rotation by which a step of Newton's method turns the platform. Knows no dynamics, no sharing and no printing;
+how the steps are solved for is text of the emitter, whose operations are counted here.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import notation as n
+from .block import Block, Builder, Operations, Quantity
+from .leg import cross, leg_vector, platform_point_motion
+
+S = Quantity("S", (3,), "m", "vector from base point to platform point, base frame")
+L_dot = Quantity("L_dot", (), "m/s", "rate of the leg's length, positive when it extends")
+turn = Quantity("turn", (3,), "rad", "small rotation of the platform, base frame")
+Q = Quantity("Q", (3, 3), "1", "rotation by which the platform is turned, base frame")
+
+FREEDOMS = 6
+_LEGS = 6
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The blocks from which lengths, rates and the steps of the search are computed.
+
+    vectors: q, S and L of one leg; row: its row of J; rate: its L_dot; turned: Q of a small rotation.
+    """
+
+    vectors: Block
+    row: Block
+    rate: Block
+    turned: Block
+
+
+def kinematics() -> Kinematics:
+    """Derive the four blocks."""
+    return Kinematics(_vectors(), _row(), _rate(), _turned())
+
+
+def _vectors() -> Block:
+    build = Builder()
+    q, vector, L, _, _ = leg_vector(build)
+    return build.block(
+        "vectors_of",
+        "Vectors q and S of one leg, and its length L, (1), (2)",
+        (*n.MOTION, n.b, n.p),
+        [(n.q, q), (S, vector), (n.L, L)],
+    )
+
+
+def _row() -> Block:
+    build = Builder()
+    inv_L = build.scalar("inv_L", 1 / n.L.value)
+    s = build.vector("s", S.value * inv_L, "(3)", "unit vector along the leg")
+    return build.block(
+        "row_of",
+        "The row [s, q x s] of J, by which [v; omega] moves the leg, (5)",
+        (n.q, S, n.L),
+        [(n.H_force, s), (n.H_moment, cross(n.q.value, s))],
+    )
+
+
+def _rate() -> Block:
+    build = Builder()
+    S_dot, _ = platform_point_motion(build, n.q.value)
+    along = build.scalar("S_S_dot", S.value.dot(S_dot), "(5)", "L L_dot")
+    return build.block(
+        "rate_of",
+        "Rate L_dot of one leg, (4), (5)",
+        (n.q, S, n.L, n.omega, n.v),
+        [(L_dot, build.scalar("rate", along / n.L.value, "(5)", "sliding velocity"))],
+    )
+
+
+def _turned() -> Block:
+    """Cayley's rotation (E - X)^-1 (E + X) with X = [turn / 2]x: exp([turn]x) to third order."""
+    build = Builder()
+    w = build.vector("w", turn.value / 2, "", "half the turn")
+    share = build.scalar("share", 2 / (1 + w.dot(w)))
+    products = build.tensor("W", w * w.T, "", "products of the half turn")
+    spin = sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+    square = products - products.trace() * sp.eye(3)
+    rotation = sp.eye(3) + (spin + square) * share
+    return build.block(
+        "turned_by",
+        "Cayley's rotation, which needs no sine: exp([turn]x) to third order",
+        (turn,),
+        [(Q, rotation)],
+    )
+
+
+# ---------------------------------------------------------------- what the text around the blocks costs
+
+
+def reflection_operations(damped: bool) -> Operations:
+    """Householder's reflections of J, or of J above the damping, beside one right side."""
+    total = Operations()
+    for column in range(FREEDOMS):
+        rows = FREEDOMS + 1 if damped else FREEDOMS - column
+        others = FREEDOMS - column
+        own = Operations(mul=rows + 1, add=rows + 1, div=1, sqrt=1)
+        total = total + own + others * Operations(mul=2 * rows + 1, add=2 * rows)
+    return total
+
+
+def substitution_operations() -> Operations:
+    """Unknowns from a triangle, the last first."""
+    below = FREEDOMS * (FREEDOMS - 1) // 2
+    return Operations(mul=below, add=below, div=FREEDOMS)
+
+
+def pose_operations(blocks: Kinematics) -> Operations:
+    """Lengths and J of six legs, moments over the platform's size."""
+    return _LEGS * (blocks.vectors.operations() + blocks.row.operations() + Operations(mul=3))
+
+
+def step_operations(blocks: Kinematics, damped: bool = False) -> Operations:
+    """One step of the search: solve, limit, move, lengths and J there, how far they miss."""
+    limits = Operations(mul=3 + 6 + 1 + 6, add=4, div=3, sqrt=2)
+    moved = Operations(add=3) + blocks.turned.operations() + 9 * Operations(mul=3, add=2)
+    solve = reflection_operations(damped) + substitution_operations()
+    return solve + limits + moved + _POLISH + pose_operations(blocks) + _MISSES
+
+
+def search_operations(blocks: Kinematics) -> Operations:
+    """A search without its steps: the guess made a rotation, lengths there, whether they settle the pose."""
+    rotation = Operations(mul=9 + 1, add=5) + _POLISH
+    return rotation + _SIZE + pose_operations(blocks) + _MISSES + reflection_operations(False) + _OPEN
+
+
+def velocity_operations(blocks: Kinematics) -> Operations:
+    """Velocity of the platform from rates of the legs."""
+    solve = reflection_operations(False) + substitution_operations() + _OPEN
+    return _SIZE + pose_operations(blocks) + solve + Operations(mul=3)
+
+
+_POLISH = 9 * Operations(mul=4, add=3) + 9 * Operations(mul=3, add=3)
+_MISSES = _LEGS * Operations(mul=1, add=2)
+_SIZE = Operations(mul=18, add=18, div=2, sqrt=1)
+# Sums of squares of a triangle and of its inverse, entry by entry, and their product with a constant.
+_OPEN = Operations(mul=35 + 3 * 21 + 1, add=35 + 2 * 21, div=FREEDOMS)
