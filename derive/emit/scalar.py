@@ -99,9 +99,9 @@ def _preparation(kernel: ForceKernel) -> list[str]:
     of_leg, of_platform = entries(kernel.leg_constants()), entries(kernel.platform_constants())
     parts = {
         "@COPIES@": [f"        model->leg[i].{name} = found.{name};" for name in of_leg],
-        "@HELD@": [f"        lost = lost + REAL(0) * found.{name};" for name in of_leg],
-        "@HELD_PLATFORM@": [f"    lost = lost + REAL(0) * platform.{name};" for name in of_platform],
-        "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
+        "@HELD@": [f"        lost = lost + (REAL(0) * found.{name});" for name in of_leg],
+        "@HELD_PLATFORM@": [f"    lost = lost + (REAL(0) * platform.{name});" for name in of_platform],
+        "@ZERO@": [f"    sum->{name} = REAL(0);" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in of_platform],
     }
@@ -273,7 +273,7 @@ def _judged_length(kernel: ForceKernel, exprs: dict[Quantity, tuple[sp.Expr, ...
     model = "" if kernel.constants is not None else "model, "
     return [
         f"    if (!({infix(exprs[n.L][0], SQRT)} > least)) {{",
-        "        stewart_real moment = 0;",
+        "        stewart_real moment = REAL(0);",
         f"        const int status = judged_closely({model}leg, at, pose, &moment);",
         "        if (status != STEWART_OK) {",
         "            return status;",
@@ -308,7 +308,7 @@ def _solve(kernel: ForceKernel) -> str:
         body += [f"    status = judged_pivot({model}at, pose, size, row[{'pivot' if below else k}] >= A[3]);"]
         body += ["    if (status != STEWART_OK) {", "        return status;", "    }", "}"]
         body += _exchanged(k) if below else []
-        body += [f"inverse = 1 / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
+        body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
         if below:
             body += [f"{name} = row[{k}][{name[1]}];" for name in upper]
@@ -431,17 +431,24 @@ static stewart_real extent(const stewart_real *vector)
     return STEWART_FABS(vector[0]) + STEWART_FABS(vector[1]) + STEWART_FABS(vector[2]);
 }
 
+/* Sums over the legs with nothing in them yet. */
+static void clear_sum(prepared_leg *sum)
+{
+@ZERO@
+}
+
 int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_model *model)
 {
-    prepared_leg found, sum;
+    prepared_leg found;
+    prepared_leg sum;
     prepared_platform platform;
-    stewart_real size = 0;
-    stewart_real lost = 0; /* zero as long as all numbers are finite */
+    stewart_real size = REAL(0);
+    stewart_real lost = REAL(0); /* zero as long as all numbers are finite */
     int i;
     if ((robot == NULL) || (model == NULL)) {
         return STEWART_BAD_ARGUMENT;
     }
-@ZERO@
+    clear_sum(&sum);
     for (i = 0; i < 6; ++i) {
         prepare_leg(robot, &robot->leg[i], &found);
 @ADD@
@@ -451,8 +458,8 @@ int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_
     }
     prepare_platform(robot, &sum, &platform);
 @HELD_PLATFORM@
-    lost = lost + REAL(0) * size;
-    if (!(lost >= 0)) {
+    lost = lost + (REAL(0) * size);
+    if (!(lost >= REAL(0))) {
         return STEWART_NOT_FINITE;
     }
     /* Once more, as a second model would not fit on a small stack. */
@@ -512,11 +519,11 @@ STEWART_APART static int judged_pivot(
     const stewart_@NAME@_pose_model *model, //M
     const stewart_motion *at, const pose_terms *pose, stewart_real size, int of_moment)
 {
-    stewart_real moment = 0;
-    int i, status;
+    stewart_real moment = REAL(0);
+    int i;
     for (i = 0; i < 6; ++i) {
-        status = judged_closely(model, &model->leg[i], at, pose, &moment); //M
-        status = judged_closely(&legs[i], at, pose, &moment); //B
+        const int status = judged_closely(model, &model->leg[i], at, pose, &moment); //M
+        const int status = judged_closely(&legs[i], at, pose, &moment); //B
         if (status != STEWART_OK) {
             return status;
         }
@@ -534,11 +541,21 @@ static int solve(
     const stewart_motion *at, const pose_terms *pose, stewart_real A[6][7], stewart_real x[6])
 {
     /* No row's rounding is above this. */
-    const stewart_real least = STEWART_ROUNDING * (1 + STEWART_OVER_LENGTH(SIZE));
+    const stewart_real least = STEWART_ROUNDING * (REAL(1) + STEWART_OVER_LENGTH(SIZE));
     stewart_real *row[6];
     stewart_real *lower;
-    stewart_real u1, u2, u3, u4, u5, u6, size, other, factor, inverse;
-    int pivot, status;
+    stewart_real u1;
+    stewart_real u2;
+    stewart_real u3;
+    stewart_real u4;
+    stewart_real u5;
+    stewart_real u6;
+    stewart_real size;
+    stewart_real other;
+    stewart_real factor;
+    stewart_real inverse;
+    int pivot;
+    int status;
     row[0] = A[0];
     row[1] = A[1];
     row[2] = A[2];
@@ -560,7 +577,8 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     stewart_real x[6];
     stewart_real known[6]; //D
     stewart_real least;
-    int i, status;
+    int i;
+    int status;
     if ((model == NULL) || (motion == NULL) || (F == NULL)) { //M
     if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
@@ -568,7 +586,7 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
     /* A leg above this is longer than the rounding error of the vectors that it is the sum of. */
-    least = STEWART_SHORTEST + (2 * STEWART_ROUNDING
+    least = STEWART_SHORTEST + (REAL(2) * STEWART_ROUNDING
         * (STEWART_FABS(pose.t_1[0]) + STEWART_FABS(pose.t_1[1]) + STEWART_FABS(pose.t_1[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(
@@ -592,8 +610,8 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
         return status;
     }
 @FORCES@
-    if (!(STEWART_FABS(x[0]) + STEWART_FABS(x[1]) + STEWART_FABS(x[2]) + STEWART_FABS(x[3])
-            + STEWART_FABS(x[4]) + STEWART_FABS(x[5]) <= STEWART_MAX)) {
+    if (!((STEWART_FABS(x[0]) + STEWART_FABS(x[1]) + STEWART_FABS(x[2]) + STEWART_FABS(x[3])
+            + STEWART_FABS(x[4]) + STEWART_FABS(x[5])) <= STEWART_MAX)) {
         for (i = 0; i < 6; ++i) {
             if (!(STEWART_FABS(x[i]) <= STEWART_MAX)) {
                 return STEWART_NOT_FINITE;
