@@ -5,24 +5,24 @@ without. The model is prepared once, or its numbers are folded in. Knows layout 
 """
 
 import re
+from collections.abc import Iterable
 
 import sympy as sp
 
 from .. import notation as n
-from ..block import Block, Quantity
+from ..block import Block, Output, Quantity, rebuilt
 from ..operations import force_operations
-from ..prepared import ADDED, r
+from ..prepared import ADDED, r, t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
+from .lane_scale import MEMBER, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_scale import macros as scale_macros
 from .lane_text import dims, entries, filled, loads, names_used, stores
 from .lanes import prepare_function
 
 SQRT = "STEWART_SQRT"
-_ARGUMENTS = {
-    False: "model, leg, at, pose, column, A, known, least, c",
-    True: "leg, at, pose, column, A, known, least, c",
-}
+_RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
 def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str:
@@ -33,6 +33,8 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
     model = "" if before is not None else _MODEL
     parts = {
+        "@SWITCH@": [SWITCH] if model else [],
+        "@SCALE@": [MEMBER],
         "@FIDELITY@": [f" * Fidelity: {kernel.meaning or 'everything'}.{folded}"],
         "@OPERATIONS@": [operations_table(force_operations(kernel), None, " * ")],
         "@MODEL@": [model] if model else [],
@@ -46,12 +48,13 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
     parts = [
-        _TOP + ARITHMETIC + _MACROS,
+        _TOP + ARITHMETIC + _MACROS + scale_macros(kernel.per_length),
         *_preparation(kernel),
         _shared(kernel),
+        _closely(kernel),
         *_legs(kernel),
-        _solve(),
-        _only(_POSE, kernel),
+        _solve(kernel),
+        _pose(kernel),
     ]
     return _named("\n".join(parts), kernel, version)
 
@@ -70,11 +73,11 @@ def _named(text: str, kernel: ForceKernel, version: str) -> str:
 
 
 def _only(text: str, kernel: ForceKernel) -> str:
-    """Lines that end in ``//M`` are of kernels with a prepared model, ``//B`` of baked ones, ``//D`` and
-    ``//C`` of legs with a D and with a part of c."""
+    """Lines that end in ``//M`` are of kernels with a prepared model, ``//B`` of baked ones, ``//D`` of legs
+    with a D."""
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
-    kept = {"M": not bare, "B": bare, "D": n.D in given, "E": n.D not in given, "C": n.c_force in given}
+    kept = {"M": not bare, "B": bare, "D": n.D in given}
     lines = []
     for line in text.split("\n"):
         body, mark, flag = line.partition(" //")
@@ -93,28 +96,33 @@ def _member(quantity: Quantity) -> str:
 def _preparation(kernel: ForceKernel) -> list[str]:
     if kernel.constants is not None:
         return [_table(kernel)]
+    of_leg, of_platform = entries(kernel.leg_constants()), entries(kernel.platform_constants())
     parts = {
-        "@COPIES@": [
-            f"        made.leg[i].{name} = found.{name};" for name in entries(kernel.leg_constants())
-        ],
-        "@ZERO@": [f"    sum.{name} = 0;" for name in entries(ADDED)],
+        "@COPIES@": [f"        model->leg[i].{name} = found.{name};" for name in of_leg],
+        "@HELD@": [f"        lost = lost + (REAL(0) * found.{name});" for name in of_leg],
+        "@HELD_PLATFORM@": [f"    lost = lost + (REAL(0) * platform.{name});" for name in of_platform],
+        "@ZERO@": [f"    sum->{name} = REAL(0);" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
-        "@PLATFORM@": [
-            f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
-        ],
+        "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in of_platform],
     }
     return [
         prepare_function(kernel.prepare_leg, "prepared_leg"),
         prepare_function(kernel.prepare_platform, "prepared_platform"),
+        UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
         filled(_PREPARE, parts),
     ]
 
 
 def _size(kernel: ForceKernel) -> float:
-    """The model's ``size`` of a baked kernel."""
+    """The model's ``size`` of a baked kernel, or somewhat more."""
     constants = {q.name: values for q, values in (kernel.constants or {}).items()}
+    # A coordinate that is 0, 1 or -1 for all legs is no constant any more; of r it is 0, as for leg 1.
+    missing = {n.p: min(1.0, 1 / (kernel.per_length or 1.0)), r: 0.0}
     extents = [
-        sum(abs((values * 6)[leg]) for name in quantity.names if (values := constants.get(name)))
+        sum(
+            abs((constants[name] * 6)[leg]) if name in constants else missing[quantity]
+            for name in quantity.names
+        )
         for quantity in (n.p, r)
         for leg in range(6)
     ]
@@ -141,13 +149,28 @@ def _shared(kernel: ForceKernel) -> str:
     lines = [
         line for q in block.inputs for line in _load(kernel, q, "at" if q in n.MOTION else "model", used)
     ]
-    model = "const stewart_@NAME@_pose_model *model, " if any("= model->" in line for line in lines) else ""
+    right = {out.quantity: out.exprs for out in block.outputs if out.quantity in _RIGHT_SIDE}
+    kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
+    right_side = [expr for q in _RIGHT_SIDE for expr in right.get(q, (sp.Integer(0),) * 3)]
+    model = "const stewart_@NAME@_pose_model *model, " if kernel.constants is None else ""
+    body = [
+        *lines,
+        *step_lines(block.steps, "    "),
+        *stores(kept, "", "    "),
+        *(wrap(f"    A[{i}][6] = {infix(expr, SQRT)};", " " * 8) for i, expr in enumerate(right_side)),
+    ]
     parts = {
-        "@MEMBERS@": [f"    stewart_real {out.quantity.name}{dims(out.quantity)};" for out in block.outputs],
-        "@BODY@": [*lines, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")],
+        "@MEMBERS@": [f"    stewart_real {out.quantity.name}{dims(out.quantity)};" for out in kept],
+        "@BODY@": [*_unused(kernel, body, "model", "out"), *body],
     }
     text = _SHARED.replace("@COUNT@", str(block.operations())).replace("@MODEL@", model)
     return filled(text, parts)
+
+
+def _unused(kernel: ForceKernel, body: list[str], *arguments: str) -> list[str]:
+    """Marks for the arguments that the body does not read."""
+    given = [name for name in arguments if name != "model" or kernel.constants is None]
+    return [f"    (void){name};" for name in given if not any(re.search(rf"\b{name}\b", t) for t in body)]
 
 
 def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[str]:
@@ -157,15 +180,56 @@ def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[
     return loads(q, owner, "", used, "    ")
 
 
+def _closely(kernel: ForceKernel) -> str:
+    """What is seldom asked: is a leg longer than the rounding of its terms, how large are its moments."""
+    exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
+    named = {step.symbol for step in kernel.leg.steps}
+    q = exprs.get(n.q) or tuple(s if s in named else sp.Integer(0) for s in n.q.symbols)
+    # In a baked kernel a coordinate of r that is zero for all legs is none of its inputs.
+    around = [q for q in kernel.leg.inputs if q in (n.t, n.b, t_1, r) or q.name in r.names]
+    outputs = [Output(n.q, q), *(Output(each, exprs[each]) for each in (n.L, n.H_moment))]
+    block = rebuilt(kernel.leg, kernel.leg.steps, outputs, kernel.leg.inputs)
+    used = names_used(block) | {name for quantity in around for name in quantity.names}
+    terms = [*q, *(symbol for quantity in around for symbol in quantity.symbols)]
+    sizes = [f"STEWART_FABS({infix(term, SQRT)})" for term in terms if term != 0]
+    moments = [f"STEWART_FABS({infix(expr, SQRT)})" for expr in exprs[n.H_moment] if expr != 0]
+    length = infix(exprs[n.L][0], SQRT)
+    body = [
+        *_leg_loads(kernel, dict.fromkeys((*block.inputs, *around)), used),
+        "    stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;",
+        *step_lines(block.steps, "    "),
+        *(wrap(f"    reach = STEWART_LARGER({size}, reach);", " " * 8) for size in sizes),
+        *(wrap(f"    *moment = STEWART_LARGER({size}, *moment);", " " * 8) for size in moments),
+        f"    if (!({length} <= STEWART_MAX)) {{",
+        "        return STEWART_NOT_FINITE;",
+        "    }",
+        f"    return ({length} > (STEWART_ROUNDING * reach)) ? STEWART_OK : STEWART_SHORT_LEG;",
+    ]
+    body = [*_unused(kernel, body, "model", "leg", "at", "pose"), *body]
+    return filled(_only(_CLOSELY, kernel), {"@BODY@": body})
+
+
 def _legs(kernel: ForceKernel) -> list[str]:
     """One leg, and the road that it takes near its pole where the kernel has one."""
     if kernel.leg_near_pole is None:
-        return [_leg(kernel, kernel.leg, "leg_of", "return STEWART_POLE;")]
-    near = f"return leg_near_pole({_ARGUMENTS[kernel.constants is not None]});"
+        return [_leg(kernel, kernel.leg, "leg_of", _AT_POLE)]
+    given = "leg, at, pose, column, A, known"
+    near = f"return leg_near_pole({given if kernel.constants is not None else f'model, {given}'});"
     return [
-        _leg(kernel, kernel.leg_near_pole, "leg_near_pole", "return STEWART_POLE;"),
+        _leg(kernel, kernel.leg_near_pole, "leg_near_pole", _AT_POLE),
         _leg(kernel, kernel.leg, "leg_of", near),
     ]
+
+
+def _leg_loads(kernel: ForceKernel, inputs: Iterable[Quantity], used: set[str]) -> list[str]:
+    """Loads of what a leg's block reads."""
+    of_pose = [out.quantity for out in kernel.shared.outputs]
+    of_legs = kernel.leg_constants()
+    lines = []
+    for q in inputs:
+        owner = "at" if q in n.MOTION else "pose" if q in of_pose else "leg" if q in of_legs else "model"
+        lines += _load(kernel, q, owner, used)
+    return lines
 
 
 def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
@@ -174,75 +238,88 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
     at_pole: what is done where the sine at the universal joint is too small for this block.
     """
     exprs = {out.quantity: out.exprs for out in block.outputs}
-    of_pose = [out.quantity for out in kernel.shared.outputs]
-    of_legs = kernel.leg_constants()
-    used = names_used(block)
-    lines = []
-    for q in block.inputs:
-        owner = "at" if q in n.MOTION else "pose" if q in of_pose else "leg" if q in of_legs else "model"
-        lines += _load(kernel, q, owner, used)
-    column = (*exprs[n.H_force], *exprs[n.H_moment])
+    near = name == "leg_near_pole"
+    column = [
+        *(infix(expr, SQRT) for expr in exprs[n.H_force]),
+        *(f"STEWART_OVER_LENGTH({infix(expr, SQRT)})" for expr in exprs[n.H_moment]),
+    ]
     added = (*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ()))
     body = [
-        *lines,
+        *_leg_loads(kernel, block.inputs, names_used(block)),
         *step_lines(block.steps, "    "),
-        *_judged(exprs, at_pole),
-        *(f"    A[{i}][column] = {infix(expr, SQRT)};" for i, expr in enumerate(column)),
-        *(f"    c[{i}] = c[{i}] + ({infix(expr, SQRT)});" for i, expr in enumerate(added)),
-        *(f"    *known = {infix(expr, SQRT)};" for expr in exprs.get(n.D, ())),
+        *([] if near else _judged_length(kernel, exprs)),
+        *_judged_sine(exprs, "STEWART_POLE_SINE" if at_pole == _AT_POLE else "STEWART_NEAR_POLE", at_pole),
+        *(wrap(f"    A[{i}][column] = {text};", " " * 8) for i, text in enumerate(column)),
+        *(wrap(f"    A[{i}][6] = A[{i}][6]{_added(expr)};", " " * 8) for i, expr in enumerate(added)),
+        *(wrap(f"    *known = {infix(expr, SQRT)};", " " * 8) for expr in exprs.get(n.D, ())),
     ]
-    given = ["at", "pose", "c", *([] if kernel.constants is not None else ["model"])]
-    unused = [f"    (void){arg};" for arg in given if not any(re.search(rf"\b{arg}\b", t) for t in body)]
-    body = [*unused, *body]
+    # In double the macro that takes a moment over the length reads no model.
+    body = [*_unused(kernel, body, "model", "leg", "at", "pose"), *body]
     text = _only(_LEG, kernel).replace("@COUNT@", str(block.operations())).replace("@FUNCTION@", name)
-    return filled(text.replace("@APART@", "STEWART_APART " if "near" in name else ""), {"@BODY@": body})
+    if near:
+        text = re.sub(r",\n    stewart_real least\)", ")", text)
+    return filled(text.replace("@APART@", "STEWART_APART " if near else ""), {"@BODY@": body})
 
 
-def _judged(exprs: dict[Quantity, tuple[sp.Expr, ...]], at_pole: str) -> list[str]:
-    """Status of the leg: finite, longer than the rounding of its terms, clear of its pole."""
-    least = "STEWART_NEAR_POLE" if "near" in at_pole else "STEWART_POLE_SINE"
-    length = infix(exprs[n.L][0], SQRT)
-    lines = [
-        f"    if (!({length} > least)) {{",
-        f"        return {length} <= least ? STEWART_SHORT_LEG : STEWART_NOT_FINITE;",
+def _added(expr: sp.Expr) -> str:
+    """`` + (expr)``, with the sign drawn out of a product."""
+    if not expr.is_Add and expr.could_extract_minus_sign():
+        return f" - {infix(-expr, SQRT)}"
+    return f" + ({infix(expr, SQRT)})"
+
+
+def _judged_length(kernel: ForceKernel, exprs: dict[Quantity, tuple[sp.Expr, ...]]) -> list[str]:
+    """Out of the function where the leg is not finite or no longer than the rounding of its terms."""
+    model = "" if kernel.constants is not None else "model, "
+    return [
+        f"    if (!({infix(exprs[n.L][0], SQRT)} > least)) {{",
+        "        stewart_real moment = REAL(0);",
+        f"        const int status = judged_closely({model}leg, at, pose, &moment);",
+        "        if (status != STEWART_OK) {",
+        "            return status;",
+        "        }",
         "    }",
     ]
-    if n.k3 in exprs:
-        lines += [
-            f"    if (!({infix(exprs[n.k3][0], SQRT)} > {least})) {{",
-            f"        {at_pole}",
-            "    }",
-        ]
-    return lines
+
+
+def _judged_sine(exprs: dict[Quantity, tuple[sp.Expr, ...]], least: str, at_pole: str) -> list[str]:
+    """What is done where the leg is too near to its pole for this block."""
+    if n.k3 not in exprs:
+        return []
+    length, sine = infix(exprs[n.L][0], SQRT), infix(exprs[n.k3][0], SQRT)
+    return [f"    if (!({sine} > {least})) {{", f"        {at_pole.replace('@LENGTH@', length)}", "    }"]
 
 
 # ---------------------------------------------------------------- solving
 
 
-def _solve() -> str:
+def _solve(kernel: ForceKernel) -> str:
     """Elimination on row pointers, unrolled; rows are exchanged by pointer, an upper one is read once."""
+    model = "" if kernel.constants is not None else "model, "
     body = []
     for k in range(6):
         below = range(k + 1, 3 if k == 0 else 6)
-        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(row[{k}][{k}]);", f"pivot = {k};"]
+        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(row[{k}][{k}]);"]
+        body += [f"pivot = {k};"] if below else []
         for i in below:
             body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
             body += ["    size = other;", f"    pivot = {i};", "}"]
-        body += ["if (!(size > least[pivot])) {"]
-        body += ["    return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;", "}"]
+        body += ["if (!(size > least)) {"]
+        body += [f"    status = judged_pivot({model}at, pose, size, row[{'pivot' if below else k}] >= A[3]);"]
+        body += ["    if (status != STEWART_OK) {", "        return status;", "    }", "}"]
         body += _exchanged(k) if below else []
-        body += [f"inverse = 1 / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
+        body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
         if below:
             body += [f"{name} = row[{k}][{name[1]}];" for name in upper]
         for i in below:
             body += [f"lower = row[{i}];", f"factor = lower[{k}] * inverse;"]
-            body += [f"lower[{name[1]}] = lower[{name[1]}] - factor * {name};" for name in upper]
+            body += [f"lower[{name[1]}] = lower[{name[1]}] - (factor * {name});" for name in upper]
     for k in reversed(range(6)):
-        known = "".join(f" - row[{k}][{j}] * x[{j}]" for j in range(k + 1, 6))
+        known = "".join(f" - (row[{k}][{j}] * x[{j}])" for j in range(k + 1, 6))
         body.append(f"x[{k}] = (row[{k}][6]{known}) * row[{k}][{k}];")
     lines = "\n".join(wrap(f"    {line}", " " * 8) for line in body)
-    return _SOLVE.replace("@BODY@", lines)
+    return _only(_SOLVE, kernel).replace("@BODY@", lines)
 
 
 def _exchanged(k: int) -> list[str]:
@@ -251,10 +328,17 @@ def _exchanged(k: int) -> list[str]:
         "    lower = row[pivot];",
         f"    row[pivot] = row[{k}];",
         f"    row[{k}] = lower;",
-        f"    least[pivot] = least[{k}];",
         "}",
     ]
 
+
+def _pose(kernel: ForceKernel) -> str:
+    known = n.D in {out.quantity for out in kernel.leg.outputs}
+    forces = [f"    x[{i}] = {f'known[{i}] - x[{i}]' if known else f'-x[{i}]'};" for i in range(6)]
+    return filled(_only(_POSE, kernel), {"@FORCES@": forces})
+
+
+_AT_POLE = "return (@LENGTH@ <= STEWART_MAX) ? STEWART_POLE : STEWART_NOT_FINITE;"
 
 _HEADER = """\
 /* stewart_@NAME@_pose.h: the actuator forces of one pose, for processors without vector registers.
@@ -270,6 +354,7 @@ _HEADER = """\
 
 #include "stewart.h"
 
+@SWITCH@
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -298,6 +383,7 @@ typedef struct {
     stewart_@NAME@_pose_leg leg[6];
     stewart_real size; /* m: no platform point and no base point from base point 1 is farther */
 @PLATFORM@
+@SCALE@
 } stewart_@NAME@_pose_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
@@ -345,36 +431,45 @@ static stewart_real extent(const stewart_real *vector)
     return STEWART_FABS(vector[0]) + STEWART_FABS(vector[1]) + STEWART_FABS(vector[2]);
 }
 
+/* Sums over the legs with nothing in them yet. */
+static void clear_sum(prepared_leg *sum)
+{
+@ZERO@
+}
+
 int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_model *model)
 {
-    stewart_@NAME@_pose_model made;
-    prepared_leg found, sum;
+    prepared_leg found;
+    prepared_leg sum;
     prepared_platform platform;
-    const stewart_real *numbers = (const stewart_real *)&made;
-    size_t number;
+    stewart_real size = REAL(0);
+    stewart_real lost = REAL(0); /* zero as long as all numbers are finite */
     int i;
-    if (!robot || !model) {
+    if ((robot == NULL) || (model == NULL)) {
         return STEWART_BAD_ARGUMENT;
     }
-@ZERO@
+    clear_sum(&sum);
+    for (i = 0; i < 6; ++i) {
+        prepare_leg(robot, &robot->leg[i], &found);
+@ADD@
+@HELD@
+        size = STEWART_LARGER(extent(found.p), size);
+        size = STEWART_LARGER(extent(found.r), size);
+    }
+    prepare_platform(robot, &sum, &platform);
+@HELD_PLATFORM@
+    lost = lost + (REAL(0) * size);
+    if (!(lost >= REAL(0))) {
+        return STEWART_NOT_FINITE;
+    }
+    /* Once more, as a second model would not fit on a small stack. */
     for (i = 0; i < 6; ++i) {
         prepare_leg(robot, &robot->leg[i], &found);
 @COPIES@
-@ADD@
     }
-    prepare_platform(robot, &sum, &platform);
 @PLATFORM@
-    made.size = 0;
-    for (i = 0; i < 6; ++i) {
-        made.size = STEWART_LARGER(extent(made.leg[i].p), made.size);
-        made.size = STEWART_LARGER(extent(made.leg[i].r), made.size);
-    }
-    for (number = 0; number < sizeof made / sizeof *numbers; ++number) {
-        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
-        }
-    }
-    *model = made;
+    model->size = size;
+    STEWART_CHOOSE_LENGTH(model);
     return STEWART_OK;
 }
 """
@@ -385,8 +480,20 @@ typedef struct {
 @MEMBERS@
 } pose_terms;
 
-/* @COUNT@ operations. */
-static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out)
+/* What the pose has for all legs, and the platform's part of c: @COUNT@ operations. */
+static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out, stewart_real A[6][7])
+{
+@BODY@
+}
+"""
+
+_CLOSELY = """\
+/* Status of a leg that is not beyond doubt longer than the rounding of its terms; `moment` becomes the size
+ * of the leg's column of moments if that is larger. */
+STEWART_APART static int judged_closely(
+    const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
+    const leg_numbers *leg, //B
+    const stewart_motion *at, const pose_terms *pose, stewart_real *moment)
 {
 @BODY@
 }
@@ -399,7 +506,7 @@ _LEG = """\
     const leg_numbers *leg, //B
     const stewart_motion *at, const pose_terms *pose, int column, stewart_real A[6][7],
     stewart_real *known, //D
-    stewart_real least, stewart_real *c)
+    stewart_real least)
 {
 @BODY@
     return STEWART_OK;
@@ -407,19 +514,54 @@ _LEG = """\
 """
 
 _SOLVE = """\
-/* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows;
- * `moment` is the size of the moment rows. */
-static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
+/* Status of a pivot of this size that is not beyond doubt larger than rounding. */
+STEWART_APART static int judged_pivot(
+    const stewart_@NAME@_pose_model *model, //M
+    const stewart_motion *at, const pose_terms *pose, stewart_real size, int of_moment)
 {
-    stewart_real *row[6];
-    stewart_real least[6];
-    stewart_real *lower;
-    stewart_real u1, u2, u3, u4, u5, u6, size, other, factor, inverse;
-    int i, pivot;
+    stewart_real moment = REAL(0);
+    int i;
     for (i = 0; i < 6; ++i) {
-        row[i] = A[i];
-        least[i] = i < 3 ? STEWART_ROUNDING : STEWART_ROUNDING * moment;
+        const int status = judged_closely(model, &model->leg[i], at, pose, &moment); //M
+        const int status = judged_closely(&legs[i], at, pose, &moment); //B
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
+    if (!(size <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    moment = (of_moment != 0) ? STEWART_OVER_LENGTH(moment) : REAL(1);
+    return (size > (STEWART_ROUNDING * moment)) ? STEWART_OK : STEWART_SINGULAR;
+}
+
+/* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows. */
+static int solve(
+    const stewart_@NAME@_pose_model *model, //M
+    const stewart_motion *at, const pose_terms *pose, stewart_real A[6][7], stewart_real x[6])
+{
+    /* No row's rounding is above this. */
+    const stewart_real least = STEWART_ROUNDING * (REAL(1) + STEWART_OVER_LENGTH(SIZE));
+    stewart_real *row[6];
+    stewart_real *lower;
+    stewart_real u1;
+    stewart_real u2;
+    stewart_real u3;
+    stewart_real u4;
+    stewart_real u5;
+    stewart_real u6;
+    stewart_real size;
+    stewart_real other;
+    stewart_real factor;
+    stewart_real inverse;
+    int pivot;
+    int status;
+    row[0] = A[0];
+    row[1] = A[1];
+    row[2] = A[2];
+    row[3] = A[3];
+    row[4] = A[4];
+    row[5] = A[5];
 @BODY@
     return STEWART_OK;
 }
@@ -432,51 +574,56 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
 {
     pose_terms pose;
     stewart_real A[6][7];
-    stewart_real x[6], c[6];
+    stewart_real x[6];
     stewart_real known[6]; //D
     stewart_real least;
-    int i, status;
-    if (!model || !motion || !F) { //M
-    if (!motion || !F) { //B
+    int i;
+    int status;
+    if ((model == NULL) || (motion == NULL) || (F == NULL)) { //M
+    if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
     }
-    pose_of(model, motion, &pose); //M
-    pose_of(motion, &pose); //B
-    /* A leg below this is the rounding error of the vectors that it is the sum of. */
-    least = STEWART_SHORTEST + STEWART_ROUNDING
-        * (STEWART_FABS(pose.t_1[0]) + STEWART_FABS(pose.t_1[1]) + STEWART_FABS(pose.t_1[2]) + SIZE);
-    for (i = 0; i < 3; ++i) {
-        c[i] = pose.c_force[i];
-        c[i + 3] = pose.c_moment[i];
-    }
+    pose_of(model, motion, &pose, A); //M
+    pose_of(motion, &pose, A); //B
+    /* A leg above this is longer than the rounding error of the vectors that it is the sum of. */
+    least = STEWART_SHORTEST + (REAL(2) * STEWART_ROUNDING
+        * (STEWART_FABS(pose.t_1[0]) + STEWART_FABS(pose.t_1[1]) + STEWART_FABS(pose.t_1[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(
             model, &model->leg[i], //M
             &legs[i], //B
             motion, &pose, i, A,
             &known[i], //D
-            least, c);
+            least);
         if (status != STEWART_OK) {
             return status;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        A[i][6] = c[i];
-    }
-    status = solve(A, SIZE, x);
+#if defined(STEWART_SCALED)
+    A[3][6] = STEWART_OVER_LENGTH(A[3][6]);
+    A[4][6] = STEWART_OVER_LENGTH(A[4][6]);
+    A[5][6] = STEWART_OVER_LENGTH(A[5][6]);
+#endif
+    status = solve(model, motion, &pose, A, x); //M
+    status = solve(motion, &pose, A, x); //B
     if (status != STEWART_OK) {
         return status;
     }
-    for (i = 0; i < 6; ++i) {
-        x[i] = known[i] - x[i]; //D
-        x[i] = -x[i]; //E
-        if (!(STEWART_FABS(x[i]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
+@FORCES@
+    if (!((STEWART_FABS(x[0]) + STEWART_FABS(x[1]) + STEWART_FABS(x[2]) + STEWART_FABS(x[3])
+            + STEWART_FABS(x[4]) + STEWART_FABS(x[5])) <= STEWART_MAX)) {
+        for (i = 0; i < 6; ++i) {
+            if (!(STEWART_FABS(x[i]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
         }
     }
-    for (i = 0; i < 6; ++i) {
-        F[i] = x[i];
-    }
+    F[0] = x[0];
+    F[1] = x[1];
+    F[2] = x[2];
+    F[3] = x[3];
+    F[4] = x[4];
+    F[5] = x[5];
     return STEWART_OK;
 }
 """

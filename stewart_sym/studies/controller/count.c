@@ -1,0 +1,144 @@
+/* count.c: checks a one-pose kernel on an emulated Cortex-M, and counts its instructions and its stack.
+ *
+ * `cases.h`, written for the kernel, names its functions and holds motions with their forces, and motions
+ * without an answer. Prints one number a line; returns 0 if every answer is right.
+ */
+#include "board.h"
+#include "cases.h"
+
+#define TIMES 100
+#define UNTOUCHED ((stewart_real)-1.25)
+
+static stewart_motion at;
+static stewart_real F[6];
+#if !defined(BAKED)
+static MODEL model, blank;
+static stewart_robot odd;
+#define FORCES_OF(motion, out) FORCES(&model, motion, out)
+#else
+#define FORCES_OF(motion, out) FORCES(motion, out)
+#endif
+
+static int forces(void)
+{
+    return FORCES_OF(&at, F);
+}
+
+/* Nothing but the return of a function with the same arguments. */
+#if defined(BAKED)
+__attribute__((naked, noinline)) static int nothing(const stewart_motion *motion, stewart_real out[6])
+{
+    (void)motion;
+    (void)out;
+    __asm__ volatile("bx lr");
+}
+static int no_forces(void)
+{
+    return nothing(&at, F);
+}
+#else
+__attribute__((naked, noinline)) static int nothing(
+    const MODEL *of, const stewart_motion *motion, stewart_real out[6])
+{
+    (void)of;
+    (void)motion;
+    (void)out;
+    __asm__ volatile("bx lr");
+}
+static int no_forces(void)
+{
+    return nothing(&model, &at, F);
+}
+static int prepare(void)
+{
+    return PREPARE(&ROBOT, &model);
+}
+#endif
+
+static void clear(void)
+{
+    int i;
+    for (i = 0; i < 6; ++i) {
+        F[i] = UNTOUCHED;
+    }
+}
+
+/* 1 if a call did not return what it has to, or wrote forces with a status. */
+static int32_t wrong(int status, int expected)
+{
+    int i, touched = 0;
+    for (i = 0; i < 6; ++i) {
+        touched |= !(F[i] >= UNTOUCHED && F[i] <= UNTOUCHED);
+    }
+    clear();
+    return status != expected || touched;
+}
+
+/* Calls with wrong arguments or without an answer; returns how many were not told so. */
+static int32_t refused(void)
+{
+    int32_t found = 0;
+    int i;
+    clear();
+    found += wrong(FORCES_OF(0, F), STEWART_BAD_ARGUMENT);
+    found += wrong(FORCES_OF(&motions[0], 0), STEWART_BAD_ARGUMENT);
+#if !defined(BAKED)
+    found += wrong(FORCES(0, &motions[0], F), STEWART_BAD_ARGUMENT);
+    found += wrong(PREPARE(0, &blank), STEWART_BAD_ARGUMENT);
+    found += wrong(PREPARE(&ROBOT, 0), STEWART_BAD_ARGUMENT);
+    odd = ROBOT;
+    odd.leg[4].m_u = (stewart_real)NAN;
+    found += wrong(PREPARE(&odd, &blank), STEWART_NOT_FINITE);
+    found += wrong(FORCES(&blank, &motions[0], F) == STEWART_OK, 0);
+#endif
+    for (i = 0; i < REFUSED; ++i) {
+        found += wrong(FORCES_OF(&refused_motions[i], F), refused_status[i]);
+    }
+    return found;
+}
+
+int main(void)
+{
+    int32_t failed = 0, status;
+    double worst = 0;
+    uint32_t empty, deepest = 0;
+    int i, j;
+#if !defined(BAKED)
+    at = motions[0];
+    board_print_number("model_bytes", (int32_t)sizeof model);
+    deepest = board_stack(prepare);
+    board_print_number("stack_prepare", (int32_t)deepest);
+    failed += PREPARE(&ROBOT, &model) != STEWART_OK;
+#endif
+    for (i = 0; i < MOTIONS; ++i) {
+        status = FORCES_OF(&motions[i], F);
+        failed += status != STEWART_OK;
+        for (j = 0; j < 6; ++j) {
+            const double error = (double)F[j] - expected[i][j];
+            const double units = (error < 0 ? -error : error) / bounds[i];
+            worst = units <= worst ? worst : units;
+            failed += !(units <= 1);
+        }
+    }
+    board_print_number("failed", failed);
+    board_print_number("worst_error_ppm_of_bound", worst <= 1000 ? (int32_t)(worst * 1e6) : -1);
+    status = refused();
+    board_print_number("refused_wrongly", status);
+    failed += status;
+    board_print_number("known", (int32_t)board_ticks_of_known());
+    at = motions[0];
+    empty = board_ticks(no_forces, TIMES);
+    board_print_number("empty", (int32_t)empty);
+    board_print_number("stack_empty", (int32_t)board_stack(no_forces));
+    deepest = 0;
+    for (i = 0; i < MOTIONS; ++i) {
+        uint32_t depth;
+        at = motions[i];
+        board_print_number("ticks", (int32_t)board_ticks(forces, TIMES));
+        depth = board_stack(forces);
+        deepest = depth > deepest ? depth : deepest;
+    }
+    board_print_number("times", TIMES);
+    board_print_number("stack_forces", (int32_t)deepest);
+    return failed ? 1 : 0;
+}

@@ -1,0 +1,404 @@
+"""Kernels for processors without vector registers answer as those with lanes, with a status where they do."""
+
+import ctypes
+import dataclasses
+import functools
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from near_singular import near_singular_motion
+from numpy.typing import NDArray
+from test_bad_poses import leg_along_its_axis, short_leg, singular
+from test_float import BOUND, any_machine
+from test_pole import leaning
+
+import stewart_sym as ss
+from stewart_sym import fidelity, native
+from stewart_sym.derive import notation as n
+from stewart_sym.derive.bake import baked
+from stewart_sym.derive.emit import scalar
+from stewart_sym.derive.emit.c import common_header
+from stewart_sym.derive.fidelity import FIDELITIES, fidelity_kernel
+from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.kernel import MOTION, c_sources, kernel_name, loaded, robot_numbers
+from stewart_sym.motion import Motion
+from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.robot import Robot
+
+Array = NDArray[np.float64]
+EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
+PLAIN = ["general", "massless_static"]
+OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN]
+LEVELS = [*PLAIN, *(pytest.param(level, marks=pytest.mark.slow) for level in OTHERS)]
+UNTOUCHED = -1.25
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A compiled one-pose kernel with a robot prepared for it, if it takes one."""
+
+    library: ctypes.CDLL
+    name: str
+    precision: str
+    model: Array | None
+
+    @property
+    def dtype(self) -> Any:
+        return np.float32 if self.precision == "float" else np.float64
+
+    def one(self, numbers: Array) -> tuple[int, Array]:
+        given, F = np.asarray(numbers, dtype=self.dtype), np.full(6, UNTOUCHED, dtype=self.dtype)
+        arguments = [given.ctypes.data, F.ctypes.data]
+        if self.model is not None:
+            arguments.insert(0, self.model.ctypes.data)
+        status = getattr(self.library, f"stewart_{self.name}_pose_forces")(*map(ctypes.c_void_p, arguments))
+        return status, F
+
+    def forces_and_status(self, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
+        """F, NaN where the status is not 0, and status of every pose, (n,)."""
+        found = [self.one(numbers(motion[i])) for i in range(motion.shape[0])]
+        F, status = np.array([F for _, F in found]), np.array([code for code, _ in found])
+        assert (F[status != OK] == UNTOUCHED).all()
+        F[status != OK] = np.nan
+        return F, status
+
+
+def numbers(motion: Motion) -> Array:
+    poses = loaded(motion)
+    return np.concatenate([np.ravel(getattr(poses, name)) for name in MOTION])
+
+
+@functools.cache
+def plain_blocks(formulation: str, joint: str, level: str) -> Any:
+    name = kernel_name(formulation, joint)
+    return fidelity_kernel(next(f for f in FORMULATIONS if f.kernel_name == name), FIDELITIES[level])
+
+
+@functools.cache
+def library(formulation: str, joint: str, level: str, precision: str) -> tuple[ctypes.CDLL, str]:
+    return compiled(shared_blocks(plain_blocks(formulation, joint, level)), None, precision)
+
+
+def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
+    file = f"stewart_{kernel.name}_pose"
+    sources = {
+        "stewart.h": common_header(""),
+        f"{file}.h": scalar.header(kernel, before, ""),
+        f"{file}.c": scalar.source(kernel, ""),
+    }
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else None
+    return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
+
+
+def prepared(
+    robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
+) -> Kernel:
+    level = fidelity.resolved(robot, formulation, level)
+    joint = robot.base_joint if level == "general" else "universal"
+    found, name = library(formulation, joint, level, precision)
+    dtype = np.float32 if precision == "float" else np.float64
+    raw, model = robot_numbers(robot).astype(dtype), np.full(1000, np.nan, dtype=dtype)
+    call = getattr(found, f"stewart_{name}_pose_prepare")
+    assert call(ctypes.c_void_p(raw.ctypes.data), ctypes.c_void_p(model.ctypes.data)) == OK
+    return Kernel(found, name, precision, model)
+
+
+def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
+    level = fidelity.resolved(robot, "exact", level)
+    raw = plain_blocks("exact", robot.base_joint if level == "general" else "universal", level)
+    given = {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
+    found, name = compiled(shared_blocks(baked(raw, given, "machine")), shared_blocks(raw), precision)
+    return Kernel(found, name, precision, None)
+
+
+def joined(motions: list[Motion]) -> Motion:
+    poses = [loaded(motion) for motion in motions]
+    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+
+
+def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str, units: float) -> None:
+    """Same statuses as with lanes; forces within units of rounding, condition and largest force."""
+    lanes = ss.prepare(robot, formulation, kernel.precision, level)  # type: ignore[arg-type]
+    F, status = kernel.forces_and_status(motion)
+    expected, codes = lanes.forces_and_status(motion)
+    np.testing.assert_array_equal(status, codes)
+    good = np.flatnonzero(status == OK)
+    full = ss.inverse_dynamics(robot, motion[good], formulation, on_singular="nan")  # type: ignore[arg-type]
+    condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
+    largest = np.max(
+        [np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x, expected[good])], axis=0
+    )
+    bound = units * EPSILON[kernel.precision] * condition * largest
+    assert (np.abs(F[good] - expected[good]).max(axis=-1) <= bound).all()
+
+
+def machine_of(level: str, seed: int, joint: str = "universal") -> Robot:
+    return random_robot(np.random.default_rng(seed), joint)  # type: ignore[arg-type]
+
+
+# --- the same answers -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("level", LEVELS)
+def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
+    for seed, scale in ((1, 1.0), (2, 1e-3), (3, 10.0)):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, scale=scale)
+        motion = random_motion(rng, robot, (20,))
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    ("formulation", "joint"),
+    [
+        ("paper", "universal"),
+        ("exact", "spherical"),
+        pytest.param("paper", "spherical", marks=pytest.mark.slow),
+    ],
+)
+def test_every_formulation_and_joint_answers_as_with_lanes(
+    formulation: str, joint: str, precision: str
+) -> None:
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, joint)
+        motion = random_motion(rng, robot, (20,))
+        agree(
+            prepared(robot, formulation, "general", precision), robot, motion, formulation, "general", BOUND
+        )
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_baked_kernel_answers_as_with_lanes(level: str) -> None:
+    for robot in (dasgupta(), machine_of(level, 3)):
+        motion = random_motion(np.random.default_rng(4), robot, (20,))
+        agree(baked_kernel(robot, level), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.slow
+def test_a_baked_kernel_in_float_answers_as_with_lanes() -> None:
+    robot = random_robot(np.random.default_rng(5), scale=1e-3)
+    motion = random_motion(np.random.default_rng(6), robot, (20,))
+    agree(baked_kernel(robot, "general", "float"), robot, motion, "exact", "general", BOUND)
+
+
+def float_error(rng: np.random.Generator) -> float:
+    """Error in rounding units of float, condition number and largest force; inputs rounded to float too."""
+    robot, motion = any_machine(rng)
+    formulation = "exact" if rng.random() < 0.7 else "paper"
+    truth = ss.inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
+    status, F = prepared(robot, formulation, "general", "float").one(numbers(motion))
+    assert status == OK
+    condition = ss.scaled_condition_number(truth.H, ss.characteristic_length(robot))
+    largest = max(np.abs(values).max() for values in (truth.F, truth.D, truth.x))
+    return float(np.abs(F - truth.F).max() / (EPSILON["float"] * condition * largest))
+
+
+def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size() -> None:
+    rng = np.random.default_rng(60)
+    assert max(float_error(rng) for _ in range(150)) <= BOUND
+
+
+@pytest.mark.slow
+def test_float_forces_are_within_100_units_times_condition_on_two_thousand_machines() -> None:
+    rng = np.random.default_rng(67)
+    errors = [float_error(rng) for _ in range(2_000)]
+    print(f"one-pose float, 2,000 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
+    assert max(errors) <= BOUND
+
+
+def test_in_double_no_moment_is_taken_over_a_length_unless_asked_for() -> None:
+    """A power of two changes bits through the choice of pivots alone: scaled, some force differs."""
+    robot = random_robot(np.random.default_rng(7), scale=1e-3)
+    motion = random_motion(np.random.default_rng(8), robot, (200,))
+    kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
+    text = scalar.source(kernel, "")
+    assert text.count("STEWART_OVER_LENGTH") > 8
+    F, _ = prepared(robot).forces_and_status(motion)
+    again = dataclasses.replace(prepared(robot), library=_built(kernel, {"STEWART_SCALED": 1}))
+    raw, model = robot_numbers(robot), np.zeros(1000)
+    call = again.library.stewart_exact_pose_prepare
+    assert call(ctypes.c_void_p(raw.ctypes.data), ctypes.c_void_p(model.ctypes.data)) == OK
+    scaled, _ = dataclasses.replace(again, model=model).forces_and_status(motion)
+    assert (F != scaled).any()
+    np.testing.assert_allclose(F, scaled, rtol=0, atol=1e-9 * np.abs(F).max())
+
+
+def _built(kernel: Any, defines: dict[str, str | int]) -> ctypes.CDLL:
+    file = f"stewart_{kernel.name}_pose"
+    sources = {
+        "stewart.h": common_header(""),
+        f"{file}.h": scalar.header(kernel, None, ""),
+        f"{file}.c": scalar.source(kernel, ""),
+    }
+    return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines)
+
+
+# --- near failure -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_near_a_pole_the_status_and_the_road_are_those_of_the_lanes(formulation: str, precision: str) -> None:
+    rng = np.random.default_rng(9)
+    seen = set()
+    for sine in 10.0 ** rng.uniform(-17, 0, 40):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot)
+        robot = leaning(robot, motion, float(sine))
+        kernel = prepared(robot, formulation, "general", precision)
+        lanes = ss.prepare(robot, formulation, precision)  # type: ignore[arg-type]
+        status, F = kernel.one(numbers(motion))
+        expected, code = lanes.forces_and_status(motion)
+        assert status == code
+        seen.add(int(status))
+        if status == OK:
+            # The leg's spin grows like the inverse sine, and with it what the rounding of a number does.
+            assert np.abs(F - expected).max() <= 1e5 * EPSILON[precision] / sine * np.abs(expected).max()
+    assert seen == {OK, POLE}
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    ("joint", "level"),
+    [
+        ("universal", "general"),
+        pytest.param("spherical", "general", marks=pytest.mark.slow),
+        pytest.param("universal", "massless", marks=pytest.mark.slow),
+    ],
+)
+def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str, precision: str) -> None:
+    rng = np.random.default_rng(10)
+    for _ in range(4):
+        robot = random_robot(rng, joint, scale=float(10 ** rng.uniform(-3, 1)))  # type: ignore[arg-type]
+        # With universal axes, of which there is no pole to keep away from.
+        axes = dataclasses.replace(robot, k=random_robot(rng).k, base_joint="universal")
+        motion = joined([near_singular_motion(rng, axes) for _ in range(2)])
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    "level", ["general", *(pytest.param(level, marks=pytest.mark.slow) for level in ("slender", "massless"))]
+)
+def test_short_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
+    rng = np.random.default_rng(11)
+    seen = set()
+    for length in 10.0 ** rng.uniform(-18, -3, 40):
+        robot = random_robot(rng, scale=float(10 ** rng.uniform(-3, 1)))
+        robot = dataclasses.replace(robot, b=robot.b + 10 ** rng.uniform(-2, 2) * rng.uniform(-1, 1, 3))
+        motion, leg = random_motion(rng, robot), int(rng.integers(6))
+        along = rng.normal(size=3)
+        t = robot.b[leg] - motion.R @ robot.p[leg] + length * along / np.linalg.norm(along)
+        motion = dataclasses.replace(motion, t=t)
+        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        status, _ = prepared(robot, "exact", level, precision).one(numbers(motion))
+        assert status == lanes.status(motion)
+        seen.add(int(status))
+    assert {OK, SHORT_LEG} <= seen
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("make", [short_leg, leg_along_its_axis, singular])
+def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
+    robot, motion = make()
+    for level in ("general", "massless_static"):
+        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        for kernel in (prepared(robot, "exact", level, precision), baked_kernel(robot, level, precision)):
+            status, F = kernel.one(numbers(motion))
+            assert status == lanes.status(motion)
+            assert status == OK or (F == UNTOUCHED).all()
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
+    robot = machine_of(level, 12)
+    motion = numbers(random_motion(np.random.default_rng(13), robot))
+    lanes = ss.prepare(robot, fidelity=level).one_pose()
+    kernels = [prepared(robot, "exact", level), baked_kernel(robot, level)]
+    statuses = set()
+    for where in range(motion.size):
+        for value in (np.nan, np.inf, -np.inf, 1e155, 1e200, 1e308):
+            given = motion.copy()
+            given[where] = value
+            lanes.numbers[:] = given
+            expected = lanes.solve()
+            statuses.add(expected)
+            for kernel in kernels:
+                status, F = kernel.one(given)
+                assert status == expected, (where, value)
+                assert (F == UNTOUCHED).all() == (status != OK)
+    assert NOT_FINITE in statuses
+
+
+# --- wrong calls ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None:
+    robot = machine_of(level, 14)
+    motion = numbers(random_motion(np.random.default_rng(15), robot))
+    for precision in ("double", "float"):
+        kernel = prepared(robot, "exact", level, precision)
+        blank = dataclasses.replace(kernel, model=np.zeros_like(cast(Array, kernel.model)))
+        status, F = blank.one(motion)
+        assert status in (SHORT_LEG, POLE, SINGULAR)
+        assert (F == UNTOUCHED).all()
+        given, F = motion.astype(kernel.dtype), np.full(6, UNTOUCHED, dtype=kernel.dtype)
+        pointers = [cast(Array, kernel.model).ctypes.data, given.ctypes.data, F.ctypes.data]
+        call = getattr(kernel.library, f"stewart_{kernel.name}_pose_forces")
+        for missing in range(3):
+            some = [None if i == missing else pointer for i, pointer in enumerate(pointers)]
+            assert call(*map(ctypes.c_void_p, some)) == BAD_ARGUMENT
+        assert (F == UNTOUCHED).all()
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: str) -> None:
+    robot = machine_of(level, 16)
+    kernel = prepared(robot, "exact", level)
+    call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
+    numbers = robot_numbers(robot)
+    model = np.full(1000, UNTOUCHED)
+    lanes_name = fidelity.force_kernel_name(robot, "exact", level)
+    lanes = getattr(lanes_library(lanes_name), f"stewart_{lanes_name}_prepare")
+    other, refused = np.full(5000, UNTOUCHED), 0
+    for where in range(numbers.size):
+        for value in (np.nan, np.inf, 1e308):
+            given = numbers.copy()
+            given[where] = value
+            status = call(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(model.ctypes.data))
+            expected = lanes(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(other.ctypes.data))
+            assert status == expected, (where, value)
+            if status != OK:
+                refused += 1
+                assert (model == UNTOUCHED).all()
+            model[:], other[:] = UNTOUCHED, UNTOUCHED
+    assert refused > 50
+    for pointers in ((0, model.ctypes.data), (numbers.ctypes.data, 0)):
+        assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
+
+
+def lanes_library(name: str) -> ctypes.CDLL:
+    return native.load("lanes", c_sources(f"{name}_forces"))
+
+
+@pytest.mark.slow
+def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
+    """No name of the one is a name of the other."""
+    kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
+    sources = {
+        **c_sources("exact_forces"),
+        "stewart_exact_pose.h": scalar.header(kernel, None, ""),
+        "stewart_exact_pose.c": scalar.source(kernel, ""),
+        "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
+    }
+    both = native.load("both", sources)
+    assert both.stewart_exact_forces
+    assert both.stewart_exact_pose_forces
