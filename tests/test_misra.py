@@ -20,7 +20,6 @@ from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
 DERIVATIVES = ("derivatives", "linearisation")
-QUICK = ("massless forces", "forces scalar", "forces scalar baked", "reactions", "robot")
 SLOW = ("forces", "forces baked", "motion", "derivatives")
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
 ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}
@@ -40,9 +39,10 @@ def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
 
 
 def of_kit(**choice: bool) -> dict[str, str]:
-    """The files of a kit of the paper's machine, the example's own left out."""
-    files = kit(ss.robots.dasgupta1998(), Choice(fidelity="general", **choice)).files
-    return {name: text for name, text in files.items() if re.match(r"(stewart|robot)\w*\.[ch]$", name)}
+    """The files of a kit of the paper's machine, its programs left out."""
+    files = kit(ss.robots.dasgupta1998(), Choice(**choice)).files
+    own = re.compile(r"(stewart|robot)\w*\.[ch]$")
+    return {name: text.decode() for name, text in files.items() if own.match(name)}
 
 
 SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
@@ -54,6 +54,7 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "reactions": (lambda: committed("stewart_exact"), r"exact\.c"),
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
     "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
+    "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
     "robot": (lambda: of_kit(scalar=True), r"^robot\.c"),
 }
 """Kind of source -> how its files are made, and which of them is looked at."""

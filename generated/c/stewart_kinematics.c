@@ -21,7 +21,7 @@
 #endif
 
 /* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (16 * STEWART_EPSILON)
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
  * along that axis has lost six bits; the leg's third axis is taken instead. */
@@ -29,15 +29,16 @@
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(1 / STEWART_MAX / STEWART_EPSILON)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
 #endif
 
+#define REAL(value) ((stewart_real)(value))
 #define STEWART_HALF ((stewart_real)0.5)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
 
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (4096 * STEWART_EPSILON)
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
 #define REAL(value) ((stewart_real)(value))
 
@@ -104,7 +105,7 @@ static void row_of(const leg_vectors *leg, stewart_real row[6])
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
     const stewart_real S_x = leg->S[0], S_y = leg->S[1], S_z = leg->S[2];
     const stewart_real L = leg->L;
-    const stewart_real inv_L = 1/L;
+    const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
@@ -153,7 +154,7 @@ static void turned_by(const stewart_real turn[3], stewart_real Q[9])
     const stewart_real c1 = w_x*w_x;
     const stewart_real c2 = w_y*w_y;
     const stewart_real c3 = w_z*w_z;
-    const stewart_real share = 2/(c1 + c2 + c3 + 1);
+    const stewart_real share = REAL(2)/(c1 + c2 + c3 + REAL(1));
     /* products of the half turn */
     const stewart_real W_xx = c1;
     const stewart_real W_xy = w_x*w_y;
@@ -161,15 +162,15 @@ static void turned_by(const stewart_real turn[3], stewart_real Q[9])
     const stewart_real W_yy = c2;
     const stewart_real W_yz = w_y*w_z;
     const stewart_real W_zz = c3;
-    Q[0] = share*(-W_yy - W_zz) + 1;
+    Q[0] = share*(-W_yy - W_zz) + REAL(1);
     Q[1] = share*(W_xy - w_z);
     Q[2] = share*(W_xz + w_y);
     Q[3] = share*(W_xy + w_z);
-    Q[4] = share*(-W_xx - W_zz) + 1;
+    Q[4] = share*(-W_xx - W_zz) + REAL(1);
     Q[5] = share*(W_yz - w_x);
     Q[6] = share*(W_xz - w_y);
     Q[7] = share*(W_yz + w_x);
-    Q[8] = share*(-W_xx - W_yy) + 1;
+    Q[8] = share*(-W_xx - W_yy) + REAL(1);
 }
 
 /* STEWART_OK if all of some numbers are finite, else STEWART_NOT_FINITE. */

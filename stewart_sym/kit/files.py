@@ -174,11 +174,17 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
             precision=choice.precision,
             stack_by=_stack()["by"],
             has_robot=_has_robot(made),
-            deviations=deviations(made.parts),
+            deviations=_deviations(made),
             unit=unit,
             version=generator(),
         )
     )
+
+
+def _deviations(made: Parts) -> list[tuple[str, str, str]]:
+    kinds = {kind for part in made.parts for kind in part.kinds}
+    kinds |= {"robot"} if _has_robot(made) else set()
+    return [(each.rule, each.what, each.reason) for each in deviations(kinds)]
 
 
 def _error(vectors_of: list[Vector]) -> float:

@@ -94,7 +94,8 @@ def _force_part(
         "forces", f"{prefix}_forces", f"{file}.h", NOTHING if is_baked else MODEL, prefix, count
     )
     files = _committed(file) if sources is None else sources
-    return Part(file, files, (function,), says)
+    kind = f"forces{' scalar' if file.endswith('_pose') else ''}{' baked' if is_baked else ''}"
+    return Part(file, files, (function,), (kind,), says)
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
@@ -138,11 +139,12 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
         for stem in STEMS["reactions"]
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
-    return Part(f"stewart_{name}", _committed(f"stewart_{name}"), tuple(functions), says)
+    return Part(f"stewart_{name}", _committed(f"stewart_{name}"), tuple(functions), ("reactions",), says)
 
 
 def _model(file: str) -> Part:
-    return Part(file, _committed(file), (), "The prepared constants that the equations of motion read.")
+    says = "The prepared constants that the equations of motion read; the forces come with them."
+    return Part(file, _committed(file), (), ("forces",), says)
 
 
 def _motion(choice: Choice) -> Part:
@@ -156,7 +158,7 @@ def _motion(choice: Choice) -> Part:
         for stem in stems
     ]
     files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
-    return Part(file, files, tuple(functions), _motion_says(stems))
+    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems))
 
 
 def _motion_says(stems: Iterable[str]) -> str:
@@ -167,7 +169,7 @@ def _kinematics() -> Part:
     file = "stewart_kinematics"
     functions = [Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT) for stem in STEMS[_KINEMATICS]]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
-    return Part(file, _committed(file), tuple(functions), says)
+    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says)
 
 
 def _committed(file: str) -> dict[str, str]:

@@ -65,12 +65,17 @@ class Function:
 
 @dataclass(frozen=True)
 class Part:
-    """One header and source of a kit. name: of both, without the ending. files: file name -> text."""
+    """One header and source of a kit.
+
+    name: of both, without the ending. files: file name -> text. kinds: what it is for the list of deviations,
+    out of ``deviations.KINDS``. says: a line for the README.
+    """
 
     name: str
     files: Mapping[str, str]
     functions: tuple[Function, ...]
-    says: str = ""
+    kinds: tuple[str, ...]
+    says: str
 
     @property
     def header(self) -> str:
