@@ -250,6 +250,18 @@ def kinematics(robot: Robot, function: str, given: dict[str, Array]) -> dict[str
     return {"v": v, "omega": omega}
 
 
+def test_forward_kinematics_is_asked_only_where_lengths_settle_the_pose() -> None:
+    """Similar circles are singular everywhere, these almost: lengths in float leave some poses open."""
+    angle = np.array([0.1, 1.0, 2.3, 3.1, 4.4, 5.0])
+    circle = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])
+    bump = 0.05 * np.eye(6)[:, :3]
+    robot = dataclasses.replace(machine("spherical"), b=circle, p=0.5 * circle + bump)
+    counts = {
+        precision: len(vectors(robot, ("forward_velocity",), precision=precision)) for precision in KIND
+    }
+    assert counts["float"] < counts["double"] == 8
+
+
 def test_forward_kinematics_starts_away_from_its_answer() -> None:
     for vector in of("forward_kinematics"):
         assert np.abs(vector.inputs["R_guess"] - vector.answers["R"]).max() > 1e-3
@@ -410,6 +422,12 @@ def test_bad_arguments_are_refused(change: dict[str, Any], message: str) -> None
     arguments: dict[str, Any] = {"functions": ("forces",), **change}
     with pytest.raises(ValueError, match=message):
         vectors(machine(), **arguments)
+
+
+def test_constants_that_float_cannot_hold_are_refused() -> None:
+    heavy = dataclasses.replace(machine(), M=1e39)
+    with pytest.raises(ValueError, match=r"^robot: expected constants that float can hold, some overflow$"):
+        vectors(heavy, ("forces",), precision="float")
 
 
 def test_machine_without_a_good_pose_is_refused() -> None:

@@ -77,13 +77,16 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     """Motions (n,), n <= count: the example's first, then others around it with other rates and loads.
 
     The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes; those within
-    the length limits come first. One of them is at rest, others move backwards or without load. A machine may
-    have fewer than asked for. Raises ValueError as ``sample``.
+    the length limits come first, then those with good condition numbers. Some are at rest, others move
+    backwards or without load. A machine may have fewer than asked for. Raises ValueError as ``sample``.
     """
     first, _, _ = sample(robot, formulation)
     around, condition, clear, within = _judged(robot, _neighbours(robot, first), formulation)
-    good = clear & (condition <= MAX_CONDITION)
-    chosen = [*np.flatnonzero(good & within), *np.flatnonzero(good & ~within)][: count - 1]
+    fit = clear & (condition <= MAX_CONDITION)
+    # The order of numbers is kept within a rank: the sort is stable.
+    rank = 2 * ~within + (condition > GOOD_CONDITION)
+    order = np.argsort(rank, kind="stable")
+    chosen = order[fit[order]][: count - 1]
     fields = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
     return Motion(
         **{
@@ -137,7 +140,7 @@ def _candidates(robot: Robot) -> Motion:
 
 
 def _neighbours(robot: Robot, first: Motion) -> Motion:
-    """Motions around the example's, (n,), in numbers of few digits; the first is at rest."""
+    """Motions around the example's, (n,), in numbers of few digits; some are at rest."""
     # Whole numbers, so that no machine's products round R in another way than others.
     turned = np.rint(first.R * _SLIGHT)
     R, off = [], []

@@ -8,6 +8,7 @@ other or side by side. Reading and C have errors of the same size in first order
 what running error analysis finds for the reading.
 """
 
+import math
 from dataclasses import dataclass
 from functools import partial
 
@@ -16,9 +17,11 @@ from numpy.typing import NDArray
 
 from .. import fidelity as fidelities
 from ..checks import instance, option
-from ..conditioning import characteristic_length
+from ..conditioning import characteristic_length, moments_over
 from ..forward import forward_kinematics
 from ..kernel import MOTION
+from ..kinematics import wrench_matrix
+from ..motion import Motion
 from ..robot import Robot
 from ..rotation import orthonormal
 from .poses import neighbour, poses, significant
@@ -38,6 +41,7 @@ MARGIN = 2.0
 FEW = 3
 """Poses of the functions with many answers."""
 
+_BACKWARD = ("forward_kinematics", "forward_velocity")
 _LARGE = ("equations", "joint_inertia", "derivatives", "linearisation")
 # How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
 _CLOSENESS = (1, 4, 16, 64)
@@ -75,7 +79,8 @@ def vectors(
 
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
-    folded into the code, so they are the robot's own, rounded last.
+    folded into the code, so they are the robot's own, rounded last. Forward kinematics is asked only where
+    lengths settle the pose in that precision, which may be nowhere in "float".
 
     Raises ValueError naming the argument, and for a robot without a good pose.
     """
@@ -87,7 +92,10 @@ def vectors(
         name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
     }
     if not baked:
-        constants = {name: _rounded(value, kind) for name, value in constants.items()}
+        with np.errstate(over="ignore"):
+            constants = {name: _rounded(value, kind) for name, value in constants.items()}
+        if not all(np.isfinite(value).all() for value in constants.values()):
+            raise ValueError(f"robot: expected constants that {precision} can hold, some overflow")
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
     motions = poses(robot, formulation, count)
     made = partial(_vector, readings, robot, kind)
@@ -95,6 +103,7 @@ def vectors(
         made(function, {name: _rounded(getattr(motion, name).ravel(), kind) for name in MOTION})
         for function in functions
         for motion in motions[: FEW if function in _LARGE else None]
+        if function not in _BACKWARD or _settled(robot, motion, kind)
     )
 
 
@@ -112,6 +121,16 @@ def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision
             f"functions: {closed[0]} is of exact with universal base joints, not of {formulation} with "
             f"{robot.base_joint} ones"
         )
+
+
+def _settled(robot: Robot, motion: Motion, kind: type) -> bool:
+    """Whether lengths known to rounding settle the pose, with a factor of two to spare.
+
+    Forward kinematics asks for a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
+    """
+    H = moments_over(wrench_matrix(robot, motion), characteristic_length(robot))
+    condition = float(np.linalg.norm(H) * np.linalg.norm(np.linalg.inv(H)))
+    return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
 
 
 def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
