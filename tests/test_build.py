@@ -331,7 +331,7 @@ def test_kit_is_built_proved_installed_and_found_by_cmake(tmp_path: Path, files:
     run("cmake", "--install", build)
     assert contents(kit) == before, "the build wrote into the source folder"
     headers = {path.name for path in (prefix / "include" / SYMBOL).iterdir()}
-    assert headers == {name for name in files if name.endswith(".h")}
+    assert headers == {name for name in files if name.endswith((".h", ".hpp"))}
     shutil.rmtree(kit)
     shutil.rmtree(build)
     number = version("stewart-sym")

@@ -34,26 +34,26 @@ from fmpy.validation import validate_fmu
 from numpy.typing import NDArray
 
 from stewart_sym import PATHS, inverse_dynamics, native
-from stewart_sym.derive.emit import fmu as texts
-from stewart_sym.derive.emit.kit import robot_symbol
-from stewart_sym.kernel import MOTION, c_sources, robot_numbers
-from stewart_sym.kit import Choice, kit, sample
+from stewart_sym.derive.emit.kit import fmu as texts
+from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.kernel import MOTION, robot_numbers
+from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import UnitKernel, binary_folder, fmu_unit
+from stewart_sym.kit.poses import sample
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 
 Array = NDArray[np.float64]
 
 CASES = {
-    "lanes": Choice(fidelity="general"),
-    "whole": Choice(),
-    "scalar": Choice(fidelity="general", scalar=True),
-    "baked": Choice(fidelity="general", bake=True),
-    "float": Choice(fidelity="general", precision="float"),
-    "spherical": Choice(fidelity="general"),
-    "massless": Choice(fidelity="massless"),
+    "lanes": Choice(fmu=True),
+    "scalar": Choice(scalar=True, fmu=True),
+    "baked": Choice(bake=True, fmu=True),
+    "float": Choice(precision="float", fmu=True),
+    "spherical": Choice(fmu=True),
+    "massless": Choice(fidelity="massless", fmu=True),
 }
-SLOW = ("whole", "massless")
+SLOW = ("massless",)
 EVERY = [pytest.param(case, marks=[pytest.mark.slow] if case in SLOW else []) for case in CASES]
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
 STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
@@ -98,7 +98,7 @@ def pose(motion: Motion) -> dict[str, object]:
 
 def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
     start = pose(sample(robot, "exact")[0])
-    payload = None if kernel.form == "baked" else numbers(robot)
+    payload = None if kernel.baked else numbers(robot)
     return fmu_unit(robot.name, robot_symbol(robot.name), sources, kernel, start, payload, "0" * 64, "1.2.3")
 
 
@@ -106,16 +106,15 @@ def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
 def made(case: str) -> Made:
     robot = robot_of(case)
     files = kit(robot, CASES[case]).files
-    plain = {name: str(text) for name, text in files.items() if name.endswith((".c", ".h"))}
-    sources = {name: text for name, text in plain.items() if not re.search(r"\bmain\(", text)}
-    if case == "whole":
-        sources |= c_sources("exact")
-        kernel = UnitKernel("stewart_exact.h", "stewart_exact", "whole")
-    else:
-        header, prefix = forces_function(sources)
-        form = "baked" if case == "baked" else "prepared"
-        kernel = UnitKernel(header, prefix, form, CASES[case].precision)
-    return Made(robot, kernel, sources, unit(robot, kernel, sources))
+    programs = ("main.c", "selftest.c")
+    sources = {
+        name: text.decode()
+        for name, text in files.items()
+        if name.endswith((".c", ".h")) and name not in programs
+    }
+    header, prefix = forces_function(sources)
+    kernel = UnitKernel(header, prefix, case == "baked", CASES[case].precision)
+    return Made(robot, kernel, sources, files[f"{robot_symbol(robot.name)}.fmu"])
 
 
 def forces_function(sources: dict[str, str]) -> tuple[str, str]:
@@ -158,16 +157,11 @@ def forces(case: str, rows: Array, robot: Robot | None = None) -> Array:
     real = np.float32 if kernel.precision == "float" else np.float64
     constants = robot_numbers(made(case).robot if robot is None else robot).astype(real)
     model, found = ctypes.create_string_buffer(1 << 15), np.zeros((len(rows), 78), dtype=real)
-    owner = [model]
-    if kernel.form == "prepared":
+    owner = [] if kernel.baked else [model]
+    if not kernel.baked:
         assert getattr(code, f"{kernel.prefix}_prepare")(pointer(constants), model) == 0
-    elif kernel.form == "whole":
-        owner = [pointer(constants)]
-    else:
-        owner = []
-    verb = "inverse_dynamics" if kernel.form == "whole" else "forces"
     for row, F in zip(np.ascontiguousarray(rows, dtype=real), found, strict=True):
-        assert getattr(code, f"{kernel.prefix}_{verb}")(*owner, pointer(row), pointer(F)) == 0
+        assert getattr(code, f"{kernel.prefix}_forces")(*owner, pointer(row), pointer(F)) == 0
     return found[:, :6].astype(np.float64)
 
 
@@ -423,7 +417,7 @@ def test_singular_pose_has_its_status(tmp_path: Path) -> None:
         robot, b=robot.b * np.array([1.0, 1.0, 0.0]), p=robot.p * np.array([1.0, 1.0, 0.0])
     )
     files = kit(flat, CASES["lanes"]).files
-    sources = made("lanes").sources | {"robot.c": str(files["robot.c"])}
+    sources = made("lanes").sources | {"robot.c": files["robot.c"].decode()}
     with zipfile.ZipFile(io.BytesIO(unit(flat, made("lanes").kernel, sources))) as archive:
         archive.extractall(tmp_path)
     row = np.zeros(30)
@@ -678,8 +672,6 @@ def test_what_is_missing_is_named(change: dict[str, object], message: str) -> No
     }
     with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):
         fmu_unit(**(given | change))
-    with pytest.raises(ValueError, match=r"\Aform: expected one of prepared, baked, whole, got 'fast'\Z"):
-        UnitKernel("a.h", "a", "fast")
 
 
 # --- the C ------------------------------------------------------------------------------------
@@ -691,9 +683,7 @@ def silent(command: list[str], where: Path) -> None:
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize(
-    "case", [case for case in EVERY if case.values[0] in ("lanes", "whole", "baked", "float")]
-)
+@pytest.mark.parametrize("case", [case for case in EVERY if case.values[0] in ("lanes", "baked", "float")])
 def test_unit_compiles_with_every_warning_an_error(case: str, compiler: str, tmp_path: Path) -> None:
     command = [*COMPILERS[compiler], *STRICT, "-O1", "-c", "stewart_fmi2.c", "-o", str(tmp_path / "unit.o")]
     silent(command, folder(case) / "sources")
@@ -757,7 +747,7 @@ def test_another_tool_builds_the_unit_from_its_sources(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", ["lanes", "whole", "baked", "float"])
+@pytest.mark.parametrize("case", ["lanes", "baked", "float"])
 def test_sanitizers_find_nothing_in_a_life_of_two_instances(case: str, tmp_path: Path) -> None:
     where, driver = folder(case) / "sources", Path(__file__).parent / "c" / "fmi2_driver.c"
     program, values = tmp_path / "driver", references(case)
@@ -776,7 +766,7 @@ def test_sanitizers_find_nothing_in_a_life_of_two_instances(case: str, tmp_path:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", ["lanes", "whole", "baked"])
+@pytest.mark.parametrize("case", ["lanes", "baked"])
 def test_analysers_find_nothing(case: str) -> None:
     where = folder(case) / "sources"
     checks = ["--enable=warning,style,performance,portability", "--std=c99", "--quiet", "--error-exitcode=3"]

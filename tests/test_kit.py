@@ -125,7 +125,8 @@ class Wish:
     @property
     def values(self) -> tuple[tuple[str, object], ...]:
         choice = dataclasses.asdict(self.choice)
-        groups = {name: name in choice.pop("functions") for name in FUNCTIONS}
+        functions = choice.pop("functions")
+        groups = {name: name in functions for name in FUNCTIONS}
         return (("which", self.which), *choice.items(), *groups.items())
 
     @property

@@ -180,7 +180,7 @@ def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> N
     for loop in re.findall(r"for \((.*)\) {", text):
         counter, end, *stepped = re.fullmatch(rf"(\w+) = [^;]+; ([^;]+); {step}", loop).groups()
         assert counter in stepped
-        assert re.search(rf"\b{counter} (<|>=) [\w(]", end)
+        assert re.search(rf"\b{counter} (<|<=|>=) [\w(]", end)
     assert text.count("for (") == len(re.findall(r"for \((.*)\) {", text))
 
 

@@ -31,14 +31,13 @@ from stewart_sym.studies.truth import Truth
 Array = NDArray[np.float64]
 
 KIND = {"double": np.float64, "float": np.float32}
-IN_C = tuple(function for function in FUNCTIONS if function not in KINEMATICS)
 WHOLE = ("inverse_dynamics", "joint_reactions")
 
 
 def functions_of(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     """All functions in C that there are for the machine."""
     closed = formulation == "exact" and robot.base_joint == "universal"
-    return tuple(function for function in IN_C if closed or function not in CLOSED_FORM)
+    return tuple(function for function in FUNCTIONS if closed or function not in CLOSED_FORM)
 
 
 @cache
@@ -51,6 +50,8 @@ def motion_library(precision: str) -> ctypes.CDLL:
 def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelity: str) -> dict[str, Array]:
     """What the C makes of a vector's inputs, as the answers are laid out."""
     kind = KIND[precision]
+    if vector.function in KINEMATICS:
+        return kinematics_in_c(robot, vector, precision)
     motion = np.concatenate([vector.inputs[name] for name in MOTION]).astype(kind)
     found = np.full(sum(answer.size for answer in vector.answers.values()), np.nan, dtype=kind)
     further = [vector.inputs[name].astype(kind) for name in ("F", "bearing") if name in vector.inputs]
@@ -68,6 +69,33 @@ def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelit
     function = f"stewart_{name}_{vector.function}"
     call = getattr(library, function) if library else prepared.function("forces")
     assert call(*map(address, (model, motion, *further, found))) == 0
+    return split(vector, found)
+
+
+def kinematics_in_c(robot: Robot, vector: Vector, precision: str) -> dict[str, Array]:
+    """The same of the functions that ask for the machine's points alone."""
+    kind, given = KIND[precision], vector.inputs
+    constants = robot_numbers(robot).astype(kind)
+    if vector.function == "inverse_kinematics":
+        still = np.zeros(3)
+        found = np.zeros(12, dtype=kind)
+        motion = np.concatenate([given.get(name, still) for name in MOTION]).astype(kind)
+        arguments = [motion, found[:6], found[6:]]
+    elif vector.function == "forward_kinematics":
+        found = np.concatenate([given["R_guess"], given["t_guess"]]).astype(kind)
+        arguments = [given["L"].astype(kind), found]
+    else:
+        found = np.zeros(6, dtype=kind)
+        pose = np.concatenate([given["R"], given["t"]]).astype(kind)
+        arguments = [pose, given["L_dot"].astype(kind), found[:3], found[3:]]
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
+    library = native.load("stewart_kinematics", kernel.c_sources("kinematics"), defines=defines)
+    assert getattr(library, f"stewart_{vector.function}")(*map(address, (constants, *arguments))) == 0
+    return split(vector, found)
+
+
+def split(vector: Vector, found: Array) -> dict[str, Array]:
+    """Numbers as the answers are laid out."""
     cuts = np.cumsum([answer.size for answer in vector.answers.values()])[:-1]
     return dict(zip(vector.answers, np.split(found.astype(np.float64), cuts), strict=True))
 

@@ -5,6 +5,7 @@ Stands above ``parts`` and ``vectors``; writes nothing. Knows which texts a choi
 
 import hashlib
 import json
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache, partial
@@ -57,10 +58,11 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     made = parts(robot, choice)
     found = _vectors(robot, choice, made)
     cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
+    tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
-    texts["selftest.c"] = selftest(robot.name, symbol, made.functions, cases, generator())
-    texts["main.c"] = example(robot.name, symbol, made.functions, cases, generator())
+    texts["selftest.c"] = selftest(robot.name, symbol, tested, cases, generator())
+    texts["main.c"] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
@@ -188,12 +190,15 @@ def _deviations(made: Parts) -> list[tuple[str, str, str]]:
 
 
 def _error(vectors_of: list[Vector]) -> float:
-    """Largest bound over the largest answer of its array, in rounding units."""
+    """Largest bound over the largest answer of its array, in rounding units; nan without vectors."""
     return max(
-        float(np.max(vector.bounds[name]) / np.max(np.abs(answer)))
-        for vector in vectors_of
-        for name, answer in vector.answers.items()
-        if np.any(answer)
+        (
+            float(np.max(vector.bounds[name]) / np.max(np.abs(answer)))
+            for vector in vectors_of
+            for name, answer in vector.answers.items()
+            if np.any(answer)
+        ),
+        default=math.nan,
     )
 
 
@@ -235,7 +240,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], f
         UnitKernel(
             part.header,
             forces.symbol.removesuffix("_forces"),
-            "prepared" if forces.subject else "baked",
+            not forces.subject,
             choice.precision,
             part.says,
         ),

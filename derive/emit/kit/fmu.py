@@ -21,7 +21,6 @@ from ..c import FORCES, STATUS
 Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""
 
-FORMS = ("prepared", "baked", "whole")
 STEP = 0.001
 """Step that the description proposes, s."""
 
@@ -34,22 +33,16 @@ _BASE_UNITS["N"] = {"kg": 1, "m": 1, "s": -2}
 class UnitKernel:
     """How the unit calls the kernel.
 
-    header: the file that declares it. prefix: of its functions, as ``stewart_exact``. form: "prepared"
-    (``<prefix>_prepare``, ``<prefix>_forces`` with a ``<prefix>_model``), "baked" (``<prefix>_forces``
-    without one) or "whole" (``<prefix>_inverse_dynamics``). precision: "double" or "float", that of
-    ``stewart.h``. says: lines about it, plain text.
+    header: the file that declares it. prefix: of its functions, as ``stewart_exact``. baked: there is
+    ``<prefix>_forces`` alone, without a ``<prefix>_model`` that ``<prefix>_prepare`` makes. precision:
+    "double" or "float", that of ``stewart.h``. says: lines about it, plain text.
     """
 
     header: str
     prefix: str
-    form: str = "prepared"
+    baked: bool = False
     precision: str = "double"
     says: str = ""
-
-    def __post_init__(self) -> None:
-        """Check the form."""
-        if self.form not in FORMS:
-            raise ValueError(f"form: expected one of {', '.join(FORMS)}, got {self.form!r}")
 
 
 @dataclass(frozen=True)
@@ -84,7 +77,7 @@ def unit(
     The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
     not finite, or a file that is missing.
     """
-    bare = kernel.form == "baked"
+    bare = kernel.baked
     if bare != (payload is None):
         raise ValueError(f"payload: expected {'None' if bare else 'M, R_0, I_p and g'} for this kernel")
     for file in (kernel.header, *(() if bare else ("robot.h", "robot.c"))):
@@ -294,7 +287,7 @@ def _header(common: Mapping[str, str]) -> str:
 
 
 def _source(symbol: str, kernel: UnitKernel, variables: Sequence[Variable], common: Mapping[str, str]) -> str:
-    bare = kernel.form == "baked"
+    bare = kernel.baked
     counts = {kind: sum(v.causality == kind for v in variables) for kind in ("input", "output", "parameter")}
     literals = [f"    {0.0 if v.start is None else v.start!r}, /* {v.name} */" for v in variables]
     motion, place = _taken(n.MOTION, "motion", 0)
@@ -307,12 +300,12 @@ def _source(symbol: str, kernel: UnitKernel, variables: Sequence[Variable], comm
         "START": "\n".join(literals),
         "SYMBOL": symbol,
         "PREFIX": kernel.prefix,
-        "MODEL": "stewart_robot" if kernel.form == "whole" else f"{kernel.prefix}_model",
+        "MODEL": f"{kernel.prefix}_model",
         "MOTION": "\n".join(motion),
         "PAYLOAD": "\n".join(payload),
         "MESSAGES": "\n".join(f'    "{text}", /* STEWART_{code} */' for code, _, text in STATUS),
     }
-    flags = {"M": not bare, "P": kernel.form == "prepared", "W": kernel.form == "whole", "B": bare}
+    flags = {"M": not bare, "B": bare}
     return _fill(_only(_SOURCE, flags), values)
 
 
@@ -664,9 +657,7 @@ static int prepare(unit_state *state) //M
         return STEWART_NOT_FINITE; //M
     } //M
 @PAYLOAD@ //M
-    state->model = robot; //W
-    return STEWART_OK; //W
-    return @PREFIX@_prepare(&robot, &state->model); //P
+    return @PREFIX@_prepare(&robot, &state->model); //M
 } //M
  //M
 /* Forces of the inputs. Returns a status. */
@@ -674,7 +665,6 @@ static int solve(unit_state *state, stewart_real F[6])
 {
     const fmi2Real *const value = state->value;
     stewart_motion motion;
-    stewart_forces forces; //W
     int status;
     if (!representable(value, INPUTS)) {
         return STEWART_NOT_FINITE;
@@ -687,12 +677,8 @@ static int solve(unit_state *state, stewart_real F[6])
         } //M
         state->prepared = 1; //M
     } //M
-    status = @PREFIX@_forces(&state->model, &motion, F); //P
+    status = @PREFIX@_forces(&state->model, &motion, F); //M
     status = @PREFIX@_forces(&motion, F); //B
-    status = @PREFIX@_inverse_dynamics(&state->model, &motion, &forces); //W
-    if (status == STEWART_OK) { //W
-        memcpy(F, forces.F, sizeof forces.F); //W
-    } //W
     return status;
 }
 

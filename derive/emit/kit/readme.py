@@ -3,6 +3,7 @@
 One of the kit's texts. Takes the parts of a kit with figures that others found; knows no equation.
 """
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -100,7 +101,8 @@ def _stems(part: Part) -> str:
 def _summary(function: Function, figures: Figures) -> str:
     operations = "" if figures.operations is None else f"{figures.operations:,}"
     stack = "" if figures.stack is None else f"{figures.stack:,}"
-    return f"| `{function.symbol}` | {operations} | {stack} | {figures.error:.0e} |"
+    error = "not tested: no pose settles it" if math.isnan(figures.error) else f"{figures.error:.0e}"
+    return f"| `{function.symbol}` | {operations} | {stack} | {error} |"
 
 
 def _function(function: Function, header: str) -> str:
