@@ -502,7 +502,7 @@ def test_near_singular_poses_are_singular_or_right(shift: float, precision: str)
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
-    """10^5 poses of the paper's machine, singular ones among them, and 10^5 of machines of 1 mm to 10 m."""
+    """10^5 poses of the paper's machine, singular ones among them, and 10^4 of machines of 1 mm to 10 m."""
     rng, robot = np.random.default_rng(3), dasgupta()
     R, t = paper_poses(rng, 100_000, angle=0.4, way=0.2)
     L = lengths(robot, R, t)
@@ -510,10 +510,10 @@ def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
     assert_nothing_is_silent(robot, *found, L, status)
     lost = np.count_nonzero(status == results.NOT_CONVERGED)
     print(f"paper's machine: {lost} not found, {np.count_nonzero(status == results.SINGULAR)} singular")
-    assert lost < 1e-3 * len(L)
+    assert lost < 5e-4 * len(L)
     lost = 0
-    for rng, robot in machines(100):
-        motion = random_motion(rng, robot, (1000,))
+    for rng, robot in machines(40):
+        motion = random_motion(rng, robot, (250,))
         L = ss.inverse_kinematics(robot, motion).L
         *found, status = forward(
             robot, L, *nudged(rng, motion.R, motion.t, 0.2, 0.2 * machine_size(robot)), precision
@@ -521,7 +521,7 @@ def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
         assert_nothing_is_silent(robot, *found, L, status)
         lost += np.count_nonzero(status)
     print(f"random machines: {lost} not found")
-    assert lost < 1e-4 * 100_000
+    assert lost == 0
 
 
 def test_lengths_of_the_pose_found_match_at_50_digits() -> None:
