@@ -95,14 +95,12 @@ def _turned() -> Block:
 # ---------------------------------------------------------------- what the text around the blocks costs
 
 
-def reflection_operations(damped: bool) -> Operations:
-    """Householder's reflections of J, or of J above the damping, beside one right side."""
+def reflection_operations() -> Operations:
+    """Householder's reflections of J beside one right side."""
     total = Operations()
-    for column in range(FREEDOMS):
-        rows = FREEDOMS + 1 if damped else FREEDOMS - column
-        others = FREEDOMS - column
+    for rows in range(1, FREEDOMS + 1):
         own = Operations(mul=rows + 1, add=rows + 1, div=1, sqrt=1)
-        total = total + own + others * Operations(mul=2 * rows + 1, add=2 * rows)
+        total = total + own + rows * Operations(mul=2 * rows + 1, add=2 * rows)
     return total
 
 
@@ -117,28 +115,28 @@ def pose_operations(blocks: Kinematics) -> Operations:
     return _LEGS * (blocks.vectors.operations() + blocks.row.operations() + Operations(mul=3))
 
 
-def step_operations(blocks: Kinematics, damped: bool = False) -> Operations:
+def step_operations(blocks: Kinematics) -> Operations:
     """One step of the search: solve, limit, move, lengths and J there, how far they miss."""
     limits = Operations(mul=3 + 6 + 1 + 6, add=4, div=3, sqrt=2)
     moved = Operations(add=3) + blocks.turned.operations() + 9 * Operations(mul=3, add=2)
-    solve = reflection_operations(damped) + substitution_operations()
+    solve = reflection_operations() + substitution_operations()
     return solve + limits + moved + _POLISH + pose_operations(blocks) + _MISSES
 
 
 def search_operations(blocks: Kinematics) -> Operations:
     """A search without its steps: the guess made a rotation, lengths there, whether they settle the pose."""
     rotation = Operations(mul=9 + 1, add=5) + _POLISH
-    return rotation + _SIZE + pose_operations(blocks) + _MISSES + reflection_operations(False) + _OPEN
+    return rotation + _SIZE + pose_operations(blocks) + _MISSES + reflection_operations() + _OPEN
 
 
 def velocity_operations(blocks: Kinematics) -> Operations:
     """Velocity of the platform from rates of the legs."""
-    solve = reflection_operations(False) + substitution_operations() + _OPEN
+    solve = reflection_operations() + substitution_operations() + _OPEN
     return _SIZE + pose_operations(blocks) + solve + Operations(mul=3)
 
 
 _POLISH = 9 * Operations(mul=4, add=3) + 9 * Operations(mul=3, add=3)
-_MISSES = _LEGS * Operations(mul=1, add=2)
+_MISSES = _LEGS * Operations(add=1)
 _SIZE = Operations(mul=18, add=18, div=2, sqrt=1)
 # Sums of squares of a triangle and of its inverse, entry by entry, and their product with a constant.
 _OPEN = Operations(mul=35 + 3 * 21 + 1, add=35 + 2 * 21, div=FREEDOMS)

@@ -45,12 +45,15 @@ MOVES = re.compile(
     r"v?(mov\w*|unpck[lh]|shuf|perm\w*|blendv?|broadcast|extract\w*|insert\w*|and|andn|or|xor|scatter\w*|gather\w*)"
     r"(sd|pd)"
 )
+# Signed doublewords, which are integers.
+INTEGERS = re.compile(r"v?p(max|min)sd")
 
 
 def double_instructions(listing: str) -> set[str]:
     """Mnemonics of x86 that compute with doubles or convert to or from them; those of the x87 as well."""
     mnemonics = {line.split("\t")[1].split()[0] for line in listing.splitlines() if line.count("\t") == 1}
     ends = {name for name in mnemonics if re.search(r"(sd|pd)$", name) and not MOVES.fullmatch(name)}
+    ends -= {name for name in ends if INTEGERS.fullmatch(name)}
     conversions = {name for name in mnemonics if re.match(r"v?cvt.*(sd|pd)", name)}
     return (
         ends | conversions | {name for name in mnemonics if re.match(r"f(ld|st|add|sub|mul|div|sqrt)", name)}

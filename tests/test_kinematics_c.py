@@ -24,7 +24,6 @@ from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kinematics import (
     kinematics,
-    reflection_operations,
     search_operations,
     step_operations,
     turn,
@@ -227,14 +226,11 @@ def test_turn_is_a_rotation_that_agrees_with_the_exponential_to_second_order() -
 COUNTED = """stewart_pose far = @FAR@, exact = @EXACT@;
     static const Real L[6] = {@LENGTHS@}, rates[6] = {1, 2, 3, 4, 5, 6};
     Real out[12];
-    equations of;
     int status;
-    for (int i = 0; i < 84; ++i) of.A[i / 7][i % 7] = Real(1.0 / (i + 1));
     COUNT(stewart_inverse_kinematics(&robot, &motion, out, 0));
     COUNT(stewart_inverse_kinematics(&robot, &motion, out, out + 6));
     COUNT(stewart_forward_velocity(&robot, &exact, rates, out, out + 3));
     COUNT(stewart_forward_kinematics(&robot, L, &exact));
-    COUNT((reflect(&of, 1), 0));
     COUNT(stewart_forward_kinematics(&robot, L, &far));
     most_steps = 2;
     COUNT(stewart_forward_kinematics(&robot, L, &far));"""
@@ -275,18 +271,17 @@ def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
         first, *rest = (int(word) for word in line.split())
         status.append(first)
         counts.append(Operations(*rest))
-    assert status[:5] == [results.OK] * 5
-    assert status[5:7] == [results.NOT_CONVERGED] * 2
+    assert status[:4] == [results.OK] * 4
+    assert status[4:6] == [results.NOT_CONVERGED] * 2
     blocks = reduced_kinematics()
     lengths_alone = 6 * blocks.vectors.operations()
-    assert counts[:5] == [
+    assert counts[:4] == [
         lengths_alone,
         lengths_alone + 6 * blocks.rate.operations(),
         velocity_operations(blocks),
         search_operations(blocks),
-        reflection_operations(damped=True),
     ]
-    assert counts[6] == counts[5] + step_operations(blocks)
+    assert counts[5] == counts[4] + step_operations(blocks)
 
 
 # Agreement with NumPy
@@ -355,7 +350,12 @@ def test_steps_are_those_of_the_header(precision: str) -> None:
         L = ss.inverse_kinematics(robot, motion).L
         for width, most in zip(GUESSES, STEPS[precision], strict=True):
             guess = nudged(rng, motion.R, motion.t, width, width * float(L.max()))
-            done[width].append(forward(robot, L, *guess, precision, most)[2] == results.OK)
+            # Few steps leave some unfinished, which must not pass for found.
+            R, t, status = forward(robot, L, *guess, precision, most)
+            assert_nothing_is_silent(robot, R, t, L, status)
+            unfinished = forward(robot, L, *guess, precision, most - 1)
+            assert_nothing_is_silent(robot, *unfinished[:2], L, unfinished[2])
+            done[width].append(status == results.OK)
     for width, found in done.items():
         assert np.mean(found) >= 0.99, width
     header = c_sources("kinematics")["stewart_kinematics.h"]
@@ -502,7 +502,7 @@ def test_near_singular_poses_are_singular_or_right(shift: float, precision: str)
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
-    """10^5 poses of the paper's machine, singular ones among them, and 10^5 of machines of 1 mm to 10 m."""
+    """10^5 poses of the paper's machine, singular ones among them, and 10^4 of machines of 1 mm to 10 m."""
     rng, robot = np.random.default_rng(3), dasgupta()
     R, t = paper_poses(rng, 100_000, angle=0.4, way=0.2)
     L = lengths(robot, R, t)
@@ -510,10 +510,10 @@ def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
     assert_nothing_is_silent(robot, *found, L, status)
     lost = np.count_nonzero(status == results.NOT_CONVERGED)
     print(f"paper's machine: {lost} not found, {np.count_nonzero(status == results.SINGULAR)} singular")
-    assert lost < 1e-3 * len(L)
+    assert lost < 2e-4 * len(L)
     lost = 0
-    for rng, robot in machines(100):
-        motion = random_motion(rng, robot, (1000,))
+    for rng, robot in machines(40):
+        motion = random_motion(rng, robot, (250,))
         L = ss.inverse_kinematics(robot, motion).L
         *found, status = forward(
             robot, L, *nudged(rng, motion.R, motion.t, 0.2, 0.2 * machine_size(robot)), precision
@@ -521,7 +521,7 @@ def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
         assert_nothing_is_silent(robot, *found, L, status)
         lost += np.count_nonzero(status)
     print(f"random machines: {lost} not found")
-    assert lost < 1e-4 * 100_000
+    assert lost == 0
 
 
 def test_lengths_of_the_pose_found_match_at_50_digits() -> None:

@@ -45,16 +45,8 @@
 /* The search ends below this share of the terms of S; what counts as found is STEWART_ROUNDING. */
 #define GOAL (4 * STEWART_EPSILON)
 
-/* Damping stands below J, whose largest singular value is between 1 and 3.5. It begins with a step that
- * leads away, grows until one does not, in paces small enough to keep steps long, and where the last one
- * leads away too, none is nearer. */
-#define FIRST_DAMPING REAL(0.001)
-#define LAST_DAMPING REAL(30)
-#define MORE_DAMPING REAL(3)
-#define LESS_DAMPING REAL(10)
-
 /* Longest step, in rad and in lengths of the longest leg: beyond it (2) is far from the straight line that
- * it is taken for. */
+ * it is taken for. With it, steps need no damping: taking back those that lead away loses more poses. */
 #define LONGEST_STEP REAL(0.25)
 
 /* Square of 16 sqrt(eps), one over the condition number at which lengths known to rounding leave a pose
@@ -266,36 +258,32 @@ static stewart_real size_of(const stewart_robot *robot)
     return (size > STEWART_SHORTEST) ? size : REAL(1);
 }
 
-/* Equations A = [J | y] and, below them, [damping E | 0]; or the triangle that they become. */
+/* Equations A = [J | y], or the triangle that they become. */
 typedef struct {
-    stewart_real A[12][7];
+    stewart_real A[6][7];
 } equations;
 
-static void stack(const six_legs *legs, const stewart_real y[6], stewart_real damping, equations *of)
+static void stack(const six_legs *legs, const stewart_real y[6], equations *of)
 {
     int i;
     int j;
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             of->A[i][j] = legs->J[i][j];
-            of->A[i + 6][j] = (i == j) ? damping : REAL(0);
         }
         of->A[i][6] = y[i];
-        of->A[i + 6][6] = REAL(0);
     }
 }
 
-/* Makes the first six rows of A a triangle by Householder's reflections. Without damping, what is below
- * them stays out; with it, a column reaches to the row of its own damping and no farther. */
-static void reflect(equations *of, int damped)
+/* Makes a triangle of A by Householder's reflections, which leave the singular values of J as they are. */
+static void reflect(equations *of)
 {
     int i;
     int j;
     int k;
     for (k = 0; k < 6; ++k) {
-        const int end = (damped != 0) ? (k + 7) : 6;
         stewart_real square = REAL(0);
-        for (i = k; i < end; ++i) {
+        for (i = k; i < 6; ++i) {
             square = square + (of->A[i][k] * of->A[i][k]);
         }
         if (square > REAL(0)) {
@@ -306,11 +294,11 @@ static void reflect(equations *of, int damped)
             of->A[k][k] = first;
             for (j = k + 1; j < 7; ++j) {
                 stewart_real sum = REAL(0);
-                for (i = k; i < end; ++i) {
+                for (i = k; i < 6; ++i) {
                     sum = sum + (of->A[i][k] * of->A[i][j]);
                 }
                 sum = sum * factor;
-                for (i = k; i < end; ++i) {
+                for (i = k; i < 6; ++i) {
                     of->A[i][j] = of->A[i][j] + (sum * of->A[i][k]);
                 }
             }
@@ -319,10 +307,9 @@ static void reflect(equations *of, int damped)
     }
 }
 
-/* x of the triangle's equations, the last first. Returns whether no diagonal entry is zero. */
-static int substitute(const equations *of, stewart_real x[6])
+/* x of the triangle's equations, the last first; 0 where the diagonal entry is. */
+static void substitute(const equations *of, stewart_real x[6])
 {
-    int regular = 1;
     int i;
     int j;
     for (i = 5; i >= 0; --i) {
@@ -330,14 +317,8 @@ static int substitute(const equations *of, stewart_real x[6])
         for (j = i + 1; j < 6; ++j) {
             sum = sum - (of->A[i][j] * x[j]);
         }
-        if (STEWART_FABS(of->A[i][i]) > REAL(0)) {
-            x[i] = sum / of->A[i][i];
-        } else {
-            x[i] = REAL(0);
-            regular = 0;
-        }
+        x[i] = (STEWART_FABS(of->A[i][i]) > REAL(0)) ? (sum / of->A[i][i]) : REAL(0);
     }
-    return regular;
 }
 
 /* Whether the triangle's condition number, by Frobenius norms, is so large that lengths known to rounding
@@ -380,21 +361,19 @@ typedef struct {
     stewart_pose pose;
     six_legs legs;
     stewart_real miss[6]; /* m: lengths asked for less lengths */
-    stewart_real square; /* m^2: sum of their squares */
     stewart_real worst; /* m: the largest */
 } attempt;
 
 /* Legs and misses at the attempt's pose. Returns a status. */
-static int compare(const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, attempt *at)
+static int compare(
+    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, attempt *at)
 {
     const int status = legs_at(robot, &at->pose, per_size, &at->legs);
     int i;
-    at->square = REAL(0);
     at->worst = REAL(0);
     if (status == STEWART_OK) {
         for (i = 0; i < 6; ++i) {
             at->miss[i] = L[i] - at->legs.L[i];
-            at->square = at->square + (at->miss[i] * at->miss[i]);
             at->worst = STEWART_LARGER(STEWART_FABS(at->miss[i]), at->worst);
         }
     }
@@ -452,21 +431,20 @@ static stewart_real length_of(const stewart_real vector[3])
     return STEWART_SQRT((vector[0] * vector[0]) + (vector[1] * vector[1]) + (vector[2] * vector[2]));
 }
 
-/* Pose after the step d = [dt; turn] with J d = miss, or, damped, with the least |J d - miss|^2 + |damping
- * d|^2. Returns whether there is such a step. */
-static int move(
-    const attempt *from, stewart_real damping, stewart_real per_size, stewart_real longest, stewart_pose *to)
+/* Moves the pose by Newton's step d = [dt; turn], J d = miss, or by as much of it as is to be trusted. */
+static void move(attempt *at, stewart_real per_size, stewart_real longest)
 {
+    stewart_pose from;
     equations of;
     stewart_real d[6] = {0, 0, 0, 0, 0, 0};
     stewart_real Q[9];
     stewart_real shorter = REAL(1);
-    int there;
     int i;
     int j;
-    stack(&from->legs, from->miss, damping, &of);
-    reflect(&of, (damping > REAL(0)) ? 1 : 0);
-    there = substitute(&of, d);
+    from = at->pose;
+    stack(&at->legs, at->miss, &of);
+    reflect(&of);
+    substitute(&of, d);
     for (i = 3; i < 6; ++i) {
         d[i] = d[i] * per_size;
     }
@@ -478,52 +456,41 @@ static int move(
     }
     turned_by(&d[3], Q);
     for (i = 0; i < 3; ++i) {
-        to->t[i] = from->pose.t[i] + d[i];
+        at->pose.t[i] = from.t[i] + d[i];
         for (j = 0; j < 3; ++j) {
-            to->R[(3 * i) + j] = (Q[3 * i] * from->pose.R[j]) + (Q[(3 * i) + 1] * from->pose.R[3 + j])
-                + (Q[(3 * i) + 2] * from->pose.R[6 + j]);
+            at->pose.R[(3 * i) + j] = (Q[3 * i] * from.R[j]) + (Q[(3 * i) + 1] * from.R[3 + j])
+                + (Q[(3 * i) + 2] * from.R[6 + j]);
         }
     }
-    (void)polish(to->R);
-    return there;
+    (void)polish(at->pose.R);
 }
 
-/* Goes from a pose to lengths L; a step that does not bring them nearer is taken back and tried with more
- * damping. Returns whether they were found. */
+/* Goes from a pose to lengths L. Returns whether they were found. */
 static int search(const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, attempt *at)
 {
-    attempt next;
-    stewart_real damping = REAL(0);
     stewart_real longest = L[0];
     int searching = 1;
-    int step;
-    for (step = 1; step < 6; ++step) {
-        longest = STEWART_LARGER(L[step], longest);
+    int lost = 0;
+    int found = 0;
+    int i;
+    for (i = 1; i < 6; ++i) {
+        longest = STEWART_LARGER(L[i], longest);
     }
-    for (step = 0; (step < STEWART_MAX_STEPS) && (searching != 0); ++step) {
+    for (i = 0; (i < STEWART_MAX_STEPS) && (searching != 0); ++i) {
         if (at->worst <= (GOAL * at->legs.reach)) {
             searching = 0;
         } else {
-            int nearer = 0;
-            if (move(at, damping, per_size, longest, &next.pose) != 0) {
-                if (compare(robot, L, per_size, &next) == STEWART_OK) {
-                    if (at->square > next.square) {
-                        nearer = 1;
-                    }
-                }
-            }
-            if (nearer != 0) {
-                *at = next;
-                damping = (damping > FIRST_DAMPING) ? (damping / LESS_DAMPING) : REAL(0);
-            } else {
-                if ((at->worst <= (STEWART_ROUNDING * at->legs.reach)) || (damping > LAST_DAMPING)) {
-                    searching = 0;
-                }
-                damping = (damping > REAL(0)) ? (damping * MORE_DAMPING) : FIRST_DAMPING;
+            move(at, per_size, longest);
+            if (compare(robot, L, per_size, at) != STEWART_OK) {
+                searching = 0;
+                lost = 1;
             }
         }
     }
-    return (at->worst <= (STEWART_ROUNDING * at->legs.reach)) ? 1 : 0;
+    if ((lost == 0) && (at->worst <= (STEWART_ROUNDING * at->legs.reach))) {
+        found = 1;
+    }
+    return found;
 }
 
 /* Whether the legs' lengths leave the pose open. */
@@ -531,8 +498,8 @@ static int leave_open(const six_legs *legs)
 {
     static const stewart_real none[6] = {0, 0, 0, 0, 0, 0};
     equations of;
-    stack(legs, none, REAL(0), &of);
-    reflect(&of, 0);
+    stack(legs, none, &of);
+    reflect(&of);
     return is_open(&of);
 }
 
@@ -644,9 +611,10 @@ int stewart_forward_velocity(
         const stewart_real per_size = REAL(1) / size_of(robot);
         status = legs_at(robot, pose, per_size, &legs);
         if (status == STEWART_OK) {
-            stack(&legs, L_dot, REAL(0), &of);
-            reflect(&of, 0);
-            if ((substitute(&of, twist) == 0) || (is_open(&of) != 0)) {
+            stack(&legs, L_dot, &of);
+            reflect(&of);
+            substitute(&of, twist);
+            if (is_open(&of) != 0) {
                 status = STEWART_SINGULAR;
             }
         }

@@ -8,9 +8,8 @@
  * Operations, six legs
  * lengths         162 (72 mul, 84 add, 0 div, 6 sqrt)
  * lengths, rates  270 (126 mul, 132 add, 6 div, 6 sqrt)
- * search          1080 (570 mul, 477 add, 20 div, 13 sqrt)
- * step            987 (519 mul, 432 add, 22 div, 14 sqrt)
- * damped step     1253 (652 mul, 565 add, 22 div, 14 sqrt)
+ * search          1068 (564 mul, 471 add, 20 div, 13 sqrt)
+ * step            975 (513 mul, 426 add, 22 div, 14 sqrt)
  * velocity        969 (509 mul, 421 add, 26 div, 13 sqrt)
  * A search takes the operations of `search` once and those of a step for each that it goes. Steps from
  * guesses within 0.001, 0.05 and 0.3 rad of the pose, and as many lengths of the longest leg: in 99 of 100
@@ -27,7 +26,7 @@ extern "C" {
 
 /* Steps after which the search of a pose gives up: the bound of its time. */
 #if !defined(STEWART_MAX_STEPS)
-#define STEWART_MAX_STEPS 50
+#define STEWART_MAX_STEPS 30
 #endif
 
 /* Pose of the platform. */
@@ -43,8 +42,9 @@ typedef struct {
 int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
 
-/* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Newton's steps on (2), damped
- * where they lead away. Returns a status, and writes the pose only if it is STEWART_OK:
+/* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Newton's steps on (2), none
+ * longer than a quarter of a radian and of the longest leg.
+ * Returns a status, and writes the pose only if it is STEWART_OK:
  * STEWART_OK: the lengths are those asked for to within 16 rounding units of the largest component of the
  *     terms of S = q + t - b, and R is a rotation to rounding. Six lengths belong to up to forty poses: it is
  *     the one next to the guess if the guess is near; from afar it may be any.
