@@ -27,13 +27,14 @@ def text(found: Figures) -> str:
 
 
 def conditions(found: Figures) -> str:
-    compiler, emulator = (said.split(" (")[0] for said in found["tools"].values())
-    version = next(iter(found["tools"].values())).rsplit(") ", 1)[-1].split()[0]
+    compiler, emulator = found["tools"].values()
+    gcc = f"{compiler.split(' (')[0]} {compiler.rsplit(') ', 1)[-1].split()[0]}"
+    qemu = emulator.removeprefix("QEMU emulator version ").split(" (")[0]
     own = {row["core"]: f"`{' '.join(row['flags'])}` ({row['core']})" for row in found["rows"]}
     return paragraph(
         f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
-        f"{compiler} {version}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
-        f"under {emulator}, which counts instructions. The most of {found['rows'][0]['poses']} poses, all "
+        f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
+        f"under QEMU {qemu}, which counts instructions. The most of {found['rows'][0]['poses']} poses, all "
         "within the bounds of 50-digit forces; flash, RAM and stack in bytes:"
     )
 
@@ -67,8 +68,8 @@ def remarks(rows: list[Figures]) -> str:
     return paragraph(
         "Near poles: all six legs within 1/1000 rad of the fixed axes of their universal joints, the longest "
         "way through the kernel. The model, prepared once, is the caller's; the kits have no data of their "
-        "own. The objects ask of a library nothing but copies of memory; those in `float` hold no "
-        "double-precision instruction."
+        "own. The objects ask of a library nothing beyond square root and copies of memory; those in `float` "
+        "hold no double-precision instruction."
     )
 
 

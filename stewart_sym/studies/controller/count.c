@@ -102,7 +102,7 @@ static int32_t refused(void)
     found += wrong(PREPARE(0, &blank), STEWART_BAD_ARGUMENT);
     found += wrong(PREPARE(&ROBOT, 0), STEWART_BAD_ARGUMENT);
     odd = ROBOT;
-    odd.leg[4].m_u = (stewart_real)NAN;
+    odd.leg[4].p[1] = (stewart_real)NAN;
     found += wrong(PREPARE(&odd, &blank), STEWART_NOT_FINITE);
     found += wrong(FORCES(&blank, &motions[0], F) == STEWART_OK, 0);
 #endif

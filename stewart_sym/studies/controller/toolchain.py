@@ -159,10 +159,11 @@ def deepest_stack(image: Path, usage: Iterable[Path], root: str) -> int:
     for line in _run([OBJDUMP, "-d", "--no-show-raw-insn", str(image)]).splitlines():
         if begins := re.match(r"[0-9a-f]+ <([^>]+)>:", line):
             inside = begins[1]
-        elif called := re.search(r"\t(b[a-z.]*)\t.*<([^>+]+)>", line):
-            # A plain branch to the own beginning is a loop.
-            if called[1].startswith("bl") or called[2] != inside:
-                calls.setdefault(inside, set()).add(called[2])
+            continue
+        called = re.search(r"\t(b[a-z.]*)\t.*<([^>+]+)>", line)
+        # A plain branch to the own beginning is a loop.
+        if called and (called[1].startswith("bl") or called[2] != inside):
+            calls.setdefault(inside, set()).add(called[2])
 
     def depth(name: str, above: tuple[str, ...]) -> int:
         if name in above:
