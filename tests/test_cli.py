@@ -652,7 +652,7 @@ def test_singularities_refuses_in_one_line(
 
 
 @pytest.mark.parametrize(
-    "verb", ["reproduce", "check", "forces", "singularities", "derive", "generate", "control"]
+    "verb", ["reproduce", "check", "forces", "singularities", "derive", "generate", "control", "controller"]
 )
 def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):

@@ -19,6 +19,7 @@ from ... import dynamics, fidelity
 from ...conditioning import characteristic_length, scaled_condition_number
 from ...generated.fidelities import FIDELITIES
 from ...kernel import MOTION, loaded
+from ...kinematics import inverse_kinematics
 from ...kit import GOOD_CONDITION, TOLERANCE_FACTOR, Choice, kit, sample
 from ...motion import Motion
 from ...native import CompilerError
@@ -34,6 +35,8 @@ Progress = Callable[[str], None]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
+NEAR_POLE = 1e-3
+"""Sine of the angle between leg and fixed axis: the kernel's other road is taken below 1/64."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
@@ -43,13 +46,15 @@ _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", 
 class Figures:
     """What one kit takes on its processor.
 
-    precision: "double" or "float"; baked; core: the processor. failed, refused_wrongly: forces beyond their
-    bound and calls without an answer that were not told so; worst: largest error over its bound; poses: how
-    many; selftest: exit code of the kit's own test, None where it has none. instructions: executed for a
-    pose at most, of the poses. flash: bytes of the kernel's code and constants, ``robot`` those of the
-    robot's numbers, ``image`` all of the test's program; ram: bytes of data of kernel and robot, ``model``
-    of the prepared constants, which the caller holds. stack: bytes below the caller that a pose was seen to
-    write, ``prepare`` that the preparation was; ``frames``: of all frames on the deepest way through a pose.
+    precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
+    with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
+    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test, None
+    where it has none. instructions: executed for a pose at most, of the poses; near_poles: the same with all
+    six legs near the poles of their joints, None where that cannot be tried: baked, or no universal joint.
+    flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
+    program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
+    ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
+    that the preparation, ``prepare``, was; ``frames``: of all frames on the deepest way through a pose.
     foreign: what the objects ask of libraries beyond square root, size and copies; double: of a float kit,
     instructions and helpers for doubles.
     """
@@ -57,12 +62,15 @@ class Figures:
     precision: str
     baked: bool
     core: str
+    flags: tuple[str, ...]
+    board: str
     failed: int
     refused_wrongly: int
     worst: float
     poses: int
     selftest: int | None
     instructions: int
+    near_poles: int | None
     flash: dict[str, int]
     ram: dict[str, int]
     stack: dict[str, int]
@@ -74,6 +82,11 @@ class Figures:
         """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
         tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest in (0, None)
         return tried and not self.foreign and not self.double
+
+    @property
+    def name(self) -> str:
+        """The kit in words."""
+        return f"{'baked' if self.baked else 'general'}, {self.precision}"
 
 
 @dataclass(frozen=True)
@@ -140,10 +153,22 @@ class Cases:
             units.append(TOLERANCE_FACTOR * _condition(robot, full.H) * largest)
         return cls(robot, level, tuple(motions), forces, np.array(units))
 
+    def near_poles(self) -> Array | None:
+        """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
+        if not self._knows_axes():
+            return None
+        s = inverse_kinematics(self.robot, self.motions[0]).s
+        across = np.cross(s, np.roll(s, 1, axis=-1))
+        across /= np.linalg.norm(across, axis=-1, keepdims=True)
+        return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
+
+    def _knows_axes(self) -> bool:
+        level = fidelity.resolved(self.robot, "exact", self.level)
+        return self.robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
+
     def refused(self, precision: str) -> list[tuple[dict[str, Array], int]]:
         """Motions without an answer, and their status."""
         robot, start = self.robot, numbers(self.motions[0])
-        level = fidelity.resolved(robot, "exact", self.level)
         far = {"double": 1e160, "float": 1e25}[precision]
         still = start | {"R": np.eye(3)}
         cases = [
@@ -154,7 +179,7 @@ class Cases:
             (start | {"t": np.full(3, far)}, NOT_FINITE),
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
         ]
-        if robot.base_joint == "universal" and FIDELITIES[level]["universal"]:
+        if self._knows_axes():
             k = robot.k[4] / np.linalg.norm(robot.k[4])
             along = k * np.linalg.norm(start["t"] - robot.b[4])
             cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, POLE))
@@ -229,9 +254,13 @@ def _figures(
     said = _said(output)
     if code not in (0, 1) or "stack_forces" not in said:
         raise CompilerError(f"{toolchain.QEMU}: the program ended with {code}: {output.strip()[-200:]}")
-    per_tick = _KNOWN / said["known"][0]
+    per_call = _KNOWN / said["known"][0] / said["times"][0]
     # An empty function took one instruction.
-    counts = [(ticks - said["empty"][0]) * per_tick / said["times"][0] + 1 for ticks in said["ticks"]]
+    counts = {
+        name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
+        for name in ("ticks", "ticks_near_poles")
+        if name in said
+    }
     parts = [toolchain.sizes(path) for path in objects]
     usage = [path.with_suffix(".su") for path in objects]
     frames = {"frames": toolchain.deepest_stack(image, usage, f"{kernel}_forces")}
@@ -251,12 +280,15 @@ def _figures(
         precision=precision,
         baked=bake,
         core=core.name,
+        flags=core.flags,
+        board=core.board,
         failed=said["failed"][0],
         refused_wrongly=said["refused_wrongly"][0],
         worst=said["worst_error_ppm_of_bound"][0] / 1e6,
         poses=len(said["ticks"]),
         selftest=selftest,
-        instructions=round(max(counts)),
+        instructions=counts["ticks"],
+        near_poles=counts.get("ticks_near_poles"),
         flash={
             "kernel": parts[0]["flash"],
             "robot": sum(part["flash"] for part in parts[1:]),
@@ -298,6 +330,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, precision: str) -> str
     else:
         names += ['#include "robot.h"', f"#define MODEL {kernel}_model", f"#define PREPARE {kernel}_prepare"]
         names.append(f"#define ROBOT {symbol}")
+    axes = cases.near_poles() if symbol else None
     bounds = [float(epsilon * unit) for unit in cases.units]
     return "\n".join(
         [
@@ -312,10 +345,15 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, precision: str) -> str
             f"static const double expected[MOTIONS][6] = {_nested(cases.forces)};",
             f"static const double bounds[MOTIONS] = {_nested(np.array(bounds))};",
             f"static const stewart_motion refused_motions[REFUSED] = {without};",
+            *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
             f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in refused)}}};",
             "",
         ]
     )
+
+
+def _axes_text(axes: Array) -> str:
+    return f"static const stewart_real near_poles[6][3] = {_nested(axes, 'REAL({})')};"
 
 
 def _motions(all_numbers: Any) -> str:

@@ -159,15 +159,16 @@ def deepest_stack(image: Path, usage: Iterable[Path], root: str) -> int:
     for line in _run([OBJDUMP, "-d", "--no-show-raw-insn", str(image)]).splitlines():
         if begins := re.match(r"[0-9a-f]+ <([^>]+)>:", line):
             inside = begins[1]
-        elif called := re.search(r"\tb[a-z.]*\t.*<([^>+]+)>", line):
-            calls.setdefault(inside, set()).add(called[1])
+            continue
+        called = re.search(r"\t(b[a-z.]*)\t.*<([^>+]+)>", line)
+        # A plain branch to the own beginning is a loop.
+        if called and (called[1].startswith("bl") or called[2] != inside):
+            calls.setdefault(inside, set()).add(called[2])
 
     def depth(name: str, above: tuple[str, ...]) -> int:
         if name in above:
             raise CompilerError(f"{name}: calls itself")
-        below = (
-            depth(each, (*above, name)) for each in calls.get(name, ()) if each in frames and each != name
-        )
+        below = (depth(each, (*above, name)) for each in calls.get(name, ()) if each in frames)
         return frames[name] + max(below, default=0)
 
     return depth(root, ())
