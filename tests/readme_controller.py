@@ -58,7 +58,7 @@ def cells(row: Figures) -> tuple[str, ...]:
         number(row["ram"].get("model", 0)),
         number(max(row["stack"]["pose"], row["stack"]["frames"])),
         number(row["stack"].get("prepare")),
-        f"{row['worst']:.2f}",
+        f"{row['worst']:.3f}",
     )
 
 

@@ -48,6 +48,7 @@ GENERATE_ON_COMMAND = {
         "kit.parts",
         "kit.vectors",
         "studies.bench_passes",
+        "studies.controller.measure",
         "studies.truth",
     )
 }

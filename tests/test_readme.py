@@ -18,6 +18,7 @@ import pytest
 import readme_bench
 import readme_chart
 import readme_control
+import readme_controller
 import readme_stability
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
@@ -38,6 +39,7 @@ PUBLISHED = (
     *("control.json", "control.png"),
     *("chart.json", "chart.png", "scales.png", "bounds.png"),
     *("stability.json", "singular_path_III.png"),
+    "controller.json",
 )
 README_FOLDER = Path(__file__).parent.parent
 README = (README_FOLDER / "README.md").read_text(encoding="utf-8")
@@ -370,6 +372,7 @@ def _rewrite(run: Path | None) -> None:
     text = readme_control.replaced(text, figures("control"))
     text = readme_chart.replaced(text, figures("chart"))
     text = readme_stability.replaced(text, figures("stability"))
+    text = readme_controller.replaced(text, figures("controller"))
     (README_FOLDER / "README.md").write_text(text, encoding="utf-8", newline="\n")
 
 

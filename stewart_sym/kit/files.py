@@ -160,7 +160,7 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
     figures = {
         function.stem: Figures(
             error=_error(found[function.stem]) * epsilon,
-            stack=_stack()["bytes"].get(_stack_key(function, choice)),
+            stack=_stack()["bytes"].get(stack_key(function, choice)),
             operations=function.operations,
         )
         for function in made.functions
@@ -202,8 +202,9 @@ def _error(vectors_of: list[Vector]) -> float:
     )
 
 
-def _stack_key(function: Function, choice: Choice) -> str:
-    return f"{function.symbol} {choice.precision}"
+def stack_key(function: Function, choice: Choice) -> str:
+    """Name of a function's stack in ``stack.json``."""
+    return f"{function.plain or function.symbol} {choice.precision}"
 
 
 @cache

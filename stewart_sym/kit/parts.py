@@ -84,17 +84,18 @@ def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
     name = fidelity.force_kernel_name(robot, choice.formulation, level)
     count = fidelity.operations(robot, choice.formulation, level)
     says = f"Actuator forces, kernel `{name}`, fidelity {level}: {fidelity.meaning(level)}."
-    return _force_part(f"stewart_{name}_forces", f"stewart_{name}", False, count, says), count, None
+    return _force_part(f"stewart_{name}_forces", f"stewart_{name}", count, says), count, None
 
 
 def _force_part(
-    file: str, prefix: str, is_baked: bool, count: int, says: str, sources: Mapping[str, str] | None = None
+    file: str, prefix: str, count: int, says: str, plain: str = "", sources: Mapping[str, str] | None = None
 ) -> Part:
-    function = Function(
-        "forces", f"{prefix}_forces", f"{file}.h", NOTHING if is_baked else MODEL, prefix, count
-    )
+    """plain: prefix of the same kernel without a robot's numbers in it, "" where there are none."""
+    subject = NOTHING if plain else MODEL
+    plain = f"{plain}_forces" if plain else ""
+    function = Function("forces", f"{prefix}_forces", f"{file}.h", subject, prefix, count, plain)
     files = _committed(file) if sources is None else sources
-    kind = f"forces{' scalar' if file.endswith('_pose') else ''}{' baked' if is_baked else ''}"
+    kind = f"forces{' scalar' if file.endswith('_pose') else ''}{' baked' if plain else ''}"
     return Part(file, files, (function,), (kind,), says)
 
 
@@ -119,7 +120,9 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
     sources = _printed(made, plain, file, choice)
-    return _force_part(file, f"stewart_{made.name}{suffix}", choice.bake, count, says, sources), before, after
+    without = f"stewart_{plain.name}{suffix}" if choice.bake else ""
+    part = _force_part(file, f"stewart_{made.name}{suffix}", count, says, without, sources)
+    return part, before, after
 
 
 def _printed(made: ForceKernel, plain: ForceKernel, file: str, choice: Choice) -> dict[str, str]:

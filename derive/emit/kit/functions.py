@@ -47,7 +47,7 @@ class Function:
     """A function of a kit: its stem in ``SIGNATURES``, C name, header, what its first argument is.
 
     subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
-    operations: of a pose, None where they depend on the pose.
+    operations: of a pose, None where they depend on the pose. plain: C name without a robot's numbers in it.
     """
 
     stem: str
@@ -56,6 +56,7 @@ class Function:
     subject: str
     prefix: str = ""
     operations: int | None = None
+    plain: str = ""
 
     @property
     def signature(self) -> Signature:

@@ -65,6 +65,7 @@ def readme(kit: Kit) -> str:
         "files": table(_files(kit)),
         "summary": "\n".join(_summary(function, kit.figures[function.stem]) for function in functions),
         "stack_by": kit.stack_by,
+        "stack_baked": "" if all(function.subject for function in functions) else _STACK_BAKED,
         "functions": "\n".join(
             _function(function, part.files[part.header]) for part in kit.parts for function in part.functions
         ),
@@ -128,6 +129,8 @@ _ARITHMETIC = {
     "double": "Arithmetic is `double`; the self-test's bounds are those of `double`.",
     "float": "Arithmetic is `float`; no `double` is in the object code.",
 }
+
+_STACK_BAKED = ", with the numbers folded in as much as without"
 
 _PREPARED = """\
 `..._prepare(robot, &model)` makes the constants that a function reads; call it once, and again when a
@@ -197,7 +200,7 @@ and never give `-ffast-math`.
 @summary@
 
 Error: the largest that the self-test lets pass, over the largest number of the same array, at its
-well-conditioned poses. @stack_by@
+well-conditioned poses. Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
 
 All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at
 once. The batches take and fill arrays whose first axis is the pose.

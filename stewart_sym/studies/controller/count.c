@@ -129,7 +129,7 @@ int main(void)
         failed += FORCES_OF(&motions[i], F) != STEWART_OK;
         for (j = 0; j < 6; ++j) {
             const double error = (double)F[j] - expected[i][j];
-            const double units = (error < 0 ? -error : error) / bounds[i];
+            const double units = (error < 0 ? -error : error) / bounds[i][j];
             worst = units <= worst ? worst : units;
             failed += !(units <= 1);
         }

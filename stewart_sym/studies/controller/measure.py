@@ -15,18 +15,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import dynamics, fidelity
-from ...conditioning import characteristic_length, scaled_condition_number
+from ... import fidelity
+from ...derive.emit.kit.words import robot_symbol
 from ...generated.fidelities import FIDELITIES
-from ...kernel import MOTION, loaded
+from ...kernel import MOTION
 from ...kinematics import inverse_kinematics
-from ...kit import GOOD_CONDITION, TOLERANCE_FACTOR, Choice, kit, sample
-from ...motion import Motion
+from ...kit import Choice, kit
+from ...kit.poses import sample
+from ...kit.vectors import Vector, vectors
 from ...native import CompilerError
 from ...results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
 from ...robot import Robot
-from ...rotation import rotation_from_vector
-from ..truth import Truth
 from . import toolchain
 from .toolchain import CORES, Core
 
@@ -48,8 +47,8 @@ class Figures:
 
     precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
     with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
-    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test, None
-    where it has none. instructions: executed for a pose at most, of the poses; near_poles: the same with all
+    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
+    instructions: executed for a pose at most, of the poses; near_poles: the same with all
     six legs near the poles of their joints, None where that cannot be tried: baked, or no universal joint.
     flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
     program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
@@ -68,7 +67,7 @@ class Figures:
     refused_wrongly: int
     worst: float
     poses: int
-    selftest: int | None
+    selftest: int
     instructions: int
     near_poles: int | None
     flash: dict[str, int]
@@ -80,7 +79,7 @@ class Figures:
     @property
     def right(self) -> bool:
         """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
-        tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest in (0, None)
+        tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest == 0
         return tried and not self.foreign and not self.double
 
     @property
@@ -111,12 +110,11 @@ def study(robot: Robot, progress: Progress = lambda _: None, level: str = "gener
     """
     if said := toolchain.missing():
         raise CompilerError(said)
-    cases = Cases.of(robot, level)
     rows = []
     for precision in CORES:
         for bake in (False, True):
             progress(f"{'baked' if bake else 'general'} kit in {precision}")
-            rows.append(measured(cases, bake, precision))
+            rows.append(measured(robot, level, bake, precision))
     return Study(robot.name, level, tuple(rows), toolchain.versions(), toolchain.FLAGS)
 
 
@@ -125,39 +123,25 @@ def study(robot: Robot, progress: Progress = lambda _: None, level: str = "gener
 
 @dataclass(frozen=True)
 class Cases:
-    """Motions of a robot with their forces, N, (n, 6), and the bound of their errors, N a rounding unit."""
+    """The test vectors of a kit's forces, and what is further asked of them on a processor."""
 
     robot: Robot
     level: str
-    motions: tuple[Motion, ...]
-    forces: Array
-    units: Array
+    precision: str
+    tests: tuple[Vector, ...]
 
     @classmethod
-    def of(cls, robot: Robot, level: str) -> "Cases":
-        """The example's motion of the kit and others around it, their forces computed to 50 digits."""
-        first, _, _ = sample(robot, "exact")
-        motions = [first]
-        rng = np.random.default_rng(1998)
-        for _ in range(20 * MOTIONS):
-            other = _nearby(rng, robot, first)
-            found = dynamics.inverse_dynamics(robot, other, backend="numpy", on_singular="nan")
-            if len(motions) < MOTIONS and found.status == 0 and _condition(robot, found.H) <= GOOD_CONDITION:
-                motions.append(other)
-        truth = Truth(robot, "exact", fidelity.resolved(robot, "exact", level))
-        forces = np.array([truth.forces(motion).astype(np.float64) for motion in motions])
-        units = []
-        for motion, F in zip(motions, forces, strict=True):
-            full = dynamics.inverse_dynamics(robot, motion, backend="numpy")
-            largest = max(float(np.abs(values).max()) for values in (F, full.F, full.D, full.x))
-            units.append(TOLERANCE_FACTOR * _condition(robot, full.H) * largest)
-        return cls(robot, level, tuple(motions), forces, np.array(units))
+    def of(cls, robot: Robot, level: str, bake: bool, precision: str) -> "Cases":
+        """Those that the kit's own self-test has."""
+        return cls(
+            robot, level, precision, vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
+        )
 
     def near_poles(self) -> Array | None:
         """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
         if not self._knows_axes():
             return None
-        s = inverse_kinematics(self.robot, self.motions[0]).s
+        s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
         across = np.cross(s, np.roll(s, 1, axis=-1))
         across /= np.linalg.norm(across, axis=-1, keepdims=True)
         return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
@@ -166,10 +150,10 @@ class Cases:
         level = fidelity.resolved(self.robot, "exact", self.level)
         return self.robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
 
-    def refused(self, precision: str) -> list[tuple[dict[str, Array], int]]:
+    def refused(self) -> list[tuple[dict[str, Array], int]]:
         """Motions without an answer, and their status."""
-        robot, start = self.robot, numbers(self.motions[0])
-        far = {"double": 1e160, "float": 1e25}[precision]
+        robot, start = self.robot, self.tests[0].inputs
+        far = {"double": 1e160, "float": 1e25}[self.precision]
         still = start | {"R": np.eye(3)}
         cases = [
             (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
@@ -186,43 +170,23 @@ class Cases:
         return cases
 
 
-def _nearby(rng: np.random.Generator, robot: Robot, motion: Motion) -> Motion:
-    """Another motion: a little turned and moved, with other rates and loads of the same size."""
-    size = characteristic_length(robot)
-    given = numbers(motion)
-    moved = {name: given[name] * rng.uniform(-1.5, 1.5, 3) for name in MOTION if name not in ("R", "t")}
-    R = given["R"] @ rotation_from_vector(0.2 * rng.normal(size=3))
-    return Motion(R=R, t=given["t"] + 0.2 * size * rng.normal(size=3), **moved)
-
-
-def _condition(robot: Robot, H: Array) -> float:
-    return float(scaled_condition_number(H, characteristic_length(robot)))
-
-
-def numbers(motion: Motion) -> dict[str, Array]:
-    """The fields of a motion, loads included."""
-    poses = loaded(motion)
-    return {name: np.asarray(getattr(poses, name), dtype=np.float64) for name in MOTION}
-
-
 # --- one kit ----------------------------------------------------------------------------------
 
 
-def measured(cases: Cases, bake: bool, precision: str) -> Figures:
+def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
     """Write, build, run and measure one kit. CompilerError if it does not build or does not end."""
     core = CORES[precision]
-    choice = Choice(fidelity=cases.level, bake=bake, precision=precision, scalar=True)
-    made = kit(cases.robot, choice).files
+    made = kit(robot, Choice(fidelity=level, bake=bake, precision=precision, scalar=True)).files
+    cases = Cases.of(robot, level, bake, precision)
     with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
         folder = Path(name)
-        for file, text in made.items():
-            if "/" not in file and file.endswith((".c", ".h")):
-                (folder / file).write_text(str(text), encoding="utf-8")
+        for file, content in made.items():
+            (folder / file).write_bytes(content)
         for file in _OWN:
             shutil.copyfile(str(files(__package__) / file), folder / file)
         kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
-        symbol = "" if bake else re.findall(r"extern const stewart_robot (\w+);", str(made["robot.h"]))[0]
-        (folder / "cases.h").write_text(_cases_header(cases, kernel, symbol, precision), encoding="utf-8")
+        symbol = "" if bake else robot_symbol(robot.name)
+        (folder / "cases.h").write_text(_cases_header(cases, kernel, symbol), encoding="utf-8")
         objects = [toolchain.compiled(core, folder / f"{kernel}.c")]
         if not bake:
             objects.append(toolchain.compiled(core, folder / "robot.c"))
@@ -230,7 +194,7 @@ def measured(cases: Cases, bake: bool, precision: str) -> Figures:
         # The test itself compares in double, on whatever processor.
         count = toolchain.compiled(core, folder / "count.c", ["-Wno-unused-parameter"])
         image = toolchain.linked(core, [*objects, start, count], folder / "link.ld", folder / "count.elf")
-        selftest = _selftest(core, [*objects, start], folder) if _SELFTEST in made else None
+        selftest = _selftest(core, [*objects, start], folder)
         return _figures(core, bake, precision, kernel, objects, image, selftest)
 
 
@@ -248,7 +212,7 @@ def _figures(
     kernel: str,
     objects: Sequence[Path],
     image: Path,
-    selftest: int | None,
+    selftest: int,
 ) -> Figures:
     code, output = toolchain.emulated(core, image)
     said = _said(output)
@@ -316,13 +280,13 @@ def _said(output: str) -> dict[str, list[int]]:
 # --- text of cases.h --------------------------------------------------------------------------
 
 
-def _cases_header(cases: Cases, kernel: str, symbol: str, precision: str) -> str:
+def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
     """The kernel's names, motions with forces and bounds, and motions without an answer.
 
     symbol: the robot's in C, empty where the kernel holds its numbers.
     """
-    epsilon = {"double": np.finfo(np.float64).eps, "float": np.finfo(np.float32).eps}[precision]
-    refused = cases.refused(precision)
+    epsilon = {"double": np.finfo(np.float64).eps, "float": np.finfo(np.float32).eps}[cases.precision]
+    refused = cases.refused()
     without = _motions(motion for motion, _ in refused)
     names = [f'#include "{kernel}.h"', f"#define FORCES {kernel}_forces"]
     if not symbol:
@@ -331,7 +295,9 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, precision: str) -> str
         names += ['#include "robot.h"', f"#define MODEL {kernel}_model", f"#define PREPARE {kernel}_prepare"]
         names.append(f"#define ROBOT {symbol}")
     axes = cases.near_poles() if symbol else None
-    bounds = [float(epsilon * unit) for unit in cases.units]
+    given = _motions(test.inputs for test in cases.tests)
+    expected = np.array([test.answers["F"] for test in cases.tests])
+    bounds = np.array([test.bounds["F"] for test in cases.tests]) * float(epsilon)
     return "\n".join(
         [
             "/* cases.h: written for one kernel. */",
@@ -339,11 +305,11 @@ def _cases_header(cases: Cases, kernel: str, symbol: str, precision: str) -> str
             "#include <stddef.h>",
             *names,
             "#define REAL(value) ((stewart_real)(value))",
-            f"#define MOTIONS {len(cases.motions)}",
+            f"#define MOTIONS {len(cases.tests)}",
             f"#define REFUSED {len(refused)}",
-            f"static const stewart_motion motions[MOTIONS] = {_motions(map(numbers, cases.motions))};",
-            f"static const double expected[MOTIONS][6] = {_nested(cases.forces)};",
-            f"static const double bounds[MOTIONS] = {_nested(np.array(bounds))};",
+            f"static const stewart_motion motions[MOTIONS] = {given};",
+            f"static const double expected[MOTIONS][6] = {_nested(expected)};",
+            f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
             f"static const stewart_motion refused_motions[REFUSED] = {without};",
             *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
             f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in refused)}}};",

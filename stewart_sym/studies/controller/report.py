@@ -61,7 +61,7 @@ def answers(row: Figures) -> str:
     wrong = {
         "forces": row.failed,
         "statuses": row.refused_wrongly,
-        "self-test": row.selftest or 0,
+        "self-test": row.selftest,
     }
     said = [f"{name} wrong" for name, count in wrong.items() if count]
     return "; ".join(said) or f"{row.poses} poses right"

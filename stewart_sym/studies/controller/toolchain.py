@@ -93,6 +93,13 @@ def linked(core: Core, objects: Iterable[Path], script: Path, target: Path) -> P
     return target
 
 
+def joined(core: Core, objects: Iterable[Path], target: Path) -> Path:
+    """All of some objects with their calls of each other resolved; not to be run."""
+    command = [GCC, *core.flags, *FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,-e,0"]
+    _run([*command, *[path.name for path in objects], "-lm", "-o", target.name], target.parent)
+    return target
+
+
 def emulated(core: Core, image: Path) -> tuple[int, str]:
     """Exit code and output of an image under QEMU, where an instruction takes a nanosecond of its time."""
     command = [QEMU, "-M", core.board, "-nographic", "-semihosting", "-icount", "shift=0"]
