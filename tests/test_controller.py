@@ -1,6 +1,5 @@
 """One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
 
-import dataclasses
 import json
 import shutil
 import subprocess
@@ -149,12 +148,12 @@ def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
 
 
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    cases = measure.Cases.of(dasgupta(), "massless_static")
-    forces = cases.forces.copy()
-    forces[3, 2] *= 1 + 1e-9
-    refused = cases.refused("double")
+    cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
+    cases.tests[3].answers["F"][2] *= 1 + 1e-9
+    refused = cases.refused()
+    monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
     monkeypatch.setattr(measure.Cases, "refused", lambda *_: [(refused[0][0], POLE), *refused[1:]])
-    row = measure.measured(dataclasses.replace(cases, forces=forces), True, "double")
+    row = measure.measured(dasgupta(), "massless_static", True, "double")
     assert (row.failed, row.refused_wrongly) == (1, 1)
     assert row.worst > 1
     assert not row.right
@@ -188,9 +187,9 @@ def test_the_command_writes_the_table_and_the_figures(
 @pytest.mark.slow
 @pytest.mark.parametrize("level", [level for level in fidelity.FIDELITIES if level != "general"])
 def test_every_level_runs_on_the_processors(level: str) -> None:
-    cases = measure.Cases.of(random_robot(np.random.default_rng(1)), level)
+    robot = random_robot(np.random.default_rng(1))
     for precision, baked in (("double", False), ("float", True)):
-        row = measure.measured(cases, baked, precision)
+        row = measure.measured(robot, level, baked, precision)
         assert row.right, row
         assert row.instructions <= INSTRUCTIONS[baked]
 

@@ -5,25 +5,22 @@ more digits than the type in registers. s390x has its bytes the other way round 
 """
 
 import itertools
-import os
 import shutil
 import subprocess
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import attack_build
 import pytest
 
 import stewart_sym as ss
-from stewart_sym.kit import Choice, write_kit
+from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, put
 
 WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Wundef"]
 WARNINGS += ["-Wstrict-prototypes", "-Wold-style-definition", "-Wmissing-prototypes", "-Wvla", "-Werror"]
-KITS = {"lanes": Choice(fidelity="general"), "scalar": Choice(fidelity="general", scalar=True)}
-MAINS = ("selftest.c", "example.c")
-NOT_LINKED = {*MAINS, "main.c"}
+LAYOUTS = ("lanes", "scalar")
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
@@ -63,28 +60,27 @@ TARGETS = {
 }
 STANDARDS = ("-std=c99", "-std=c11")
 LEVELS = ("-O0", "-O1", "-O2", "-O3")
-PRECISIONS = ("", "-DSTEWART_FLOAT")
+PRECISIONS = ("double", "float")
 
 COVERING = [
-    ("gcc", "lanes", "-std=c11", "-O3", ""),
-    ("clang", "lanes", "-std=c99", "-O2", "-DSTEWART_FLOAT"),
-    ("gcc-x87", "lanes", "-std=c99", "-O1", ""),
-    ("clang-x87", "scalar", "-std=c11", "-O2", ""),
-    ("gcc-sse", "scalar", "-std=c11", "-O0", "-DSTEWART_FLOAT"),
-    ("clang-sse", "scalar", "-std=c99", "-O3", "-DSTEWART_FLOAT"),
-    ("s390x", "lanes", "-std=c99", "-O0", ""),
-    ("s390x", "scalar", "-std=c11", "-O1", "-DSTEWART_FLOAT"),
+    ("gcc", "lanes", "-std=c11", "-O3", "double"),
+    ("clang", "lanes", "-std=c99", "-O2", "float"),
+    ("gcc-x87", "lanes", "-std=c99", "-O1", "double"),
+    ("clang-x87", "scalar", "-std=c11", "-O2", "double"),
+    ("gcc-sse", "scalar", "-std=c11", "-O0", "float"),
+    ("clang-sse", "scalar", "-std=c99", "-O3", "float"),
+    ("s390x", "lanes", "-std=c99", "-O0", "double"),
+    ("s390x", "scalar", "-std=c11", "-O1", "float"),
 ]
 """Every target, and every pair of kernel, standard, level and precision."""
 
 
-@pytest.fixture(scope="module")
-def kits(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    made = {}
-    for name, choice in KITS.items():
-        made[name] = tmp_path_factory.mktemp(name)
-        write_kit(ss.robots.dasgupta1998(), made[name], choice)
-    return made
+@cache
+def made(layout: str, precision: str) -> Kit:
+    """A kit of the forces in lanes or scalar; "all" holds every function."""
+    functions = FUNCTIONS if layout == "all" else ("forces",)
+    choice = Choice(functions, scalar=layout == "scalar", precision=precision)
+    return kit(ss.robots.dasgupta1998(), choice)
 
 
 def need(target: Target, folder: Path) -> None:
@@ -96,34 +92,34 @@ def need(target: Target, folder: Path) -> None:
     command = [target.compiler, *target.flags, "hosted.c", "-o", "hosted", "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
-        reason = next(iter(done.stderr.splitlines()), "")
+        reason = next(iter(done.stderr.splitlines()), "double")
         pytest.skip(f"{target.compiler} {' '.join(target.flags)} has no C library: {reason[:200]}")
 
 
 def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> None:
-    """Builds the kit's own check without a warning and runs it: it returns 0 if all answers are in bounds."""
-    main = next(kit / name for name in MAINS if (kit / name).exists())
-    sources = [str(path) for path in sorted(kit.glob("*.c")) if path.name not in NOT_LINKED]
+    """Builds the kit's self-test without a warning and runs it: it returns 0 if all answers are in bounds."""
+    sources = [str(path) for path in sorted(kit.glob("*.c")) if path.name != "main.c"]
     chosen = [flag for flag in flags if flag]
-    program = folder / "_".join([kit.name, target.compiler, *target.flags, *chosen]).replace("=", "")
+    program = folder / "_".join([kit.name, target.compiler, *target.flags, *chosen]).replace("=", "double")
     promoted = ["-Wno-double-promotion"] if target.evaluation == 1 else []
-    command = [target.compiler, *target.flags, *chosen, *WARNINGS, *promoted, str(main), *sources]
+    command = [target.compiler, *target.flags, *chosen, *WARNINGS, *promoted, *sources]
     attack_build.ran([*command, "-o", str(program), "-lm"], folder)
     attack_build.ran([*target.runner, str(program)], folder)
     program.unlink()
 
 
-@pytest.mark.parametrize(("name", "kit", "standard", "level", "precision"), COVERING)
+@pytest.mark.parametrize(("name", "layout", "standard", "level", "precision"), COVERING)
 def test_a_kit_checks_itself(
-    kits: dict[str, Path], tmp_path: Path, name: str, kit: str, standard: str, level: str, precision: str
+    tmp_path: Path, name: str, layout: str, standard: str, level: str, precision: str
 ) -> None:
     need(TARGETS[name], tmp_path)
-    checked(kits[kit], TARGETS[name], (standard, level, precision), tmp_path)
+    put(made(layout, precision), tmp_path / "kit")
+    checked(tmp_path / "kit", TARGETS[name], (standard, level), tmp_path)
 
 
 def test_the_selection_has_every_target_and_every_pair() -> None:
     assert {each[0] for each in COVERING} == set(TARGETS)
-    choices = (KITS, STANDARDS, LEVELS, PRECISIONS)
+    choices = (LAYOUTS, STANDARDS, LEVELS, PRECISIONS)
     for i, j in itertools.combinations(range(4), 2):
         pairs = {(each[i + 1], each[j + 1]) for each in COVERING}
         assert pairs == set(itertools.product(choices[i], choices[j]))
@@ -131,16 +127,25 @@ def test_the_selection_has_every_target_and_every_pair() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("standard", STANDARDS)
-@pytest.mark.parametrize("kit", KITS)
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("layout", LAYOUTS)
 @pytest.mark.parametrize("name", TARGETS)
-def test_a_kit_checks_itself_at_every_level_and_precision(
-    kits: dict[str, Path], tmp_path: Path, name: str, kit: str, standard: str
+def test_a_kit_checks_itself_at_every_level(
+    tmp_path: Path, name: str, layout: str, precision: str, standard: str
 ) -> None:
     need(TARGETS[name], tmp_path)
-    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
-    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) // workers)) as pool:
-        flags = [(standard, *rest) for rest in itertools.product(LEVELS, PRECISIONS)]
-        list(pool.map(lambda each: checked(kits[kit], TARGETS[name], each, tmp_path), flags))
+    put(made(layout, precision), tmp_path / "kit")
+    for level in LEVELS:
+        checked(tmp_path / "kit", TARGETS[name], (standard, level), tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("name", TARGETS)
+def test_a_kit_of_everything_checks_itself(tmp_path: Path, name: str, precision: str) -> None:
+    need(TARGETS[name], tmp_path)
+    put(made("all", precision), tmp_path / "kit")
+    checked(tmp_path / "kit", TARGETS[name], ("-std=c99", "-O2"), tmp_path)
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -159,14 +164,15 @@ def test_a_target_is_what_it_is_named_for(tmp_path: Path, name: str) -> None:
     assert [int(word) for word in said] == [target.bits, target.evaluation, target.big_endian]
 
 
-def test_a_wrong_answer_fails_the_check(kits: dict[str, Path], tmp_path: Path) -> None:
+def test_a_wrong_answer_fails_the_check(tmp_path: Path) -> None:
     target = TARGETS["gcc"]
     need(target, tmp_path)
     wrong = tmp_path / "wrong"
-    shutil.copytree(kits["scalar"], wrong)
+    put(made("scalar", "double"), wrong)
     kernel = next(wrong.glob("stewart_*_pose.c"))
     text = kernel.read_text()
-    assert "x[i] = known[i] - x[i];" in text
-    kernel.write_text(text.replace("x[i] = known[i] - x[i];", "x[i] = known[i] - REAL(1.000001)*x[i];"))
+    right, wrong_by_little = "x[3] = known[3] - x[3];", "x[3] = known[3] - REAL(1.0000001)*x[3];"
+    assert right in text
+    kernel.write_text(text.replace(right, wrong_by_little))
     with pytest.raises(AssertionError):
         checked(wrong, target, ("-std=c99", "-O1"), tmp_path)

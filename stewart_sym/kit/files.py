@@ -83,7 +83,7 @@ def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
     """Kernels and constants."""
     texts = made.files
     if choice.precision == "float":
-        texts["stewart.h"] = _float_by_default(texts["stewart.h"])
+        texts["stewart.h"] = _in_float(texts["stewart.h"])
     if _has_robot(made):
         texts |= robot_files(robot.name, robot_numbers(robot), generator())
     return texts
@@ -93,19 +93,19 @@ def _has_robot(made: Parts) -> bool:
     return any(function.subject for function in made.functions)
 
 
-_FLOAT_BY_DEFAULT = """\
-/* This kit is for float; define STEWART_DOUBLE for double. */
-#if !defined(STEWART_DOUBLE) && !defined(STEWART_FLOAT)
+_FLOAT = """\
+/* This kit is for float. */
+#if !defined(STEWART_FLOAT)
 #define STEWART_FLOAT
 #endif
 """
 
 
-def _float_by_default(stewart_h: str) -> str:
-    """``stewart.h`` of a kit in float: without another choice, STEWART_FLOAT is defined."""
+def _in_float(stewart_h: str) -> str:
+    """``stewart.h`` of a kit in float, which defines STEWART_FLOAT."""
     mark = "#if defined(STEWART_REAL)\ntypedef"
     assert mark in stewart_h
-    return stewart_h.replace(mark, f"{_FLOAT_BY_DEFAULT}{mark}")
+    return stewart_h.replace(mark, f"{_FLOAT}{mark}")
 
 
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
