@@ -5,6 +5,7 @@ Each test runs the real tools out of tree, on a robot file of its own.
 
 import dataclasses
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -31,6 +32,7 @@ from stewart_sym.rotation import rotation_from_vector, vector_from_rotation
 Array = NDArray[np.float64]
 
 CLIENT = Path(__file__).parent / "client"
+README = Path(__file__).parent.parent / "README.md"
 ROBOT = CLIENT / "hexapod.toml"
 SYMBOL = "stewart_robot_client_hexapod"
 GENERATORS = ["Ninja", pytest.param("Unix Makefiles", marks=pytest.mark.slow)]
@@ -173,6 +175,7 @@ def wanted(time: float) -> Motion:
     return Motion(R, t, axis * x_dot[3], x_dot[:3], axis * x_ddot[3], x_ddot[:3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tool", GENERATORS)
 def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     tmp_path: Path, generator: Path, tool: str
@@ -214,20 +217,10 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     assert made.stamps() == before
 
 
-PLAIN_COMMAND = """
-cmake_minimum_required(VERSION 3.15)
-project(client LANGUAGES C)
-set(kit robot.c robot.h stewart.h stewart_exact_forces.c stewart_exact_forces.h)
-list(TRANSFORM kit PREPEND "${CMAKE_CURRENT_BINARY_DIR}/kit/")
-add_custom_command(OUTPUT ${kit}
-  COMMAND stewart-sym generate "${CMAKE_CURRENT_SOURCE_DIR}/hexapod.toml" -o kit --functions forces
-  # Files that come out equal keep their time, which make would take for out of date.
-  COMMAND ${CMAKE_COMMAND} -E touch ${kit}
-  DEPENDS hexapod.toml VERBATIM)
-add_library(hexapod STATIC ${kit})
-target_include_directories(hexapod PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/kit")
-target_compile_options(hexapod PRIVATE -std=c99 -ffp-contract=off -fno-math-errno)
-"""
+def readmes_command() -> str:
+    """The custom command that the README shows, as a project."""
+    (command,) = re.findall(r"```cmake\n(set\(kit .*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    return f"cmake_minimum_required(VERSION 3.15)\nproject(client LANGUAGES C)\n{command}"
 
 
 @pytest.mark.slow
@@ -239,7 +232,7 @@ def test_custom_command_of_ones_own_follows_the_robot_file(
     monkeypatch.setenv("PATH", str(generator.parent), prepend=os.pathsep)
     made = Project(tmp_path, tmp_path / "build")
     shutil.copy(ROBOT, made.robot)
-    (tmp_path / "CMakeLists.txt").write_text(PLAIN_COMMAND)
+    (tmp_path / "CMakeLists.txt").write_text(readmes_command())
     run("cmake", "-S", tmp_path, "-B", made.build, "-G", tool, QUICK)
     made.make()
 

@@ -97,6 +97,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F3"]) == pytest.approx(1419.36, abs=0.005)
 
 
+@pytest.mark.slow
 def test_reproduce_draws_the_pictures(tmp_path: Path) -> None:
     done = run("reproduce", "-o", tmp_path / "out", env={**os.environ, "MPLBACKEND": "Agg"})
     assert (done.returncode, done.stderr) == (0, "")

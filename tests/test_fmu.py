@@ -624,7 +624,7 @@ def test_without_a_compiler_the_unit_has_its_sources_alone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(native, "find_compiler", lambda: None)
-    bare = unit(made("lanes").robot, made("lanes").kernel, made("lanes").sources)
+    bare = kit(made("lanes").robot, CASES["lanes"]).files[f"{made('lanes').symbol}.fmu"]
     full = contents(made("lanes").content)
     assert contents(bare) == {name: text for name, text in full.items() if not name.startswith("binaries/")}
     (tmp_path / "unit.fmu").write_bytes(bare)

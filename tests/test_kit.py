@@ -211,7 +211,7 @@ def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
     [
         ("REAL(40.0)", "REAL(40.1)", "robot.c"),
         ("REAL(-9.81)", "REAL(9.81)", "robot.c"),
-        ("{REAL(0.0696)", "{(stewart_real)NAN", "robot.c"),
+        ("{REAL(0.0696)", "{(stewart_real)NAN", "selftest.c"),
         ("REAL(0.3)", "REAL(0.3000001)", "selftest.c"),
     ],
 )

@@ -28,6 +28,7 @@ def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
     assert not [out for cell in cells for out in cell.outputs if _is_unwanted(out)]
 
 
+@pytest.mark.slow
 def test_runs_from_start_to_end_and_gives_the_committed_outputs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -176,6 +176,7 @@ def test_report_shows_every_claim_and_fits_its_width(found: Reproduction) -> Non
     assert max(map(len, tables.splitlines())) <= WIDTH
 
 
+@pytest.mark.slow
 def test_pictures_are_drawn_and_their_svg_is_reproducible(found: Reproduction, tmp_path: Path) -> None:
     folders = [tmp_path / "one", tmp_path / "two"]
     for folder in folders:

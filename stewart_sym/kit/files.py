@@ -31,6 +31,7 @@ from ..robot import Robot
 from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
+from .poses import sample
 from .vectors import Vector, vectors
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ Array = NDArray[np.float64]
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
-_EPSILON = {"double": np.finfo(np.float64).eps, "float": np.finfo(np.float32).eps}
+_EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
 _TEXTS = ("selftest.c", "main.c", "README.md", "Makefile", "CMakeLists.txt", "Config.cmake.in", "stewart.hpp")
 
 
@@ -66,7 +67,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     texts |= _build_files(symbol, made, texts, choice)
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
-        files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts, found["forces"][0])
+        files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts)
     files["README.md"] = _readme(robot, choice, made, found).encode()
     files[MANIFEST] = _manifest(robot, choice, files)
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
@@ -156,10 +157,9 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
-    epsilon = float(_EPSILON[choice.precision])
     figures = {
         function.stem: Figures(
-            error=_error(found[function.stem]) * epsilon,
+            error=_error(found[function.stem]) * _EPSILON[choice.precision],
             stack=_stack()["bytes"].get(stack_key(function, choice)),
             operations=function.operations,
         )
@@ -224,10 +224,11 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
     return (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], first: Vector) -> bytes:
-    """The co-simulation unit of the forces; it starts at the pose of their first test vector."""
+def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:
+    """The co-simulation unit of the forces; it starts at the pose of the self-test's first vector."""
     part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
     (forces,) = part.functions
+    start = sample(robot, choice.formulation)[0]
     needed = {"stewart.h", part.header, part.source}
     payload = None
     if forces.subject:
@@ -245,7 +246,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str], f
             choice.precision,
             part.says,
         ),
-        {"R": first.inputs["R"].reshape(3, 3).tolist(), "t": first.inputs["t"].tolist()},
+        {"R": start.R.tolist(), "t": start.t.tolist()},
         payload,
         robot_digest(robot.name, robot_numbers(robot)),
         generator(),

@@ -285,7 +285,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
 
     symbol: the robot's in C, empty where the kernel holds its numbers.
     """
-    epsilon = {"double": np.finfo(np.float64).eps, "float": np.finfo(np.float32).eps}[cases.precision]
+    epsilon = float(np.finfo(np.float32 if cases.precision == "float" else np.float64).eps)
     refused = cases.refused()
     without = _motions(motion for motion, _ in refused)
     names = [f'#include "{kernel}.h"', f"#define FORCES {kernel}_forces"]
@@ -297,7 +297,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
     axes = cases.near_poles() if symbol else None
     given = _motions(test.inputs for test in cases.tests)
     expected = np.array([test.answers["F"] for test in cases.tests])
-    bounds = np.array([test.bounds["F"] for test in cases.tests]) * float(epsilon)
+    bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
     return "\n".join(
         [
             "/* cases.h: written for one kernel. */",
