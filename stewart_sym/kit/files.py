@@ -132,7 +132,7 @@ def _case(vector: Vector) -> Case:
     names = [out.name for out in signature.outputs]
     return Case(
         motion,
-        _flat(vector.inputs, signature.inputs),
+        _flat(vector.inputs, [given.name for given in signature.inputs]),
         _flat(vector.answers, names),
         _flat(vector.bounds, names),
     )
@@ -161,7 +161,6 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
         function.stem: Figures(
             error=_error(found[function.stem]) * _EPSILON[choice.precision],
             stack=_stack()["bytes"].get(stack_key(function, choice)),
-            operations=function.operations,
         )
         for function in made.functions
     }

@@ -20,6 +20,12 @@ from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.fidelity import FIDELITIES, fidelity_kernel
 from ..derive.formulation import EXACT, FORMULATIONS
 from ..derive.generate import generator_version, motion_files, shared_blocks
+from ..derive.kinematics import (
+    kinematics,
+    search_operations,
+    step_operations,
+    velocity_operations,
+)
 from ..derive.operations import force_operations
 from ..derive.regroup import ForceKernel
 from ..kernel import c_sources, kernel_name, module
@@ -93,7 +99,7 @@ def _force_part(
     """plain: prefix of the same kernel without a robot's numbers in it, "" where there are none."""
     subject = NOTHING if plain else MODEL
     plain = f"{plain}_forces" if plain else ""
-    function = Function("forces", f"{prefix}_forces", f"{file}.h", subject, prefix, count, plain)
+    function = Function("forces", f"{prefix}_forces", f"{file}.h", subject, prefix, f"{count:,}", plain)
     files = _committed(file) if sources is None else sources
     kind = f"forces{' scalar' if file.endswith('_pose') else ''}{' baked' if plain else ''}"
     return Part(file, files, (function,), (kind,), says)
@@ -136,9 +142,9 @@ def _printed(made: ForceKernel, plain: ForceKernel, file: str, choice: Choice) -
 
 def _reactions(robot: Robot, choice: Choice) -> Part:
     name = kernel_name(choice.formulation, robot.base_joint)
-    counts = module(name).OPERATIONS["friction"]
+    count = f"{sum(module(name).OPERATIONS['friction']['total']):,}"
     functions = [
-        Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}.h", ROBOT, operations=sum(counts["total"]))
+        Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}.h", ROBOT, operations=count)
         for stem in STEMS["reactions"]
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
@@ -155,13 +161,22 @@ def _motion(choice: Choice) -> Part:
     file = f"stewart_{name}_motion"
     groups = [group for group in ("motion", "derivatives") if group in choice.functions]
     stems = [stem for group in groups for stem in STEMS[group]]
-    counts: Mapping[str, int] = module(f"{name}_motion").OPERATIONS
     functions = [
-        Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", counts.get(stem))
+        Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", _before_solves(stem))
         for stem in stems
     ]
     files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
     return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems))
+
+
+_SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
+"""Kernels of the closed form that a function runs, where it is not its own alone."""
+
+
+def _before_solves(stem: str) -> str:
+    counts: Mapping[str, int] = module(f"{EXACT.kernel_name}_motion").OPERATIONS
+    count = sum(counts[name] for name in _SUMS.get(stem, (stem,)))
+    return f"{count:,}" if stem in ("equations", "bias") else f"{count:,} and the solves"
 
 
 def _motion_says(stems: Iterable[str]) -> str:
@@ -169,8 +184,18 @@ def _motion_says(stems: Iterable[str]) -> str:
 
 
 def _kinematics() -> Part:
-    file = "stewart_kinematics"
-    functions = [Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT) for stem in STEMS[_KINEMATICS]]
+    file, blocks = "stewart_kinematics", kinematics()
+    rates = 6 * (blocks.vectors.operations() + blocks.rate.operations())
+    search, step = search_operations(blocks).total, step_operations(blocks).total
+    costs = {
+        "inverse_kinematics": f"{rates.total:,}",
+        "forward_kinematics": f"{search:,} and {step:,} a step",
+        "forward_velocity": f"{velocity_operations(blocks).total:,}",
+    }
+    functions = [
+        Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT, operations=costs[stem])
+        for stem in STEMS[_KINEMATICS]
+    ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
     return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says)
 

@@ -41,7 +41,8 @@ def _shown(function: Function, case: Case, symbol: str) -> str:
     call = _CALLS[function.stem]
     declared = [f"    static {function.prefix}_model model;"] if function.subject == MODEL else []
     start = 0
-    for name, count in signature.inputs.items():
+    for given in signature.inputs:
+        name, count = given.name, given.count
         values = [literal(float(v), name) for v in case.inputs[start : start + count]]
         start += count
         if name not in _OF_POSE:

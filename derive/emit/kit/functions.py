@@ -4,14 +4,14 @@ A part of a kit is one header and source with some functions. Knows signatures a
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 ROBOT, MODEL, NOTHING = "robot", "model", ""
 
 
 @dataclass(frozen=True)
-class Output:
-    """One array that a function hands out: name, C dimensions, count of numbers, unit, meaning."""
+class Field:
+    """One array that a function takes or hands out: name, C dimensions, count of numbers, unit, meaning."""
 
     name: str
     dims: str
@@ -24,22 +24,27 @@ class Output:
 class Signature:
     """How the functions of one stem are called.
 
-    says: what it does, for the README. motion: whether a ``stewart_motion`` is read. inputs: other inputs,
-    name -> count of numbers, in the order in which a self-test keeps them. outputs: what is handed out, in
+    says: what it does, for the README. motion: whether a ``stewart_motion`` is read. inputs: other inputs, in
+    the order in which a self-test keeps them. outputs: what is handed out, in
     the order of the struct or of the arguments. call: body of a self-test's function that has ``motion``,
     ``in`` (the other inputs) and ``out`` (all outputs, untouched on a status other than STEWART_OK).
     """
 
     says: str
-    outputs: tuple[Output, ...]
+    outputs: tuple[Field, ...]
     call: str
     motion: bool = True
-    inputs: Mapping[str, int] = field(default_factory=dict)
+    inputs: tuple[Field, ...] = ()
 
     @property
     def count(self) -> int:
         """How many numbers are handed out."""
         return sum(out.count for out in self.outputs)
+
+    @property
+    def taken(self) -> int:
+        """How many numbers are taken besides the motion."""
+        return sum(given.count for given in self.inputs)
 
 
 @dataclass(frozen=True)
@@ -47,7 +52,7 @@ class Function:
     """A function of a kit: its stem in ``SIGNATURES``, C name, header, what its first argument is.
 
     subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
-    operations: of a pose, None where they depend on the pose. plain: C name without a robot's numbers in it.
+    operations: what a pose takes, in words. plain: C name without a robot's numbers in it.
     """
 
     stem: str
@@ -55,7 +60,7 @@ class Function:
     header: str
     subject: str
     prefix: str = ""
-    operations: int | None = None
+    operations: str = ""
     plain: str = ""
 
     @property
@@ -89,11 +94,11 @@ class Part:
         return f"{self.name}.c"
 
 
-def _array(name: str, dims: tuple[int, ...], unit: str, meaning: str) -> Output:
+def _array(name: str, dims: tuple[int, ...], unit: str, meaning: str) -> Field:
     count = 1
     for dim in dims:
         count *= dim
-    return Output(name, "".join(f"[{dim}]" for dim in dims), count, unit, meaning)
+    return Field(name, "".join(f"[{dim}]" for dim in dims), count, unit, meaning)
 
 
 _IN_STRUCT = """\
@@ -141,8 +146,7 @@ SIGNATURES: dict[str, Signature] = {
         _further(_struct("stewart_forces"), ""),
     ),
     "joint_reactions": Signature(
-        "Reactions in every joint; `bearing`: m along each leg from its base point to where M_p is taken, "
-        "may be null: at the base point.",
+        "Reactions in every joint, and the forces; `bearing` may be null: M_p at the base points.",
         _REACTIONS,
         """\
     stewart_forces forces;
@@ -153,7 +157,9 @@ SIGNATURES: dict[str, Signature] = {
     (void)memcpy(out, &found, sizeof found);
     return status;
 """,
-        inputs={"bearing": 6},
+        inputs=(
+            _array("bearing", (6,), "m", "from each base point along its leg to where M_p is taken; or null"),
+        ),
     ),
     "equations": Signature(
         "Closed form M [a; alpha] + C [v; omega] + g + friction = H F + load.",
@@ -177,7 +183,7 @@ SIGNATURES: dict[str, Signature] = {
         "Accelerations of the platform under actuator forces F.",
         (_array("acceleration", (6,), "m/s^2 and rad/s^2", "[a; alpha], base frame"),),
         _further(_IN_ARRAY, ", in"),
-        inputs={"F": 6},
+        inputs=FORCES[:1],
     ),
     "joint_inertia": Signature(
         "Inertia that the actuators feel, H^-1 M H^-T.",
@@ -202,7 +208,7 @@ SIGNATURES: dict[str, Signature] = {
             _array("B", (72,), "mixed", "12 by 6, row-major"),
         ),
         _further(_struct("stewart_linearisation"), ", in"),
-        inputs={"F": 6},
+        inputs=FORCES[:1],
     ),
     "inverse_kinematics": Signature(
         "Lengths of the legs and their rates, (2) and (5).",
@@ -215,8 +221,8 @@ SIGNATURES: dict[str, Signature] = {
     "forward_kinematics": Signature(
         "The pose that has given lengths of the legs, searched from a guess.",
         (
-            _array("R", (9,), "1", "orientation, row-major; on entry that of the guess"),
-            _array("t", (3,), "m", "position of the reference point; on entry that of the guess"),
+            _array("R", (9,), "1", "orientation, row-major: `pose.R`"),
+            _array("t", (3,), "m", "position of the reference point: `pose.t`"),
         ),
         """\
     stewart_pose pose;
@@ -231,7 +237,11 @@ SIGNATURES: dict[str, Signature] = {
     return status;
 """,
         motion=False,
-        inputs={"L": 6, "R_guess": 9, "t_guess": 3},
+        inputs=(
+            _array("L", (6,), "m", "lengths of the legs"),
+            _array("R_guess", (9,), "1", "orientation of the guess, row-major: `pose.R` on entry"),
+            _array("t_guess", (3,), "m", "position of the guess: `pose.t` on entry"),
+        ),
     ),
     "forward_velocity": Signature(
         "Velocities of the platform from the rates of the legs, (5).",
@@ -246,7 +256,11 @@ SIGNATURES: dict[str, Signature] = {
     return @symbol@(@subject@&pose, in, out, out + 3);
 """,
         motion=False,
-        inputs={"L_dot": 6, "R": 9, "t": 3},
+        inputs=(
+            _array("L_dot", (6,), "m/s", "rates of the legs"),
+            _array("R", (9,), "1", "orientation of the pose, row-major: `pose.R`"),
+            _array("t", (3,), "m", "position of the pose: `pose.t`"),
+        ),
     ),
 }
 """How each function that a kit may hold is called."""

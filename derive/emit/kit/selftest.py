@@ -41,11 +41,14 @@ def selftest(
         "motions": ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions),
         "motion_count": str(len(motions)),
         "most": str(max(function.signature.count for function in functions)),
-        "most_inputs": str(max(1, *(sum(each.signature.inputs.values()) for each in functions))),
+        "most_inputs": str(max(1, *(each.signature.taken for each in functions))),
         "calls": "\n".join(_call(function, symbol) for function in functions),
         "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
         "rows": "\n".join(_row(function, cases[function.stem]) for function in functions),
         "function_count": str(len(functions)),
+        "unprepare": "".join(
+            f"    (void)memset(&{prefix}_of, 0, sizeof {prefix}_of);\n" for prefix in _prefixes(functions)
+        ),
         "prepare": _prepare(functions, symbol),
     }
     return filled(_SELFTEST, parts)
@@ -130,11 +133,11 @@ def _table(name: str, kind: str, rows: Sequence[Sequence[float]]) -> str:
 
 def _row(function: Function, cases: Sequence[Case]) -> str:
     stem, signature = function.stem, function.signature
-    inputs = sum(signature.inputs.values())
+    inputs = signature.taken
     given = f"{stem}_in" if inputs else "NULL"
     return (
         f'    {{"{stem}", {stem}_call, {len(cases)}, {inputs}, {signature.count}, {int(signature.motion)},\n'
-        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds}},"
+        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds, {int(function.subject == MODEL)}}},"
     )
 
 
@@ -174,6 +177,7 @@ typedef struct {
     int calls, inputs, answers, moved;
     const unsigned char *motion;
     const stewart_real *in, *answer, *bound;
+    int prepared; /* whether it reads a model */
 } function_test;
 
 static const function_test tests[@function_count@] = {
@@ -264,16 +268,29 @@ static int refuses_null(const function_test *test)
     return test->call(NULL, test->in, found) == STEWART_BAD_ARGUMENT && is_blank(test->answers);
 }
 
+/* The same of a model that nobody prepared. */
+static int refuses_unprepared(const function_test *test)
+{
+    blank(test->answers);
+    return test->call(&motions[test->motion[0]], test->in, found) != STEWART_OK && is_blank(test->answers);
+}
+
 /* Runs all checks. checks: how many there were, may be null; worst: the largest error over its bound, may be
  * null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
 int stewart_selftest(int *checks, stewart_real *worst)
 {
     stewart_real largest = 0;
     int all = 0, good = 0, test;
+    int refused[@function_count@];
+@unprepare@
+    for (test = 0; test < @function_count@; ++test) {
+        refused[test] = tests[test].prepared && refuses_unprepared(&tests[test]);
+    }
 @prepare@
     for (test = 0; test < @function_count@; ++test) {
         stewart_real of_function = 0;
-        int call, right = 0, count = tests[test].calls + 1 + tests[test].moved;
+        int call, right = refused[test];
+        const int count = tests[test].calls + 1 + tests[test].moved + tests[test].prepared;
         for (call = 0; call < tests[test].calls; ++call) {
             right += is_right(&tests[test], call, &of_function);
         }

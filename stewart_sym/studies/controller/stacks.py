@@ -36,7 +36,7 @@ def stacks(robots: Iterable[Robot], progress: Callable[[str], None] = lambda _: 
         for name, size in _measured(core, made, choice, found).items():
             progress(name)
             found[name] = size
-    compiler = toolchain.versions()[toolchain.GCC]
+    compiler = toolchain.compiler()
     cores = " and ".join(f"{core.name} ({precision})" for precision, core in CORES.items())
     flags = " ".join(flag for flag in toolchain.FLAGS if flag.startswith(("-O", "-f")))
     return {"by": f"{compiler}, {flags}, {cores}", "bytes": dict(sorted(found.items()))}

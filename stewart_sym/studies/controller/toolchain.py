@@ -77,6 +77,13 @@ def versions() -> dict[str, str]:
     return {tool: _run([tool, "--version"]).splitlines()[0] for tool in (GCC, QEMU)}
 
 
+def compiler() -> str:
+    """Name and version of the compiler."""
+    said = versions()[GCC]
+    found = re.search(r"\b\d+\.\d+\.\d+\b", said)
+    return f"{GCC} {found[0]}" if found else said
+
+
 def compiled(core: Core, source: Path, flags: Sequence[str] = ()) -> Path:
     """The object file of one source, beside it, with its frames in ``.su``; CompilerError on a warning."""
     target = source.with_suffix(".o")
