@@ -43,10 +43,9 @@ def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
     assert present == set(regenerated)
 
 
-@pytest.mark.parametrize("seed", ["4242", pytest.param("0", marks=pytest.mark.slow)])
-def test_bytes_do_not_depend_on_the_hash_seed(seed: str, tmp_path: Path) -> None:
+def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "stewart_sym.cli", "derive", "-o", str(tmp_path)]
-    subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": seed}, cwd=tmp_path)
+    subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": "4242"}, cwd=tmp_path)
     for path in sorted(tmp_path.rglob("*.*")):
         name = path.relative_to(tmp_path)
         assert path.read_bytes() == (REPOSITORY / "generated" / name).read_bytes(), name
