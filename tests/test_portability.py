@@ -129,7 +129,7 @@ EVERYWHERE = [
     *itertools.product(TARGETS, ("scalar",), PRECISIONS, STANDARDS),
     *((name, "lanes", "double", "-std=c99") for name in TARGETS),
 ]
-"""Run at every level: what is small, in all ways; lanes, whose compilation takes long, in one on each target."""
+"""Run at every level: what is small, in all ways; lanes, which compile slowly, in one way on each target."""
 
 
 @pytest.mark.slow
