@@ -3,8 +3,12 @@
 A part of a kit is one header and source with some functions. Knows signatures and units, no equation.
 """
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+
+from ...block import Quantity
+from .. import c
 
 ROBOT, MODEL, NOTHING = "robot", "model", ""
 
@@ -95,10 +99,7 @@ class Part:
 
 
 def _array(name: str, dims: tuple[int, ...], unit: str, meaning: str) -> Field:
-    count = 1
-    for dim in dims:
-        count *= dim
-    return Field(name, "".join(f"[{dim}]" for dim in dims), count, unit, meaning)
+    return Field(name, "".join(f"[{dim}]" for dim in dims), math.prod(dims), unit, meaning)
 
 
 _IN_STRUCT = """\
@@ -120,22 +121,17 @@ def _further(text: str, arguments: str) -> str:
     return text.replace("@further@", arguments)
 
 
-FORCES = (
-    _array("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"),
-    _array("D", (6,), "N", "known part of the actuator forces, (24)"),
-    _array("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"),
-    _array("K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"),
-    _array("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"),
-    _array("c", (6,), "N and N m", "wrench that x must balance, base frame, (36)"),
-)
-_REACTIONS = (
-    _array("F_s", (6, 3), "N", "force on the leg at the spherical joint, base frame"),
-    _array("F_u", (6, 3), "N", "force on the leg at the universal joint, base frame"),
-    _array("F_p", (6, 3), "N", "force of the lower part on the upper at the prismatic joint, base frame"),
-    _array("F_c", (6, 3), "N", "constraint part of F_p, base frame"),
-    _array("M_p", (6, 3), "N m", "moment of the lower part on the upper at the prismatic joint, base frame"),
-    _array("M_u", (6,), "N m", "constraint moment on the leg at the universal joint"),
-)
+def _of_struct(quantities: Iterable[tuple[Quantity, str]]) -> tuple[Field, ...]:
+    """Members of a struct of ``stewart.h``."""
+    return tuple(Field(q.name, dims, _count(dims), q.unit, q.meaning) for q, dims in quantities)
+
+
+def _count(dims: str) -> int:
+    return math.prod(int(dim) for dim in dims.strip("[]").split("]["))
+
+
+FORCES = _of_struct(c.FORCES)
+_REACTIONS = _of_struct((q, "[6][3]" if q.shape else "[6]") for q in c.REACTIONS)
 _WRENCH, _MATRIX = "N and N m", "kg, kg m and kg m^2"
 
 SIGNATURES: dict[str, Signature] = {
