@@ -11,6 +11,7 @@ import attack_build
 import numpy as np
 import pytest
 from machines import dasgupta
+from sweeps import share
 
 from stewart_sym import results
 from stewart_sym.kernel import address, library, robot_numbers
@@ -32,12 +33,22 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
     ("compiler", "flags", "cases"),
     [
         pytest.param("gcc", ["-O0", *SANITIZED], 2_000, id="gcc-double"),
-        pytest.param("gcc", ["-O0", *SANITIZED, *FLOAT], 20_000, id="gcc-float", marks=pytest.mark.slow),
-        pytest.param("clang", ["-O1", *MEMORY], 20_000, id="clang-uninitialised", marks=pytest.mark.slow),
-        # What ships: vector instructions, where one pose and a batch take different ways to the same bits.
-        pytest.param("gcc", ["-O3", "-march=native"], 50_000, id="as-shipped", marks=pytest.mark.slow),
         pytest.param(
-            "gcc", ["-O3", "-march=native", *FLOAT], 50_000, id="as-shipped-float", marks=pytest.mark.slow
+            "gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), id="gcc-float", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "clang", ["-O1", *MEMORY], share(20_000), id="clang-uninitialised", marks=pytest.mark.slow
+        ),
+        # What ships: vector instructions, where one pose and a batch take different ways to the same bits.
+        pytest.param(
+            "gcc", ["-O3", "-march=native"], share(100_000), id="as-shipped", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "gcc",
+            ["-O3", "-march=native", *FLOAT],
+            share(100_000),
+            id="as-shipped-float",
+            marks=pytest.mark.slow,
         ),
     ],
 )
@@ -48,7 +59,9 @@ def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("precision", "runs"), [([], 1_000_000), (FLOAT, 50_000)], ids=["double", "float"])
+@pytest.mark.parametrize(
+    ("precision", "runs"), [([], share(1_000_000)), (FLOAT, share(50_000))], ids=["double", "float"]
+)
 def test_fuzzing_finds_nothing(
     precision: list[str], runs: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -19,6 +19,7 @@ from machines import dasgupta, random_motion, random_robot
 from mpmath import mp
 from near_singular import near_singular_motion
 from numpy.typing import NDArray
+from sweeps import share
 from test_bad_poses import singular
 from test_precision import block_inputs, truth
 
@@ -120,7 +121,7 @@ def test_bound_is_never_below_the_true_error_and_seldom_far_above(precision: str
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_holds_over_ten_thousand_cases(precision: str, capsys: pytest.CaptureFixture[str]) -> None:
-    found = swept(10_000)[precision]
+    found = swept(share(10_000))[precision]
     with capsys.disabled():
         print("\n" + report(found, precision))
     holds(found)

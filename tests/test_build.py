@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from sweeps import FULL
 
 from stewart_sym import cli, fixed_step, laws
 from stewart_sym.derive.emit.kit import build as kit_build
@@ -35,7 +36,7 @@ CLIENT = Path(__file__).parent / "client"
 README = Path(__file__).parent.parent / "README.md"
 ROBOT = CLIENT / "hexapod.toml"
 SYMBOL = "stewart_robot_client_hexapod"
-GENERATORS = ["Ninja", pytest.param("Unix Makefiles", marks=pytest.mark.slow)]
+GENERATORS = ["Ninja", *(["Unix Makefiles"] if FULL else [])]
 QUICK = "-DCMAKE_BUILD_TYPE=Debug"
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
 
@@ -224,7 +225,7 @@ def readmes_command() -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("tool", ["Ninja", "Unix Makefiles"])
+@pytest.mark.parametrize("tool", ["Unix Makefiles", *(["Ninja"] if FULL else [])])
 def test_custom_command_of_ones_own_follows_the_robot_file(
     tmp_path: Path, generator: Path, monkeypatch: pytest.MonkeyPatch, tool: str
 ) -> None:

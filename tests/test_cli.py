@@ -543,7 +543,7 @@ def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> N
     started = time.monotonic()
     subprocess.run([*command, "--scalar"], check=True, capture_output=True)
     needed = time.monotonic() - started
-    for turn in range(6):
+    for turn in range(4):
         process = subprocess.Popen(
             [*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL
         )

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
+from sweeps import share
 from test_forces import FIELDS
 from test_generated import c_folder
 
@@ -198,7 +199,7 @@ def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(
 @pytest.mark.slow
 def test_float_forces_are_within_100_units_times_condition_on_ten_thousand_machines() -> None:
     rng = np.random.default_rng(61)
-    errors = [float_error(rng) for _ in range(10_000)]
+    errors = [float_error(rng) for _ in range(share(10_000))]
     print(f"float, 10^4 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
     assert max(errors) <= BOUND
 

@@ -725,7 +725,7 @@ def test_prefix_is_put_before_every_function(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", ["lanes", "baked"])
+@pytest.mark.parametrize("case", ["lanes"])
 def test_another_tool_builds_the_unit_from_its_sources(
     case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

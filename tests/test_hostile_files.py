@@ -20,6 +20,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.robot import Robot
@@ -336,6 +337,7 @@ def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
         if name != "motion":
             (tmp_path / name).write_bytes(bytes([max(number - 1, 0) if number > 1 else number]) + sound)
     script = str(Path(__file__).parent / "fuzz_files.py")
-    limits = ["-runs=20000", "-seed=1", "-max_len=4096", f"-artifact_prefix={tmp_path}{os.sep}"]
+    runs = share(50_000)
+    limits = [f"-runs={runs}", "-seed=1", "-max_len=4096", f"-artifact_prefix={tmp_path}{os.sep}"]
     told = attack_build.ran([sys.executable, script, *limits, str(tmp_path)], tmp_path)
-    assert "Done 20000 runs" in told
+    assert f"Done {runs} runs" in told

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from machines import random_motion, random_robot, rotation
 from numpy.typing import NDArray
 from public_calls import RECORDS, Call, calls, public
+from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion import Motion
@@ -22,7 +23,7 @@ from stewart_sym.robot import Robot
 Array = NDArray[np.float64]
 
 FEW = settings(derandomize=True, deadline=None, max_examples=12, suppress_health_check=[HealthCheck.too_slow])
-MANY = settings(FEW, max_examples=300)
+MANY = settings(FEW, max_examples=share(300))
 NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 BACKENDS = ("c", "numpy", "reference")
 seeds = st.integers(0, 2**32 - 1)

@@ -11,6 +11,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 from near_singular import near_singular_motion
 from numpy.typing import NDArray
+from sweeps import share
 from test_bad_poses import leg_along_its_axis, short_leg, singular
 from test_float import BOUND, any_machine
 from test_pole import leaning
@@ -208,7 +209,7 @@ def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_si
 @pytest.mark.slow
 def test_float_forces_are_within_100_units_times_condition_on_two_thousand_machines() -> None:
     rng = np.random.default_rng(67)
-    errors = [float_error(rng) for _ in range(2_000)]
+    errors = [float_error(rng) for _ in range(share(2_000))]
     print(f"one-pose float, 2,000 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
     assert max(errors) <= BOUND
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import random_motion, random_robot
+from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli import main
@@ -158,7 +159,7 @@ def test_random_cases_near_failure_are_right_or_say_so() -> None:
 
 @pytest.mark.slow
 def test_many_random_cases_near_failure_are_right_or_say_so() -> None:
-    assert wrong_and_refused(100_000) == (0, 0, [])
+    assert wrong_and_refused(share(100_000)) == (0, 0, [])
 
 
 def test_a_case_shown_is_the_case_that_was_judged() -> None:
