@@ -35,18 +35,27 @@ def oracles() -> dict[str, tuple[str, str]]:
     return found
 
 
+SOME = (
+    *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
+    *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
+)
+"""One source of each printer and each way that it goes."""
+
+
 def built(
     folder: Path,
     compiler: str,
     flags: Sequence[str],
     main: str | None = "attack_driver.c",
     link: Sequence[str] = (),
+    some: bool = False,
 ) -> Path:
     """The attack as a program in ``folder``; main: the file that holds it, None where a flag brings one.
 
-    flags: of every compilation; link: of the last alone. Raises CalledProcessError with what was printed.
+    flags: of every compilation; link: of the last alone. some: attack SOME of the sources. Raises
+    CalledProcessError with what was printed.
     """
-    attacked = oracles()
+    attacked = {stem: oracle for stem, oracle in oracles().items() if not some or stem in SOME}
     names = [f"ORACLE(attack_{kernel}_{oracle})" for kernel, oracle in attacked.values()]
     (folder / "attack_kernels.h").write_text("\n".join(names) + "\n")
     common = [compiler, *STRICT, *flags, f"-I{folder}", f"-I{GENERATED}", f"-I{ATTACK}", "-c"]

@@ -11,7 +11,7 @@ import attack_build
 import numpy as np
 import pytest
 from machines import dasgupta
-from sweeps import share
+from sweeps import FULL, share
 
 from stewart_sym import results
 from stewart_sym.kernel import address, library, robot_numbers
@@ -54,7 +54,7 @@ def need(folder: Path, compiler: str, flags: list[str]) -> None:
 )
 def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: int, tmp_path: Path) -> None:
     need(tmp_path, compiler, flags)
-    program = attack_build.built(tmp_path, compiler, flags)
+    program = attack_build.built(tmp_path, compiler, flags, some=not FULL)
     assert attack_build.ran([str(program), str(cases), "1"], tmp_path) == f"{cases} cases\n"
 
 
@@ -67,7 +67,7 @@ def test_fuzzing_finds_nothing(
 ) -> None:
     need(tmp_path, "clang", [*SANITIZED, "-fsanitize=fuzzer"])
     program = attack_build.built(
-        tmp_path, "clang", ["-O1", *SANITIZED, *COVERAGE, *precision], None, ["-fsanitize=fuzzer"]
+        tmp_path, "clang", ["-O1", *SANITIZED, *COVERAGE, *precision], None, ["-fsanitize=fuzzer"], not FULL
     )
     starts = []
     for number, seed in enumerate(seeds()):

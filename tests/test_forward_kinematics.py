@@ -110,7 +110,7 @@ def test_no_pose_of_a_wide_workspace_is_missed() -> None:
     """Region with poses where H is singular: 10^5 poses within 0.4 rad and 0.2 m of home."""
     rng = np.random.default_rng(3)
     robot = dasgupta()
-    R, t = paper_poses(rng, share(100_000), angle=0.4, way=0.2)
+    R, t = (poses[: share(100_000)] for poses in paper_poses(rng, 100_000, angle=0.4, way=0.2))
     L = lengths(robot, R, t)
     found = ss.forward_kinematics(robot, L, on_failure="nan")
     assert_nothing_is_silent(robot, L, found)

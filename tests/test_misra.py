@@ -7,7 +7,7 @@ of variable length, no loop without a bound. The rules are those that cppcheck 2
 import re
 import shutil
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import attack_build
@@ -84,13 +84,13 @@ def need(*tools: str) -> None:
             pytest.skip(f"{tool} is not installed")
 
 
-def rules_found(source: Path, precision: str = PRECISIONS[0]) -> set[str]:
-    """Numbers of the rules by which the addon finds something."""
+def rules_found(source: Path, precision: str = PRECISIONS[0], others: Sequence[str] = ()) -> set[str]:
+    """Numbers of the rules by which the addon finds something; others: names of sources beside it."""
     command = ["cppcheck", "--addon=misra", "--std=c99", "--quiet", "-D__GNUC__=12", "-USTEWART_REAL"]
     # Without the flow of values, which takes most of the time and is cut off by the clock.
     command += ["-U__cplusplus", "--performance-valueflow-max-time=0", "--template={id}", precision]
     done = subprocess.run(
-        [*command, source.name], cwd=source.parent, capture_output=True, text=True, check=True
+        [*command, source.name, *others], cwd=source.parent, capture_output=True, text=True, check=True
     )
     found = set(done.stderr.split())
     assert all(name.startswith("misra-c2012-") for name in found), found
@@ -109,6 +109,18 @@ def test_the_rules_departed_from_are_the_listed_ones(written, name: str) -> None
 def test_float_departs_from_no_other_rule(written, kind: str) -> None:
     need("cppcheck")
     assert rules_found(written(kind), PRECISIONS[1]) == {each.rule for each in deviations([kind])}
+
+
+@pytest.mark.slow
+def test_sources_side_by_side_depart_from_one_rule_more(tmp_path: Path) -> None:
+    need("cppcheck")
+    files = kit(ss.robots.dasgupta1998(), Choice(("forces", "reactions", "kinematics"), scalar=True)).files
+    for name, text in files.items():
+        if name.startswith("stewart") and name.endswith((".c", ".h")):
+            (tmp_path / name).write_bytes(text)
+    sources = sorted(path.name for path in tmp_path.glob("*.c"))
+    found = rules_found(tmp_path / sources[0], PRECISIONS[0], sources[1:])
+    assert found == {each.rule for each in deviations(["forces scalar", "reactions", "kinematics"])}
 
 
 def test_the_checker_finds_what_is_there(tmp_path: Path) -> None:

@@ -30,7 +30,8 @@ def robots() -> list[Robot]:
 @pytest.mark.slow
 @pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there")
 def test_the_table_is_what_the_compiler_tells() -> None:
-    committed, today = json.loads(TABLE.read_text(encoding="utf-8")), stacks(robots()[:1])
+    committed = json.loads(TABLE.read_text(encoding="utf-8"))
+    today = stacks(robots()[:1], levels=("general", "massless_static"))
     assert set(committed["bytes"]) >= set(today["bytes"]), REWRITE
     if committed["by"] == today["by"]:
         assert committed["bytes"] | today["bytes"] == committed["bytes"], REWRITE

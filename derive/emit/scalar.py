@@ -401,8 +401,6 @@ _TOP = """\
 """
 
 _MACROS = """
-#define REAL(value) ((stewart_real)(value))
-
 /* What is seldom called stands apart from what is measured in instructions. */
 #if defined(__GNUC__)
 #define STEWART_APART __attribute__((noinline))
@@ -583,6 +581,9 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
     }
+    if (!(SIZE > REAL(0))) { //M
+        return STEWART_SINGULAR; //M
+    } //M
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
     /* A leg above this is longer than the rounding error of the vectors that it is the sum of. */

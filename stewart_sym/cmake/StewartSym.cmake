@@ -11,7 +11,7 @@
 # EXECUTABLE: the generator, otherwise STEWART_SYM_EXECUTABLE, found beside this package or on the PATH.
 #
 # The kit is written to <target>_kit in the current binary folder while CMake configures, since only the
-# generator knows the names of its files. Robot file, generator and every file of the kit are watched: where
+# generator knows the names of its files. <target>_selftest, built when asked for, is its self-test. Robot file, generator and every file of the kit are watched: where
 # one is newer than the last run, or gone, the build configures itself anew before it compiles anything.
 # Files that come out equal keep their time, so nothing is compiled in vain; one that was edited by hand makes
 # the generator refuse. What the generator says against a robot stops the build.
@@ -82,12 +82,16 @@ function(stewart_generate target)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${folder}>")
   set_target_properties(${target} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
   if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND NOT MSVC)
-    # The bounds on rounding assume no fused multiply-add; without errno, sqrt is an instruction.
+    # One pose and a batch agree to the last bit; without errno, sqrt is an instruction.
     target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
   endif()
   if(UNIX OR (CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang)$" AND NOT MSVC))
     target_link_libraries(${target} PRIVATE m)
   endif()
+
+  # Built and run on demand: cmake --build ... --target <target>_selftest
+  add_executable(${target}_selftest EXCLUDE_FROM_ALL "${folder}/selftest.c")
+  target_link_libraries(${target}_selftest PRIVATE ${target})
 endfunction()
 
 # The kit's files as of the last run; empty if it has to be run again: for the first time, by another command, or

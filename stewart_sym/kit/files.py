@@ -23,7 +23,7 @@ from ..derive.emit.kit.functions import SIGNATURES, Function
 from ..derive.emit.kit.readme import Figures, readme
 from ..derive.emit.kit.readme import Kit as ReadmeKit
 from ..derive.emit.kit.robot import robot_digest, robot_files
-from ..derive.emit.kit.selftest import Case, selftest
+from ..derive.emit.kit.selftest import Case, Refusal, selftest
 from ..derive.emit.kit.words import robot_symbol
 from ..derive.generate import generator_version
 from ..kernel import MOTION
@@ -32,7 +32,7 @@ from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
-from .vectors import Vector, vectors
+from .vectors import Vector, refused, vectors
 
 Array = NDArray[np.float64]
 
@@ -62,7 +62,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
-    texts["selftest.c"] = selftest(robot.name, symbol, tested, cases, generator())
+    texts["selftest.c"] = selftest(robot.name, symbol, tested, cases, _refusals(robot, choice), generator())
     texts["main.c"] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
     files = {name: text.encode() for name, text in texts.items()}
@@ -123,12 +123,7 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
 
 def _case(vector: Vector) -> Case:
     signature = SIGNATURES[vector.function]
-    motion = None
-    if signature.motion:
-        # What a function does not read stands still.
-        given = {name: vector.inputs.get(name, np.zeros(3)) for name in MOTION}
-        motion = {name: value.tolist() for name, value in given.items()}
-        motion["R"] = given["R"].reshape(3, 3).tolist()
+    motion = _motion(vector.inputs) if signature.motion else None
     names = [out.name for out in signature.outputs]
     return Case(
         motion,
@@ -136,6 +131,18 @@ def _case(vector: Vector) -> Case:
         _flat(vector.answers, names),
         _flat(vector.bounds, names),
     )
+
+
+def _refusals(robot: Robot, choice: Choice) -> list[Refusal]:
+    return [
+        Refusal(_motion(inputs), status) for inputs, status in refused(robot, choice.level, choice.precision)
+    ]
+
+
+def _motion(inputs: Mapping[str, Array]) -> dict[str, Any]:
+    """Fields of a ``stewart_motion``; what a function does not read stands still."""
+    given = {name: inputs.get(name, np.zeros(3)) for name in MOTION}
+    return {name: value.tolist() for name, value in given.items()} | {"R": given["R"].reshape(3, 3).tolist()}
 
 
 def _flat(arrays: Mapping[str, Array], names: Iterable[str]) -> list[float]:
@@ -161,6 +168,7 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
         function.stem: Figures(
             error=_error(found[function.stem]) * _EPSILON[choice.precision],
             stack=_stack()["bytes"].get(stack_key(function, choice)),
+            batch_stack=_stack()["bytes"].get(stack_key(function, choice, "_batch")),
         )
         for function in made.functions
     }
@@ -201,9 +209,9 @@ def _error(vectors_of: list[Vector]) -> float:
     )
 
 
-def stack_key(function: Function, choice: Choice) -> str:
-    """Name of a function's stack in ``stack.json``."""
-    return f"{function.plain or function.symbol} {choice.precision}"
+def stack_key(function: Function, choice: Choice, suffix: str = "") -> str:
+    """Name of a function's stack in ``stack.json``; suffix: "_batch" for that of its batch."""
+    return f"{function.plain or function.symbol}{suffix} {choice.precision}"
 
 
 @cache

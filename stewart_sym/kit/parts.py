@@ -4,7 +4,7 @@ Stands below ``kit``. Knows names and files of kernels and what each of their fu
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 
 import numpy as np
@@ -80,7 +80,16 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         found.append(_motion(choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
-    return Parts(tuple(found), before, after)
+    return Parts(tuple(_with_batches(part) for part in found), before, after)
+
+
+def _with_batches(part: Part) -> Part:
+    """The part with what its header says of batches."""
+    functions = [
+        replace(function, batch=f"int {function.symbol}_batch(" in part.files[part.header])
+        for function in part.functions
+    ]
+    return replace(part, functions=tuple(functions))
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:

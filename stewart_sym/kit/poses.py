@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
+NEAR_POLE = 0.004
+"""Below 1/64 the forces go another way."""
 
 _DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
 # The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), some 14 degrees, is this over that.
@@ -94,6 +96,33 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
             for field in fields
         }
     )
+
+
+def near_pole(robot: Robot, formulation: str) -> Motion | None:
+    """The example's motion with a leg within NEAR_POLE rad of the fixed axis of its universal joint.
+
+    The leg, and the end of the axis, with the best condition number; None where none solves with
+    MAX_CONDITION. The robot's base joints are universal.
+    """
+    first, _, _ = sample(robot, formulation)
+    legs = inverse_kinematics(robot, first)
+    places = []
+    for i, end in itertools.product(range(6), (1.0, -1.0)):
+        k = end * robot.k[i] / np.linalg.norm(robot.k[i])
+        across = np.cross(k, legs.s[i])
+        s = k + NEAR_POLE * across / np.linalg.norm(across)
+        away = legs.L[i] * s / np.linalg.norm(s)
+        places.append(significant(robot.b[i] + away - first.R @ robot.p[i], 12))
+    fields = ("R", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    kept = {field: np.repeat(getattr(first, field)[None], len(places), axis=0) for field in fields}
+    moved = Motion(t=np.array(places), **kept)
+    around = moved[np.flatnonzero(_forces(robot, moved, formulation).status == 0)]
+    if around.shape == (0,):
+        return None
+    H = _forces(robot, around, formulation).H
+    condition = scaled_condition_number(H, characteristic_length(robot))
+    best = int(np.argmin(condition))
+    return around[best] if condition[best] <= MAX_CONDITION else None
 
 
 def neighbour(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:

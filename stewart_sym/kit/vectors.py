@@ -19,12 +19,14 @@ from .. import fidelity as fidelities
 from ..checks import instance, option
 from ..conditioning import characteristic_length, moments_over
 from ..forward import forward_kinematics
+from ..generated.fidelities import FIDELITIES
 from ..kernel import MOTION
 from ..kinematics import wrench_matrix
 from ..motion import Motion
+from ..results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
 from ..robot import Robot
 from ..rotation import orthonormal
-from .poses import neighbour, poses, significant
+from .poses import near_pole, neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import errors, values
 
@@ -77,6 +79,8 @@ def vectors(
 ) -> tuple[Vector, ...]:
     """Vectors of each function in turn, up to ``count`` of each, at most FEW of those with many answers.
 
+    "forces" have one more, with a leg near the pole of its universal joint, where there is such a pose.
+
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
     folded into the code, so they are the robot's own, rounded last. Forward kinematics is asked only where
@@ -97,14 +101,48 @@ def vectors(
         if not all(np.isfinite(value).all() for value in constants.values()):
             raise ValueError(f"robot: expected constants that {precision} can hold, some overflow")
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
-    motions = poses(robot, formulation, count)
+    every = poses(robot, formulation, count)
+    motions = [every[i] for i in range(every.shape[0])]
+    beside = near_pole(robot, formulation) if knows_axes(robot, level) else None
     made = partial(_vector, readings, robot, kind)
     return tuple(
         made(function, {name: _rounded(getattr(motion, name).ravel(), kind) for name in MOTION})
         for function in functions
-        for motion in motions[: FEW if function in _LARGE else None]
+        for motion in _of_function(function, motions, beside)
         if function not in _BACKWARD or _settled(robot, motion, kind)
     )
+
+
+def _of_function(function: str, motions: list[Motion], beside: Motion | None) -> list[Motion]:
+    """The motions on which a function is tried; beside: near a pole, where the forces go another way."""
+    if function in _LARGE:
+        return motions[:FEW]
+    return [*motions, beside] if function == "forces" and beside is not None else motions
+
+
+def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
+    """Motions for which there are no forces, as ``Vector.inputs``, and the status that says so."""
+    first = poses(robot, "exact", 1)[0]
+    start = {name: _rounded(np.ravel(getattr(first, name)), _PRECISION[precision]) for name in MOTION}
+    still = start | {"R": np.eye(3).ravel()}
+    far = {"double": 1e160, "float": 1e25}[precision]
+    cases = [
+        (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
+        # With all platform points in one place the legs' lines meet there.
+        (start | {"R": np.zeros(9)}, SINGULAR),
+        (start | {"t": np.full(3, far)}, NOT_FINITE),
+    ]
+    if knows_axes(robot, fidelity):
+        k = robot.k[4] / np.linalg.norm(robot.k[4])
+        along = k * np.linalg.norm(start["t"] - robot.b[4])
+        cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, POLE))
+    return cases
+
+
+def knows_axes(robot: Robot, fidelity: str) -> bool:
+    """Whether a level's forces depend on the fixed axes of the universal joints."""
+    level = fidelities.resolved(robot, "exact", fidelity)
+    return robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
 
 
 def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision: str, count: int) -> None:

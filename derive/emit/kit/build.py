@@ -148,7 +148,7 @@ target_include_directories(<symbol> PUBLIC
 )
 set_target_properties(<symbol> PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND NOT MSVC)
-  # The bounds on rounding assume no fused multiply-add; without errno, sqrt is an instruction.
+  # One pose and a batch agree to the last bit; without errno, sqrt is an instruction.
   target_compile_options(<symbol> PRIVATE -ffp-contract=off -fno-math-errno)
 endif()
 if(UNIX OR (CMAKE_C_COMPILER_ID MATCHES "^(GNU|Clang)$" AND NOT MSVC))
@@ -198,7 +198,7 @@ _MAKEFILE = """\
 # Makefile: the kit <symbol>, in <precision>.
 #
 #     make                                     library, self-test and example; runs the self-test
-#     make CC=clang CFLAGS=-O3                 the same by another compiler
+#     make clean all CC=clang CFLAGS=-O3       the same by another compiler
 #     make stack                               bytes of stack of each function (gcc, clang)
 #     make install PREFIX=/opt/x DESTDIR=pkg   library and headers
 #
@@ -211,7 +211,7 @@ _MAKEFILE = """\
 CC = cc
 AR = ar
 CFLAGS = -O2 <warnings>
-# The bounds on rounding assume no fused multiply-add; without errno, sqrt is an instruction.
+# One pose and a batch agree to the last bit; without errno, sqrt is an instruction.
 ARITHMETIC = -std=c99 -ffp-contract=off -fno-math-errno
 LDFLAGS =
 LDLIBS = -lm

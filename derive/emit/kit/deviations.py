@@ -101,8 +101,20 @@ DEVIATIONS = (
 )
 
 
+TOGETHER = Deviation(
+    "5.9",
+    "static names that several sources use",
+    "each source stands alone, and the same helper has the same name in each",
+    _CODE,
+)
+"""What sources depart from only side by side."""
+
+
 def deviations(kinds: Collection[str]) -> tuple[Deviation, ...]:
     """The deviations of a kit whose sources are of these kinds. Raises ValueError for unknown ones."""
     if not set(kinds) <= set(KINDS):
         raise ValueError(f"kinds: expected some of {', '.join(KINDS)}, got {list(kinds)}")
-    return tuple(each for each in DEVIATIONS if set(kinds) & set(each.kinds))
+    several = len(set(kinds) & set(_CODE)) > 1
+    return tuple(
+        each for each in (*DEVIATIONS, *([TOGETHER] if several else [])) if set(kinds) & set(each.kinds)
+    )

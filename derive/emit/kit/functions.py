@@ -56,7 +56,8 @@ class Function:
     """A function of a kit: its stem in ``SIGNATURES``, C name, header, what its first argument is.
 
     subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
-    operations: what a pose takes, in words. plain: C name without a robot's numbers in it.
+    operations: what a pose takes, in words. plain: C name without a robot's numbers in it. batch: whether
+    there is ``<symbol>_batch`` as well.
     """
 
     stem: str
@@ -66,6 +67,7 @@ class Function:
     prefix: str = ""
     operations: str = ""
     plain: str = ""
+    batch: bool = False
 
     @property
     def signature(self) -> Signature:
@@ -142,7 +144,8 @@ SIGNATURES: dict[str, Signature] = {
         _further(_struct("stewart_forces"), ""),
     ),
     "joint_reactions": Signature(
-        "Reactions in every joint, and the forces; `bearing` may be null: M_p at the base points.",
+        "Reactions in every joint; `bearing` may be null: M_p at the base points. `forces` takes the inverse "
+        "dynamics of the same motion.",
         _REACTIONS,
         """\
     stewart_forces forces;
@@ -215,7 +218,9 @@ SIGNATURES: dict[str, Signature] = {
         "    return @symbol@(@subject@motion, out, out + 6);\n",
     ),
     "forward_kinematics": Signature(
-        "The pose that has given lengths of the legs, searched from a guess.",
+        "The pose that has given lengths of the legs, searched from a guess in `pose`: from one within 0.3 rad "
+        "it is the pose beside the guess; from afar another one may come out, or STEWART_NOT_CONVERGED after "
+        "STEWART_MAX_STEPS steps. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
         (
             _array("R", (9,), "1", "orientation, row-major: `pose.R`"),
             _array("t", (3,), "m", "position of the reference point: `pose.t`"),

@@ -19,11 +19,12 @@ class Figures:
     """What a README says of one function.
 
     error: the largest bound of its test vectors over the largest answer of the same array, nan without
-    vectors. stack: bytes, None where nobody measured it.
+    vectors. stack, batch_stack: bytes, None where nobody measured them or there is no batch.
     """
 
     error: float
     stack: int | None
+    batch_stack: int | None
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,7 @@ def readme(kit: Kit) -> str:
         "functions": "\n".join(
             _function(function, part.files[part.header]) for part in kit.parts for function in part.functions
         ),
+        "batches": _BATCHES if any(function.batch for function in functions) else "",
         "prepared": _PREPARED if any(function.subject == MODEL for function in functions) else "",
         "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUS),
@@ -100,6 +102,7 @@ def _stems(part: Part) -> str:
 
 def _summary(function: Function, figures: Figures) -> str:
     stack = "" if figures.stack is None else f"{figures.stack:,}"
+    stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
     error = "not tested: no pose settles it" if math.isnan(figures.error) else f"{figures.error:.0e}"
     return f"| `{function.symbol}` | {function.operations} | {stack} | {error} |"
 
@@ -135,9 +138,15 @@ _ARITHMETIC = {
 
 _STACK_BAKED = ", with the numbers folded in as much as without"
 
+_BATCHES = """\
+Batches take and fill arrays whose first axis is the pose; `F_ext` and `M_ext` may be null, `status` too,
+which otherwise takes each pose's own; the first that is not `STEWART_OK` is returned.
+"""
+
 _PREPARED = """\
 `..._prepare(robot, &model)` makes the constants that a function reads; call it once, and again when a
-constant of the robot changes. A model that was not prepared gives a status.
+constant of the robot changes. A model that nobody prepared gives a status if it is all zeros, as a static
+one is.
 
 """
 
@@ -208,7 +217,8 @@ Error: the largest that the self-test lets pass, over the largest number of the 
 well-conditioned poses. Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
 
 All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at
-once. The batches take and fill arrays whose first axis is the pose.
+once. That R is a rotation is not checked. @batches@One kit to a program: kits share names, and a `double`
+and a `float` one must not be linked together.
 
 @prepared@@functions@
 `stewart_motion`, input:

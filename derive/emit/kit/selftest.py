@@ -14,6 +14,14 @@ PER_LINE = 4
 
 
 @dataclass(frozen=True)
+class Refusal:
+    """A motion without forces, R as (3, 3), and the status that says so."""
+
+    motion: Numbers
+    status: int
+
+
+@dataclass(frozen=True)
 class Case:
     """One call: the motion's fields, R as (3, 3), None where none is read; the other inputs; every answer and
     its largest error in rounding units, flat, in the order of the signature."""
@@ -25,9 +33,15 @@ class Case:
 
 
 def selftest(
-    name: str, symbol: str, functions: Sequence[Function], cases: Mapping[str, Sequence[Case]], version: str
+    name: str,
+    symbol: str,
+    functions: Sequence[Function],
+    cases: Mapping[str, Sequence[Case]],
+    refusals: Sequence[Refusal],
+    version: str,
 ) -> str:
     """``selftest.c``. name: the robot's; symbol: its constants in C. cases: by the functions' stems.
+    refusals: of the forces, where they are among the functions.
 
     Raises ValueError naming what is not a finite number.
     """
@@ -42,7 +56,13 @@ def selftest(
         "motion_count": str(len(motions)),
         "most": str(max(function.signature.count for function in functions)),
         "most_inputs": str(max(1, *(each.signature.taken for each in functions))),
-        "calls": "\n".join(_call(function, symbol) for function in functions),
+        "calls": "\n".join(
+            text for function in functions for text in (_call(function, symbol), _batch(function, symbol))
+        ),
+        "pointers": _POINTERS if any(function.batch for function in functions) else "",
+        "refusals": _refusals(refusals) if any(f.stem == "forces" for f in functions) else "",
+        "told": _TOLD if any(f.stem == "forces" for f in functions) else "",
+        "refused": _REFUSED if any(f.stem == "forces" for f in functions) else "",
         "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
         "rows": "\n".join(_row(function, cases[function.stem]) for function in functions),
         "function_count": str(len(functions)),
@@ -103,6 +123,97 @@ def _call(function: Function, symbol: str) -> str:
     )
 
 
+_ARRAYS = {
+    "inverse_dynamics": "stewart_forces_arrays",
+    "joint_reactions": "stewart_reactions_arrays",
+    "equations": "stewart_equations_arrays",
+    "derivatives": "stewart_derivatives_arrays",
+    "linearisation": "stewart_linearisation_arrays",
+}
+"""Structs that the batches of some functions fill; the others fill one array."""
+
+
+def _batch(function: Function, symbol: str) -> str:
+    """The function's batch, of one pose: what it computes stands apart from what one pose computes."""
+    if not function.batch:
+        return ""
+    first = {ROBOT: f"&{symbol}, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
+    arrays = _ARRAYS.get(function.stem)
+    further = "in, " if function.signature.inputs else ""
+    lines = ["    const stewart_motions poses = pointers_to(motion);"]
+    target = "out"
+    if arrays is not None:
+        lines.append(f"    {arrays} arrays;")
+        target = "&arrays"
+    lines += ["    int status = -1;", "    int first;"]
+    lines += [] if further else ["    (void)in;"]
+    start = 0
+    for out in function.signature.outputs if arrays is not None else ():
+        lines.append(f"    arrays.{out.name} = out + {start};")
+        start += out.count
+    lines.append(f"    first = {function.symbol}_batch({first}1, &poses, {further}{target}, &status);")
+    lines.append("    return first == status ? first : -1;")
+    body = "\n".join(lines)
+    return (
+        f"static int {function.stem}_batch(\n"
+        "    const stewart_motion *motion, const stewart_real *in, stewart_real *out)\n"
+        f"{{\n{body}\n}}\n"
+    )
+
+
+def _refusals(refusals: Sequence[Refusal]) -> str:
+    motions = ",\n".join(f"    {{\n{motion_members(each.motion, ' ' * 8)}\n    }}" for each in refusals)
+    statuses = ", ".join(str(each.status) for each in refusals)
+    return (
+        "/* Motions without forces, and the status that says so. */\n"
+        f"#define REFUSALS {len(refusals)}\n"
+        f"static const stewart_motion refused_motions[REFUSALS] = {{\n{motions}\n}};\n"
+        f"static const int refused_status[REFUSALS] = {{{statuses}}};\n"
+    )
+
+
+_POINTERS = """\
+static stewart_motions pointers_to(const stewart_motion *motion)
+{
+    stewart_motions poses;
+    poses.R = motion->R;
+    poses.t = motion->t;
+    poses.omega = motion->omega;
+    poses.v = motion->v;
+    poses.alpha = motion->alpha;
+    poses.a = motion->a;
+    poses.F_ext = motion->F_ext;
+    poses.M_ext = motion->M_ext;
+    return poses;
+}
+"""
+
+_TOLD = """\
+/* How many of the motions without forces are refused with the status that they should be. */
+static int refused_as_told(int (*forces)(const stewart_motion *, const stewart_real *, stewart_real *))
+{
+    int i, right = 0;
+    for (i = 0; i < REFUSALS; ++i) {
+        blank(6);
+        right += forces(&refused_motions[i], NULL, found) == refused_status[i] && is_blank(6);
+    }
+    return right;
+}
+
+"""
+
+_REFUSED = """\
+        if (tests[test].call == forces_call) {
+            right += refused_as_told(forces_call);
+            count += REFUSALS;
+            if (tests[test].batch) {
+                right += refused_as_told(tests[test].batch);
+                count += REFUSALS;
+            }
+        }
+"""
+
+
 def _declarations(body: str) -> tuple[str, str]:
     """The body's declarations, and the statements after them."""
     lines = body.splitlines(keepends=True)
@@ -135,9 +246,12 @@ def _row(function: Function, cases: Sequence[Case]) -> str:
     stem, signature = function.stem, function.signature
     inputs = signature.taken
     given = f"{stem}_in" if inputs else "NULL"
+    batch = f"{stem}_batch" if function.batch else "NULL"
+    prepared = int(function.subject == MODEL)
     return (
-        f'    {{"{stem}", {stem}_call, {len(cases)}, {inputs}, {signature.count}, {int(signature.motion)},\n'
-        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds, {int(function.subject == MODEL)}}},"
+        f'    {{"{stem}", {stem}_call, {batch}, {len(cases)}, {inputs}, {signature.count}, '
+        f"{int(signature.motion)},\n"
+        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds, {prepared}}},"
     )
 
 
@@ -167,13 +281,16 @@ static const stewart_motion motions[@motion_count@] = {
 @motions@
 };
 
+@pointers@
 @calls@
 @vectors@
+@refusals@
 /* One function and its calls: for each call which motion, the other inputs, the answers and their bounds in
  * rounding units. */
 typedef struct {
     const char *name;
     int (*call)(const stewart_motion *motion, const stewart_real *in, stewart_real *out);
+    int (*batch)(const stewart_motion *motion, const stewart_real *in, stewart_real *out); /* or NULL */
     int calls, inputs, answers, moved;
     const unsigned char *motion;
     const stewart_real *in, *answer, *bound;
@@ -222,14 +339,16 @@ static int is_blank(int count)
 }
 
 /* Whether one call's answers are within their bounds; *worst: the largest error over its bound so far. */
-static int is_right(const function_test *test, int call, stewart_real *worst)
+static int is_right(
+    const function_test *test, int (*function)(const stewart_motion *, const stewart_real *, stewart_real *),
+    int call, stewart_real *worst)
 {
     const stewart_real *const in = test->in ? test->in + call * test->inputs : NULL;
     const stewart_real *const answer = test->answer + call * test->answers;
     const stewart_real *const bound = test->bound + call * test->answers;
     int i, right;
     blank(test->answers);
-    right = test->call(&motions[test->motion[call]], in, found) == STEWART_OK;
+    right = function(&motions[test->motion[call]], in, found) == STEWART_OK;
     for (i = 0; i < test->answers; ++i) {
         const stewart_real difference = found[i] - answer[i];
         const stewart_real error = difference < 0 ? -difference : difference;
@@ -275,8 +394,8 @@ static int refuses_unprepared(const function_test *test)
     return test->call(&motions[test->motion[0]], test->in, found) != STEWART_OK && is_blank(test->answers);
 }
 
-/* Runs all checks. checks: how many there were, may be null; worst: the largest error over its bound, may be
- * null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
+@told@/* Runs all checks. checks: how many there were, may be null; worst: the largest error over its bound,
+ * may be null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
 int stewart_selftest(int *checks, stewart_real *worst)
 {
     stewart_real largest = 0;
@@ -290,11 +409,15 @@ int stewart_selftest(int *checks, stewart_real *worst)
     for (test = 0; test < @function_count@; ++test) {
         stewart_real of_function = 0;
         int call, right = refused[test];
-        const int count = tests[test].calls + 1 + tests[test].moved + tests[test].prepared;
+        int count = tests[test].calls + 1 + tests[test].moved + tests[test].prepared;
         for (call = 0; call < tests[test].calls; ++call) {
-            right += is_right(&tests[test], call, &of_function);
+            right += is_right(&tests[test], tests[test].call, call, &of_function);
+            if (tests[test].batch) {
+                right += is_right(&tests[test], tests[test].batch, call, &of_function);
+            }
         }
-        right += refuses_nan(&tests[test]);
+        count += tests[test].batch ? tests[test].calls : 0;
+@refused@        right += refuses_nan(&tests[test]);
         if (tests[test].moved) {
             right += refuses_null(&tests[test]);
         }

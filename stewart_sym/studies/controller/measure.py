@@ -15,16 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import fidelity
 from ...derive.emit.kit.words import robot_symbol
-from ...generated.fidelities import FIDELITIES
 from ...kernel import MOTION
 from ...kinematics import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.poses import sample
-from ...kit.vectors import Vector, vectors
+from ...kit.vectors import Vector, knows_axes, refused, vectors
 from ...native import CompilerError
-from ...results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
+from ...results import NOT_FINITE
 from ...robot import Robot
 from . import toolchain
 from .toolchain import CORES, Core
@@ -137,37 +135,23 @@ class Cases:
             robot, level, precision, vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
         )
 
+    def refused(self) -> list[tuple[dict[str, Array], int]]:
+        """Motions without an answer, and their status: those of the self-test, and such as no text holds."""
+        start = self.tests[0].inputs
+        return [
+            *refused(self.robot, self.level, self.precision),
+            (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
+            (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
+        ]
+
     def near_poles(self) -> Array | None:
         """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
-        if not self._knows_axes():
+        if not knows_axes(self.robot, self.level):
             return None
         s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
         across = np.cross(s, np.roll(s, 1, axis=-1))
         across /= np.linalg.norm(across, axis=-1, keepdims=True)
         return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
-
-    def _knows_axes(self) -> bool:
-        level = fidelity.resolved(self.robot, "exact", self.level)
-        return self.robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
-
-    def refused(self) -> list[tuple[dict[str, Array], int]]:
-        """Motions without an answer, and their status."""
-        robot, start = self.robot, self.tests[0].inputs
-        far = {"double": 1e160, "float": 1e25}[self.precision]
-        still = start | {"R": np.eye(3)}
-        cases = [
-            (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
-            # With all platform points in one place the legs' lines meet there.
-            (start | {"R": np.zeros((3, 3))}, SINGULAR),
-            (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
-            (start | {"t": np.full(3, far)}, NOT_FINITE),
-            (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
-        ]
-        if self._knows_axes():
-            k = robot.k[4] / np.linalg.norm(robot.k[4])
-            along = k * np.linalg.norm(start["t"] - robot.b[4])
-            cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, POLE))
-        return cases
 
 
 # --- one kit ----------------------------------------------------------------------------------

@@ -22,16 +22,20 @@ from . import toolchain
 from .toolchain import CORES, Core
 
 
-def stacks(robots: Iterable[Robot], progress: Callable[[str], None] = lambda _: None) -> dict[str, Any]:
+def stacks(
+    robots: Iterable[Robot],
+    progress: Callable[[str], None] = lambda _: None,
+    levels: Iterable[str] = fidelity.FIDELITIES,
+) -> dict[str, Any]:
     """Bytes by function and precision, and by whom they were told.
 
-    robots: one of each kind of base joint; their numbers do not count. Raises CompilerError where a tool is
-    missing or fails.
+    robots: one of each kind of base joint; their numbers do not count. levels: of fidelity. Raises
+    CompilerError where a tool is missing or fails.
     """
     if said := toolchain.missing():
         raise CompilerError(said)
     found: dict[str, int] = {}
-    for made, choice in (each for robot in robots for each in _all_parts(robot)):
+    for made, choice in (each for robot in robots for each in _all_parts(robot, levels)):
         core = CORES[choice.precision]
         for name, size in _measured(core, made, choice, found).items():
             progress(name)
@@ -47,14 +51,14 @@ def as_text(found: dict[str, Any]) -> str:
     return json.dumps(found, indent=1) + "\n"
 
 
-def _all_parts(robot: Robot) -> Iterator[tuple[Parts, Choice]]:
+def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
     """Parts of choices that together hold every function for such a machine."""
     for formulation in ("exact", "paper"):
         functions = ["reactions", "kinematics"]
         if (robot.base_joint, formulation) == ("universal", "exact"):
             functions += ["motion", "derivatives"]
         asked = [Choice(tuple(functions), formulation)]
-        for level in fidelity.available(robot, formulation):
+        for level in [each for each in levels if each in fidelity.available(robot, formulation)]:
             asked += [Choice(("forces",), formulation, level, scalar=scalar) for scalar in (False, True)]
         for choice in asked:
             for precision in CORES:
@@ -76,5 +80,8 @@ def _measured(core: Core, made: Parts, choice: Choice, known: dict[str, int]) ->
         image = toolchain.joined(core, objects, Path(folder) / "kit.elf")
         usage = [path.with_suffix(".su") for path in objects]
         for function in made.functions:
-            found[names[function]] = toolchain.deepest_stack(image, usage, function.symbol)
+            for suffix in ("", "_batch") if function.batch else ("",):
+                symbol = f"{function.symbol}{suffix}"
+                size = toolchain.deepest_stack(image, usage, symbol)
+                found[names[function].replace(function.symbol, symbol)] = size
     return found
