@@ -34,9 +34,9 @@ def conditions(found: Figures) -> str:
     return paragraph(
         f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
         f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
-        f"under QEMU {qemu}, which counts instructions. The most of {found['rows'][0]['poses']} poses, one of them "
-        "with a leg near the pole of its joint, all within the bounds of 50-digit forces; flash, RAM and stack in "
-        "bytes:"
+        f"under QEMU {qemu}, which counts instructions. The most of {found['rows'][0]['poses']} poses, one "
+        "of them with a leg near the pole of its joint, all within the bounds of 50-digit forces; flash, RAM "
+        "and stack in bytes:"
     )
 
 

@@ -218,8 +218,8 @@ SIGNATURES: dict[str, Signature] = {
         "    return @symbol@(@subject@motion, out, out + 6);\n",
     ),
     "forward_kinematics": Signature(
-        "The pose that has given lengths of the legs, searched from a guess in `pose`: from one within 0.3 rad "
-        "it is the pose beside the guess; from afar another one may come out, or STEWART_NOT_CONVERGED after "
+        "The pose that has given lengths of the legs, searched from a guess in `pose`: from one within 0.3 "
+        "rad it is the pose beside the guess; from afar another may come out, or STEWART_NOT_CONVERGED after "
         "STEWART_MAX_STEPS steps. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
         (
             _array("R", (9,), "1", "orientation, row-major: `pose.R`"),
