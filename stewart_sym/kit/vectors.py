@@ -23,7 +23,7 @@ from ..generated.fidelities import FIDELITIES
 from ..kernel import MOTION
 from ..kinematics import wrench_matrix
 from ..motion import Motion
-from ..results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
+from ..results import POLE, SHORT_LEG, SINGULAR
 from ..robot import Robot
 from ..rotation import orthonormal
 from .poses import near_pole, neighbour, poses, significant
@@ -125,12 +125,10 @@ def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str,
     first = poses(robot, "exact", 1)[0]
     start = {name: _rounded(np.ravel(getattr(first, name)), _PRECISION[precision]) for name in MOTION}
     still = start | {"R": np.eye(3).ravel()}
-    far = {"double": 1e160, "float": 1e25}[precision]
     cases = [
         (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
         # With all platform points in one place the legs' lines meet there.
         (start | {"R": np.zeros(9)}, SINGULAR),
-        (start | {"t": np.full(3, far)}, NOT_FINITE),
     ]
     if knows_axes(robot, fidelity):
         k = robot.k[4] / np.linalg.norm(robot.k[4])

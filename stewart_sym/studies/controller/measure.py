@@ -136,11 +136,13 @@ class Cases:
         )
 
     def refused(self) -> list[tuple[dict[str, Array], int]]:
-        """Motions without an answer, and their status: those of the self-test, and such as no text holds."""
+        """Motions without an answer and their status: the self-test's, and numbers that are none or too large."""
         start = self.tests[0].inputs
+        far = {"double": 1e160, "float": 1e25}[self.precision]
         return [
             *refused(self.robot, self.level, self.precision),
             (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
+            (start | {"t": np.full(3, far)}, NOT_FINITE),
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
         ]
 
