@@ -136,7 +136,7 @@ class Cases:
         )
 
     def refused(self) -> list[tuple[dict[str, Array], int]]:
-        """Motions without an answer and their status: the self-test's, and numbers that are none or too large."""
+        """Motions without an answer and their status: the self-test's, and numbers none or too large."""
         start = self.tests[0].inputs
         far = {"double": 1e160, "float": 1e25}[self.precision]
         return [
