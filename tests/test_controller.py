@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import readme_controller
 from machines import dasgupta, random_robot
+from sweeps import FULL
 
 from stewart_sym.cli import main
 from stewart_sym.native import CompilerError
@@ -202,7 +203,7 @@ def test_machines_of_other_sizes_and_joints_run_on_the_processors(scale: float) 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("flags", [["-std=gnu11"], ["-Os"], ["-fmath-errno"]], ids=str)
+@pytest.mark.parametrize("flags", [["-Os"], *([["-std=gnu11"], ["-fmath-errno"]] if FULL else [])], ids=str)
 def test_other_flags_keep_the_limits(flags: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(toolchain, "FLAGS", (*toolchain.FLAGS, *flags))
     for row in measure.study(dasgupta()).rows:

@@ -43,6 +43,7 @@ def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
     assert present == set(regenerated)
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "stewart_sym.cli", "derive", "-o", str(tmp_path)]
     subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": "4242"}, cwd=tmp_path)
