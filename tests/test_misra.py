@@ -21,7 +21,7 @@ from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
 DERIVATIVES = ("derivatives", "linearisation")
-SLOW = ("forces", "forces baked", "motion", "derivatives")
+SLOW = ("forces", "forces baked", "forces scalar baked", "reactions", "motion", "derivatives")
 PRECISIONS = ("-USTEWART_FLOAT", "-DSTEWART_FLOAT=1")
 ARITHMETIC = {"sqrt", "sqrtf", "fabs", "fabsf"}
 # What compilers make of copies of structs.

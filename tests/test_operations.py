@@ -158,6 +158,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
 
 
+@pytest.mark.slow
 def test_printed_counts_are_those_of_the_blocks() -> None:
     for form in FORMULATIONS:
         for label, friction in (("friction", True), ("frictionless", False)):
