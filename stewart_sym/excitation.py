@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import finite_array, real_array, shown
 from .conditioning import characteristic_length, scaled_condition_number
 from .dynamics import inverse_dynamics, need_universal
+from .frozen import Frozen
 from .home import home_pose, radius
 from .identifiable import BaseParameters, base_parameters
 from .kinematics import inverse_kinematics
@@ -32,7 +33,7 @@ _REGULAR = 3.0
 
 
 @dataclass(frozen=True, eq=False)
-class FourierPath:
+class FourierPath(Frozen):
     """A periodic motion: position and roll-pitch-yaw angles as sums of sines and cosines about a middle.
 
     t0, theta0: position, m, and angles, rad, (3,), about which it swings. sine, cosine: coefficients, (n, 6),
@@ -55,8 +56,7 @@ class FourierPath:
                 raise ValueError(
                     f"{name}: expected {'(3,)' if core == (3,) else '(n, 6)'}, got {value.shape}"
                 )
-            value.setflags(write=False)
-            object.__setattr__(self, name, value)
+            self._set({name: value})
         if self.sine.shape != self.cosine.shape:
             raise ValueError(f"cosine: expected the shape {self.sine.shape} of sine, got {self.cosine.shape}")
         _positive(self.period, "period", "a duration > 0 s")

@@ -21,6 +21,7 @@ from .checks import instance, option, shown
 from .dynamics import Formulation, damped_terms, need_motion, report_faults
 from .faults import ON_SINGULAR, OnSingular
 from .fidelity import force_kernel_name, model_numbers
+from .frozen import Frozen
 from .kernel import FORMULATIONS, MOTION, address, library, robot_numbers
 from .motion import Motion
 from .results import OK, SINGULAR
@@ -44,7 +45,7 @@ _NUMBERS = sum(_WIDTHS)
 
 
 @dataclass(frozen=True, eq=False)
-class ForceKernel:
+class ForceKernel(Frozen):
     """A robot's constants prepared for one formulation, precision and level of fidelity.
 
     Safe to share between threads.
@@ -74,13 +75,7 @@ class ForceKernel:
         model = np.zeros(size, dtype=self.dtype)
         if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
-        model.setflags(write=False)
-        object.__setattr__(self, "model", model)
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """Take a copy's or a pickle's state; its model stays read-only, and nothing is compiled."""
-        self.__dict__.update(state)
-        self.model.setflags(write=False)
+        self._set({"model": model})
 
     @property
     def dtype(self) -> type[np.floating[Any]]:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from . import native
 from .checks import shown
+from .frozen import Frozen, read_only
 from .motion import Motion
 from .results import Forces, Reactions
 from .robot import Robot
@@ -92,7 +93,7 @@ def _stored(values: Array) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class CKernel:
+class CKernel(Frozen):
     """The C kernel of one formulation with one robot's numbers. Calls release the interpreter lock."""
 
     name: str
@@ -103,7 +104,7 @@ class CKernel:
         """Compile or find the kernel and lay out the robot."""
         name = kernel_name(formulation, robot.base_joint)
         library(name)
-        return cls(name, robot_numbers(robot))
+        return cls(name, read_only(robot_numbers(robot)))
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""

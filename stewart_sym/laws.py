@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import instance, real_array, shown
 from .dynamics import Backend, Formulation, inverse_dynamics, prepared_kernel
+from .frozen import Frozen
 from .kinematics import inverse_kinematics, leg_vectors, tip_velocities
 from .motion import Motion
 from .robot import Robot
@@ -28,7 +29,7 @@ Model = Callable[[Motion], Array]
 
 
 @dataclass(frozen=True, eq=False)
-class LegSprings:
+class LegSprings(Frozen):
     """Legs as springs with dampers: F = -k (L - L0) - d L_dot.
 
     stiffness k, N/m, rest_length L0, m, and damping d, N s/m: one number or six.
@@ -45,7 +46,7 @@ class LegSprings:
         """Check and spread over six legs."""
         instance(self.robot, Robot, "robot")
         for name in ("stiffness", "rest_length", "damping"):
-            object.__setattr__(self, name, of_six(getattr(self, name), name))
+            self._set({name: of_six(getattr(self, name), name)})
 
     @classmethod
     def balanced(
@@ -145,7 +146,7 @@ class ComputedTorque:
 
 
 @dataclass(frozen=True, eq=False)
-class GravityCompensation:
+class GravityCompensation(Frozen):
     """Hold the machine's weight and push towards a wanted motion: H F = g + M_0 [k_p e + k_d e'].
 
     Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
@@ -169,7 +170,7 @@ class GravityCompensation:
         inertia = real_array(self.inertia, "inertia", "a matrix of shape (6, 6)")
         if inertia.shape != (6, 6):
             raise ValueError(f"inertia: expected a matrix of shape (6, 6), got {inertia.shape}")
-        object.__setattr__(self, "inertia", inertia)
+        self._set({"inertia": inertia})
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""

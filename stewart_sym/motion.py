@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, leading_shape
+from .frozen import Frozen, read_only
 from .rotation import (
     angular_acceleration_from_quaternion,
     angular_acceleration_from_rpy,
@@ -38,7 +39,7 @@ ROTATION_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(Frozen):
     """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
 
     R: orientation, platform to base, (..., 3, 3).
@@ -79,7 +80,7 @@ class Motion:
         shape = _leading_shape(arrays)
         for name, array in arrays.items():
             core = array.shape[-2:] if name == "R" else array.shape[-1:]
-            object.__setattr__(self, name, np.broadcast_to(array, (*shape, *core)))
+            object.__setattr__(self, name, np.broadcast_to(read_only(array), (*shape, *core)))
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from . import tables
 from .checks import shown
+from .frozen import Frozen
 
 Array = NDArray[np.float64]
 
@@ -38,7 +39,7 @@ class PhysicalityWarning(UserWarning):
 
 
 @dataclass(frozen=True, eq=False)
-class Robot:
+class Robot(Frozen):
     """A Stewart platform with six legs, all of them distinct if need be.  SI units; arrays are read-only.
 
     name: one line of text.
@@ -98,10 +99,7 @@ class Robot:
         }
         for name, check in _LEG_FIELDS.items():
             checked[name] = self._per_leg(name, check)
-        for name, value in checked.items():
-            if isinstance(value, np.ndarray):
-                value.setflags(write=False)
-            object.__setattr__(self, name, value)
+        self._set(checked)
         if self.base_joint == "spherical":
             for i in range(LEGS):
                 where = f"robot: leg {i + 1}: "

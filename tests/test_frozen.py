@@ -1,0 +1,98 @@
+"""Frozen records stay frozen: through copies, deep copies and pickles, nested ones too, and after numbers that
+were computed from them."""
+
+import copy
+import dataclasses
+import pickle
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym.frozen import Frozen
+from stewart_sym.kernel import CKernel
+from stewart_sym.laws import GravityCompensation
+
+COPIES: dict[str, Callable[[Any], Any]] = {
+    "itself": lambda record: record,
+    "copy": copy.copy,
+    "deepcopy": copy.deepcopy,
+    "deepcopy of a copy": lambda record: copy.deepcopy(copy.copy(record)),
+    **{
+        f"pickle {protocol}": lambda record, protocol=protocol: pickle.loads(pickle.dumps(record, protocol))
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1)
+    },
+}
+
+
+def records() -> dict[str, Frozen]:
+    rng = np.random.default_rng(12)
+    robot = random_robot(rng)
+    return {
+        "Robot": robot,
+        "Motion": random_motion(rng, robot, (3,)),
+        "Motion of one instant": random_motion(rng, robot),
+        "Motion, broadcast": ss.Motion(np.eye(3), rng.normal(size=(4, 3)), *np.zeros((2, 3))),
+        "ForceKernel": ss.prepare(robot, precision="float"),
+        "FourierPath": ss.FourierPath([0, 0, 1], [0, 0, 0], np.ones((2, 6)), np.ones((2, 6)), 2.0),
+        "LegSprings": ss.LegSprings(robot, 1e6, 1.0, np.arange(6.0)),
+        "GravityCompensation": GravityCompensation(len, np.eye(6), len, 1.0, 1.0),
+        "CKernel": CKernel.prepare(robot, "exact"),
+    }
+
+
+def arrays(record: Any, name: str = "") -> Iterator[tuple[str, np.ndarray[Any, Any]]]:
+    """Arrays of a record and of the records in it."""
+    for field in dataclasses.fields(record):
+        value = getattr(record, field.name)
+        if isinstance(value, np.ndarray):
+            yield f"{name}{field.name}", value
+        elif dataclasses.is_dataclass(value):
+            yield from arrays(value, f"{name}{field.name}.")
+
+
+@pytest.mark.parametrize("how", COPIES)
+@pytest.mark.parametrize("name", records())
+def test_no_array_of_a_frozen_record_can_be_written_to(name: str, how: str) -> None:
+    record = records()[name]
+    made = COPIES[how](record)
+    found = dict(arrays(made))
+    assert found
+    for (path, array), (_, before) in zip(found.items(), arrays(record), strict=True):
+        np.testing.assert_array_equal(array, before)
+        assert not array.flags.writeable, path
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = -5.0
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            array.setflags(write=True)
+
+
+@pytest.mark.parametrize("how", COPIES)
+def test_a_copy_gives_the_same_numbers(how: str) -> None:
+    rng = np.random.default_rng(5)
+    robot = dasgupta()
+    motion = random_motion(rng, robot, (3,))
+    other_robot, other_motion = COPIES[how](robot), COPIES[how](motion)
+    for backend in ("c", "numpy", "reference"):
+        before = ss.equations_of_motion(robot, motion, backend=backend)
+        after = ss.equations_of_motion(other_robot, other_motion, backend=backend)
+        np.testing.assert_array_equal(after.M, before.M)
+        np.testing.assert_array_equal(after.bias, before.bias)
+
+
+def test_what_a_record_was_made_of_stays_the_callers_own() -> None:
+    rng = np.random.default_rng(6)
+    robot = random_robot(rng)
+    masses = robot.m_u.copy()
+    changed = dataclasses.replace(robot, m_u=masses)
+    masses[0] = 7.0
+    assert changed.m_u[0] == robot.m_u[0]
+    # A shallow copy of a motion made for an inner loop must not close the caller's arrays.
+    t = np.zeros(3)
+    loose = ss.Motion.unchecked(np.eye(3), t, t.copy(), t.copy())
+    assert not copy.copy(loose).t.flags.writeable
+    t[0] = 1.0
+    assert loose.t[0] == 1.0
