@@ -326,6 +326,23 @@ def test_symbol_is_an_identifier_made_of_the_name(name: str, symbol: str) -> Non
     assert robot_symbol(name) == symbol
 
 
+@pytest.mark.parametrize("length", [48, 49, 237, 5000])
+def test_symbols_of_long_names_are_short_and_remain_different(length: int) -> None:
+    one, other = robot_symbol("n" * length), robot_symbol("n" * (length - 1) + "m")
+    assert one != other
+    assert max(len(one), len(other)) <= len("stewart_robot_") + 48
+    assert (one == f"stewart_robot_{'n' * length}") == (length == 48)
+    assert re.fullmatch(r"[a-z][a-z0-9_]*[a-z0-9]", robot_symbol("a b " * length))
+
+
+def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_path: Path) -> None:
+    robot = dataclasses.replace(machines.random_robot(np.random.default_rng(3)), name="n" * 237)
+    _, paths = write_kit(robot, tmp_path, Choice(bake=True, fmu=True))
+    # With what a build system or a copy adds to a name it stays within the 255 bytes of most systems.
+    assert max(len(path.name) for path in paths) < 128
+    subprocess.run(["make", "-s", "-C", str(tmp_path)], check=True, capture_output=True)
+
+
 def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
     symbols = {robot_symbol(name) for name in ("并联机器人", "平台", "***")}
     assert len(symbols) == 3

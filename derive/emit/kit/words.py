@@ -32,15 +32,25 @@ EPSILON = """\
 """Rounding unit and largest number of the kit's arithmetic, for sources that include float.h."""
 
 
+LONGEST = 48
+"""Characters of a robot's name in a C identifier."""
+
+
 def robot_symbol(name: str) -> str:
     """C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
 
-    Accents are dropped; a name without any such letter or digit gives way to its digest.
+    Accents are dropped; a name without any such letter or digit gives way to its digest. A name of more than
+    LONGEST characters is cut and ends in eight digits of its digest, so that names with the same beginning
+    remain different: files and libraries are named after it, with endings, and systems take 255 bytes.
     """
     plain = unicodedata.normalize("NFKD", name.casefold())
     letters = "".join(char for char in plain if not unicodedata.combining(char))
     words = re.findall(r"[a-z0-9]+", letters)
-    return f"stewart_robot_{'_'.join(words) or hashlib.sha256(name.encode()).hexdigest()[:12]}"
+    digest = hashlib.sha256(name.encode()).hexdigest()
+    symbol = "_".join(words) or digest[:12]
+    if len(symbol) > LONGEST:
+        symbol = f"{symbol[: LONGEST - 9].rstrip('_')}_{digest[:8]}"
+    return f"stewart_robot_{symbol}"
 
 
 def filled(template: str, values: Mapping[str, str]) -> str:
