@@ -16,7 +16,7 @@ from .checks import option
 from .dynamics import need_motion, need_universal, report_faults
 from .faults import ON_FAULT, OnFault
 from .forces import Precision
-from .kernel import MOTION, address, kernel_name, library, robot_numbers
+from .kernel import MOTION, address, kernel_name, library, overflows, robot_numbers
 from .motion import Motion
 from .results import OK
 from .robot import Robot
@@ -95,7 +95,7 @@ def _prepared(robot: Robot, precision: Precision) -> Array:
         numbers = robot_numbers(robot).astype(dtype)
     model = np.zeros(layout.MODEL_NUMBERS, dtype=dtype)
     if _function(precision, "bounds_prepare")(address(numbers), address(model)) != OK:
-        raise ValueError(f"robot: expected constants that {precision} can hold, some overflow")
+        raise overflows(robot, precision)
     return model
 
 

@@ -22,7 +22,7 @@ from .dynamics import Formulation, damped_terms, need_motion, report_faults
 from .faults import ON_SINGULAR, OnSingular
 from .fidelity import force_kernel_name, model_numbers
 from .frozen import Frozen
-from .kernel import FORMULATIONS, MOTION, address, library, robot_numbers
+from .kernel import FORMULATIONS, MOTION, address, library, overflows, robot_numbers
 from .motion import Motion
 from .results import OK, SINGULAR
 from .robot import Robot
@@ -74,7 +74,7 @@ class ForceKernel(Frozen):
         size = model_numbers(self.robot, self.formulation, self.fidelity) + more
         model = np.zeros(size, dtype=self.dtype)
         if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
-            raise ValueError(f"robot: expected constants that {self.precision} can hold, some overflow")
+            raise overflows(self.robot, self.precision)
         self._set({"model": model})
 
     @property

@@ -83,6 +83,23 @@ def robot_numbers(robot: Robot) -> Array:
     return np.concatenate([legs.ravel(), *platform])
 
 
+def need_held(robot: Robot, precision: str) -> None:
+    """Raise ValueError naming the first constant that is too large for ``precision``, "double" or "float"."""
+    largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
+    for name in (*_LEG, *_PLATFORM):
+        values = np.asarray(getattr(robot, name))
+        for index in np.argwhere(np.abs(values) > largest):
+            where = f"leg {index[0] + 1}: {name}" if name in _LEG else name
+            got = f"{values[tuple(index)]:g}"
+            raise ValueError(f"robot: {where}: expected a number that {precision} can hold, got {got}")
+
+
+def overflows(robot: Robot, precision: str) -> ValueError:
+    """The error for constants that were too large to be prepared."""
+    need_held(robot, precision)
+    return ValueError(f"robot: expected constants whose products {precision} can hold, some overflow")
+
+
 def _columns(values: Array) -> Array:
     return _stored(values).reshape(6, -1)
 

@@ -271,7 +271,7 @@ def test_robots_without_universal_joints_are_refused_in_one_line() -> None:
 def test_robots_that_float_cannot_hold_are_refused() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng, scale=1e20)
-    with pytest.raises(ValueError, match="robot: expected constants that float can hold"):
+    with pytest.raises(ValueError, match=r"robot: .*expected .* float can hold"):
         ss.forces_with_bounds(robot, random_motion(rng, robot), "float")
 
 

@@ -332,7 +332,7 @@ def test_constants_that_overflow_the_precision_are_refused() -> None:
     robot = dasgupta()
     heavy = dataclasses.replace(robot, M=1e39)
     ss.prepare(heavy)
-    with pytest.raises(ValueError, match="robot: expected constants that float can hold"):
+    with pytest.raises(ValueError, match="robot: M: expected a number that float can hold"):
         ss.prepare(heavy, precision="float")
 
 

@@ -455,8 +455,27 @@ def test_bad_arguments_are_refused(change: dict[str, Any], message: str) -> None
 
 def test_constants_that_float_cannot_hold_are_refused() -> None:
     heavy = dataclasses.replace(machine(), M=1e39)
-    with pytest.raises(ValueError, match=r"^robot: expected constants that float can hold, some overflow$"):
+    with pytest.raises(ValueError, match=r"^robot: M: expected a number that float can hold, got 1e\+39$"):
         vectors(heavy, ("forces",), precision="float")
+
+
+@pytest.mark.parametrize("baked", [False, True])
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"M": 1e39}, r"^robot: M: expected a number that float can hold, got 1e\+39$"),
+        (
+            {"m_u": np.array([1, 1, 1e39, 1, 1, 1])},
+            r"^robot: leg 3: m_u: expected a number that float can hold, got 1e\+39$",
+        ),
+        ({"M": 4e37}, r"^robot: M: expected a mass whose weight float can hold, got 4e\+37$"),
+    ],
+)
+def test_the_constant_that_float_cannot_hold_is_named(
+    change: dict[str, Any], message: str, baked: bool
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float", baked=baked)
 
 
 def test_machine_without_a_good_pose_is_refused() -> None:

@@ -20,7 +20,7 @@ from ..checks import instance, option
 from ..conditioning import characteristic_length, moments_over
 from ..forward import forward_kinematics
 from ..generated.fidelities import FIDELITIES
-from ..kernel import MOTION
+from ..kernel import MOTION, need_held
 from ..kinematics import wrench_matrix
 from ..motion import Motion
 from ..results import POLE, SHORT_LEG, SINGULAR
@@ -95,18 +95,16 @@ def vectors(
     constants = {
         name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
     }
+    need_held(robot, precision)
     if not baked:
-        with np.errstate(over="ignore"):
-            constants = {name: _rounded(value, kind) for name, value in constants.items()}
-        if not all(np.isfinite(value).all() for value in constants.values()):
-            raise ValueError(f"robot: expected constants that {precision} can hold, some overflow")
+        constants = {name: _rounded(value, kind) for name, value in constants.items()}
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
     motions = [every[i] for i in range(every.shape[0])]
     beside = near_pole(robot, formulation) if knows_axes(robot, level) else None
     made = partial(_vector, readings, robot, kind)
     return tuple(
-        made(function, {name: _rounded(getattr(motion, name).ravel(), kind) for name in MOTION})
+        made(function, _input(robot, motion, kind))
         for function in functions
         for motion in _of_function(function, motions, beside)
         if function not in _BACKWARD or _settled(robot, motion, kind)
@@ -123,7 +121,7 @@ def _of_function(function: str, motions: list[Motion], beside: Motion | None) ->
 def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
     """Motions for which there are no forces, as ``Vector.inputs``, and the status that says so."""
     first = poses(robot, "exact", 1)[0]
-    start = {name: _rounded(np.ravel(getattr(first, name)), _PRECISION[precision]) for name in MOTION}
+    start = _input(robot, first, _PRECISION[precision])
     still = start | {"R": np.eye(3).ravel()}
     cases = [
         (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
@@ -228,6 +226,16 @@ def _answers(found: Found, kind: type) -> tuple[dict[str, Array], dict[str, Arra
     )
 
 
+def _input(robot: Robot, motion: Motion, kind: type) -> dict[str, Array]:
+    """Fields of a ``stewart_motion``; ValueError where the load, some weights of the platform, overflows."""
+    found = {name: _rounded(np.ravel(getattr(motion, name)), kind) for name in MOTION}
+    if not all(np.isfinite(value).all() for value in found.values()):
+        precision = next(name for name, known in _PRECISION.items() if known is kind)
+        raise ValueError(f"robot: M: expected a mass whose weight {precision} can hold, got {robot.M:g}")
+    return found
+
+
 def _rounded(numbers: Array, kind: type) -> Array:
-    """The nearest numbers of the precision, as doubles."""
-    return np.asarray(numbers, dtype=kind).astype(np.float64)
+    """The nearest numbers of the precision, as doubles; infinity for those too large for it."""
+    with np.errstate(over="ignore"):
+        return np.asarray(numbers, dtype=kind).astype(np.float64)
