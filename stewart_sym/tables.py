@@ -25,8 +25,12 @@ MOST_BYTES = 1 << 18
 _CHUNK = 1 << 24
 
 # Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
-_PART = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+'|[\w-]++)"""
-_LONG_KEY = re.compile(rf"(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}}")
+_STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
+_LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
+_PART = rf"(?:{_STRING}|[\w-]++)"
+_LONG_KEY = rf"(?P<long_key>(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}})"
+# Comments and strings are passed over as wholes: what they hold is no key.
+_TOKEN = re.compile(rf"#[^\n]*+|{_LONG_STRING}|{_LONG_KEY}|{_STRING}")
 
 
 def file_name(path: object) -> str:
@@ -64,7 +68,7 @@ def read_text(source: str, what: str, most: int) -> str:
 def read_toml(source: str, what: str) -> dict[str, Any]:
     """Tables of a TOML file; ``what`` it is, for the message that it can't be read."""
     text = read_text(source, what, MOST_BYTES)
-    if _LONG_KEY.search(text):
+    if any(token["long_key"] for token in _TOKEN.finditer(text)):
         raise ValueError(f"{source}: not valid TOML: nested too deeply")
     try:
         return tomllib.loads(text)

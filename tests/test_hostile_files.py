@@ -51,6 +51,7 @@ READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "forces": (read_forces_csv, FORCES),
 }
 TOML = ("robot", "scene")
+NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000
 
@@ -223,6 +224,35 @@ def test_keys_of_thousands_of_parts_are_refused_before_they_are_parsed(
 def test_as_many_parts_as_a_robot_file_needs_are_read(tmp_path: Path) -> None:
     text = ROBOT.replace(MASS, b"# a.b.c.d.e.f see www.example.com, 1.2.3.4\n" + MASS)
     assert Robot.from_toml(written(tmp_path, text)).M == 40.0
+
+
+DOTTED = b".".join([b"words"] * 16)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b"# %b\n" % DOTTED,
+        b'name = "%b"  # %b\n' % (DOTTED, DOTTED),
+        b"name = '%b'\n" % DOTTED,
+        b'name = """%b"""\n' % DOTTED,
+        b"name = '''%b'''\n" % DOTTED,
+        b'name = """\\\n   a \\" quote, %b"""\n' % DOTTED,
+    ],
+    ids=["comment", "both", "literal", "long", "long literal", "continued"],
+)
+def test_dotted_words_in_comments_and_texts_are_no_key(line: bytes, tmp_path: Path) -> None:
+    text = line + ROBOT.replace(b'name = "Dasgupta & Mruthyunjaya 1998"\n', b"" if b"name" in line else NAME)
+    assert Robot.from_toml(written(tmp_path, text)).M == 40.0
+
+
+@pytest.mark.parametrize(
+    "before",
+    [b'name = "%b"\n' % DOTTED, b'a = """a"""""\n', b"a = ''''''\n", b'a = "\\""\n', b"a = '#'\n", b"# '\n"],
+)
+def test_keys_of_too_many_parts_are_found_behind_texts_and_comments(before: bytes, tmp_path: Path) -> None:
+    text = before + b".".join([b"a"] * 16) + b" = 1\n"
+    assert refused(Robot.from_toml, written(tmp_path, text)) == "not valid TOML: nested too deeply"
 
 
 # What is no file
