@@ -2,9 +2,11 @@
 
 import stewart_sym as ss
 robot = ss.Robot.from_toml("hexapod.toml")
-motion = ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+motion = ss.Motion.from_rpy(t=t, theta=theta, v=v, theta_dot=theta_dot, a=a, theta_ddot=theta_ddot)
 forces = ss.inverse_dynamics(robot, motion).F
 """
+
+from typing import TYPE_CHECKING
 
 from . import results, robots
 from .bounds import ForceBounds, forces_with_bounds
@@ -124,3 +126,21 @@ __all__ = [
     "wrench_matrix",
     "wrench_matrix_rate",
 ]
+
+__version__: str
+"""Of the installed package; looked up when first asked for, since that takes as long as the whole import."""
+
+
+def __dir__() -> list[str]:
+    return sorted([*__all__, "__version__"])
+
+
+if not TYPE_CHECKING:
+
+    def __getattr__(name: str) -> str:
+        if name != "__version__":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from importlib.metadata import version
+
+        globals()[name] = found = version("stewart-sym")
+        return found

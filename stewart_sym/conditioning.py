@@ -3,6 +3,8 @@
 Stands beside the kernels that make H; knows nothing of how H came about.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

@@ -6,11 +6,14 @@ that are all but lost, by as much as their singular values ask for: the numerica
 Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import real_array, shown
 from .conditioning import moments_over
+from .results import DampedSolution
 
 Array = NDArray[np.float64]
 
@@ -19,13 +22,13 @@ SHARE = float(np.finfo(np.float64).eps) ** 0.25
 the forces by sqrt(eps) of what the wrench would ask of a well-conditioned H."""
 
 
-def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SHARE) -> tuple[Array, Array]:
+def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SHARE) -> DampedSolution:
     """Return x, N, (..., 6), that least violates H x = c with forces kept within bounds, and c - H x.
 
     With the moment rows of H and c divided by ``length``, m (``characteristic_length``), H = sum s_i u_i
     v_i^T. x = sum g_i (u_i . c) v_i with g_i = 1/s_i where s_i >= s_0 = share s_1, and g_i = s_i/s_0^2
     = s_i/(s_i^2 + lambda_i^2), lambda_i^2 = s_0^2 - s_i^2, below: without a jump, never above 1/s_0, and 0
-    along a motion that is lost.
+    along a motion that is lost. They are returned as a named tuple (x, wrench_error).
 
     H: (..., 6, 6); c: N and N m, (..., 6). share: > 0 and < 1. c - H x, N and N m, (..., 6), is how far the
     wrench of the axial forces stays from the wanted one. NaN where H or c is not finite. Raises ValueError
@@ -45,4 +48,4 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     along = np.einsum("...ij,...i->...j", U, wrench / unit)
     x = np.einsum("...ij,...i->...j", V_T, gain * along)
     x = np.where(finite[..., None] & np.isfinite(wrench).all(axis=-1, keepdims=True), x, np.nan)
-    return x, np.asarray(wrench - unit * np.einsum("...ij,...j->...i", scaled, x))
+    return DampedSolution(x, np.asarray(wrench - unit * np.einsum("...ij,...j->...i", scaled, x)))

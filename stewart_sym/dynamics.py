@@ -4,6 +4,8 @@ Chooses the kernel, runs it, and turns a status into an error, a warning or NaN 
 equation.
 """
 
+from __future__ import annotations
+
 import dataclasses
 import functools
 import warnings

@@ -5,6 +5,8 @@ Stands above the closed form's kernels, which serve `exact` machines with univer
 status into an error, a warning or NaN. Knows no equation of a leg.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -34,6 +36,7 @@ from .results import (
     NOT_FINITE,
     OK,
     SINGULAR,
+    Accelerations,
     EquationsOfMotion,
     ForceDerivatives,
     Linearisation,
@@ -121,8 +124,8 @@ def forward_dynamics(
     formulation: Formulation = "exact",
     backend: Backend = "c",
     on_singular: OnFault = "raise",
-) -> tuple[Array, Array]:
-    """Accelerations (a, alpha), m/s^2 and rad/s^2, each (..., 3), under actuator forces F, N, (..., 6).
+) -> Accelerations:
+    """(a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), under actuator forces F, N, (..., 6).
 
     motion: poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
     broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
@@ -135,7 +138,7 @@ def forward_dynamics(
     motion, forces = _together(motion, F)
     a, alpha, status = ForwardDynamics(robot, formulation, backend).solve(motion, forces)
     report_faults(status, robot, motion, on_singular, stacklevel=3)
-    return a, alpha
+    return Accelerations(a, alpha)
 
 
 def joint_space_inertia(

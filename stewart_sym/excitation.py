@@ -3,6 +3,8 @@
 Stands above ``identifiable``; knows nothing of measured forces.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 

@@ -5,6 +5,8 @@ time, forces or files.  Six leg lengths belong to up to forty poses, the assembl
 depends on where the search starts.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
@@ -17,7 +19,16 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .faults import ON_FAULT, OnFault
 from .kinematics import ROUNDING, leg_vectors, legs_or_overflow
 from .motion import Motion
-from .results import NOT_CONVERGED, NOT_FINITE, OK, OUT_OF_LIMITS, SINGULAR, STATUS_TEXT
+from .results import (
+    NOT_CONVERGED,
+    NOT_FINITE,
+    OK,
+    OUT_OF_LIMITS,
+    SINGULAR,
+    STATUS_TEXT,
+    Accelerations,
+    Velocities,
+)
 from .robot import Robot
 from .rotation import orthonormal, rotation_from_vector
 
@@ -117,15 +128,15 @@ def forward_kinematics(
 
 def forward_velocity(
     robot: Robot, R: ArrayLike, t: ArrayLike, L_dot: ArrayLike, on_failure: OnFault = "raise"
-) -> tuple[Array, Array]:
-    """Return v, m/s, and omega, rad/s, (..., 3) each, base frame: L_dot = H^T [v; omega], (5).
+) -> Velocities:
+    """Return (v, omega), a named tuple, m/s and rad/s, (..., 3), base frame: L_dot = H^T [v; omega], (5).
 
     R, t: pose, (..., 3, 3) and (..., 3).  L_dot: rates of the legs, m/s, (..., 6).  on_failure: as in
     ``forward_kinematics``, about poses where H is singular or the result overflows.  Raises ``ValueError``
     naming the argument; as ``inverse_kinematics`` for a leg of length zero.
     """
     still = np.zeros(3)
-    return _rates(robot, R, t, (still, still), L_dot, "L_dot", on_failure)
+    return Velocities(*_rates(robot, R, t, (still, still), L_dot, "L_dot", on_failure))
 
 
 def forward_acceleration(
@@ -136,14 +147,14 @@ def forward_acceleration(
     omega: ArrayLike,
     L_ddot: ArrayLike,
     on_failure: OnFault = "raise",
-) -> tuple[Array, Array]:
-    """Return a, m/s^2, and alpha, rad/s^2, (..., 3) each, base frame.
+) -> Accelerations:
+    """Return (a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), base frame.
 
     L_ddot = H^T [a; alpha] + what the velocities alone make of it, (8).  v, omega: of the platform, m/s and
     rad/s, (..., 3).  L_ddot: accelerations of the legs, m/s^2, (..., 6).  The rest as in
     ``forward_velocity``.
     """
-    return _rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure)
+    return Accelerations(*_rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure))
 
 
 def checked_lengths(L: ArrayLike) -> Array:

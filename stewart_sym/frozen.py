@@ -31,8 +31,8 @@ class Frozen:
     def __setstate__(self, state: dict[str, Any]) -> None:
         """Take the state of a copy or a pickle.
 
-        Arrays that arrive writeable, as all do from a deep copy or a pickle, are replaced by read-only copies:
-        they may belong to somebody else, as those of a shallow copy of ``Motion.unchecked`` do.
+        Arrays that arrive writeable, as all do from a deep copy or a pickle, are replaced by read-only
+        copies: they may belong to somebody else, as those of a shallow copy of ``Motion.unchecked`` do.
         """
         self._set({name: _own(value) for name, value in state.items()})
 

@@ -6,6 +6,8 @@ is linear in the base parameters, so weighted least squares finds them, whatever
 and friction: only its geometry and gravity are used. Stands above ``excitation``; reads and writes no file.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

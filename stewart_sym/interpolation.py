@@ -4,6 +4,8 @@ Stands on ``trajectory``; needs NumPy alone. Between instants whose rates come f
 those of ``read_csv``, positions are that spline.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 import numpy as np

@@ -4,6 +4,8 @@ Stands above ``forward`` and ``trajectory``; knows nothing of forces.  Each samp
 so the platform stays in the assembly mode it starts in, as the real one must.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

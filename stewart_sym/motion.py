@@ -4,6 +4,8 @@ Stands beside ``Robot`` at the start of the flow; whoever receives a ``Motion`` 
 rotations.  Knows nothing of robots, of time or of how the motion came about.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import Any
@@ -19,6 +21,7 @@ from .rotation import (
     angular_motion_from_vector,
     angular_velocity_from_quaternion,
     angular_velocity_from_rpy,
+    orthonormal,
     rotation_from_quaternion,
     rotation_from_rpy,
     rotation_from_vector,
@@ -36,6 +39,8 @@ __all__ = [
 Array = NDArray[np.float64]
 
 ROTATION_TOLERANCE = 1e-9
+FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
+"""Of R given as float32: its own rounding and that of the few operations that made it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +57,9 @@ class Motion(Frozen):
 
     Leading shapes broadcast, as in NumPy, to one ``shape``; every array is a read-only private copy of that
     shape.  ``motion[index]`` slices it.
+
+    R given as float32 is a rotation only to float32's rounding (R^T R = E to 2e-6): it is made orthonormal
+    in double, by the nearest rotation, and stored so.
 
     Raises ``ValueError`` naming the argument: shapes that do not fit, entries that are no finite numbers,
     R that is no rotation (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
@@ -76,7 +84,11 @@ class Motion(Frozen):
             value = getattr(self, field.name)
             if value is not None or field.name in ("R", "t", "omega", "v"):
                 arrays[field.name] = finite_array(value, (3, 3) if field.name == "R" else (3,), field.name)
-        _check_rotation(arrays["R"])
+        in_float = np.asarray(self.R).dtype == np.float32
+        _check_rotation(arrays["R"], FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE)
+        if in_float:
+            # Newton's step squares what is off: twice, and only rounding of a double is left.
+            arrays["R"] = orthonormal(orthonormal(arrays["R"]))
         shape = _leading_shape(arrays)
         for name, array in arrays.items():
             core = array.shape[-2:] if name == "R" else array.shape[-1:]
@@ -87,7 +99,7 @@ class Motion(Frozen):
         """The leading shape: () for one instant."""
         return self.t.shape[:-1]
 
-    def __getitem__(self, index: Any) -> "Motion":
+    def __getitem__(self, index: Any) -> Motion:
         """Slice the leading shape, as a NumPy array of ``shape`` would be sliced."""
         index = index if isinstance(index, tuple) else (index,)
         # The vectors' own axes are spelt out, so that no index can reach them.
@@ -99,7 +111,7 @@ class Motion(Frozen):
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
         return Motion(**picked)
 
-    def __iter__(self) -> Iterator["Motion"]:
+    def __iter__(self) -> Iterator[Motion]:
         """Go along the first axis of ``shape``."""
         if not self.shape:
             raise TypeError("a motion of shape () is one instant and cannot be iterated over")
@@ -116,7 +128,7 @@ class Motion(Frozen):
         a: Array | None = None,
         F_ext: Array | None = None,
         M_ext: Array | None = None,
-    ) -> "Motion":
+    ) -> Motion:
         """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
 
         For inner loops, where the checks would cost more than the dynamics.
@@ -136,7 +148,7 @@ class Motion(Frozen):
         theta_ddot: ArrayLike | None = None,
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
-    ) -> "Motion":
+    ) -> Motion:
         """Make a motion from roll-pitch-yaw angles, (38), and their rates.
 
         t, v, a: position, velocity and acceleration of the reference point, m, m/s, m/s^2, (..., 3).
@@ -179,7 +191,7 @@ class Motion(Frozen):
         e_ddot: ArrayLike | None = None,
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
-    ) -> "Motion":
+    ) -> Motion:
         """Make a motion from quaternions, platform to base, and their rates: no orientation is special.
 
         e: scalar first, (..., 4), of any length but zero; e_dot, e_ddot: its rates, 1/s and 1/s^2, (..., 4).
@@ -201,7 +213,7 @@ class Motion(Frozen):
         phi_ddot: ArrayLike | None = None,
         F_ext: ArrayLike | None = None,
         M_ext: ArrayLike | None = None,
-    ) -> "Motion":
+    ) -> Motion:
         """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
 
         phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns by |phi| about phi; phi may be zero. The
@@ -224,7 +236,7 @@ class Motion(Frozen):
         a: ArrayLike | None,
         F_ext: ArrayLike | None,
         M_ext: ArrayLike | None,
-    ) -> "Motion":
+    ) -> Motion:
         given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
         checked = {
             name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
@@ -247,12 +259,12 @@ def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     return leading_shape({name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()})
 
 
-def _check_rotation(R: Array) -> None:
+def _check_rotation(R: Array, tolerance: float) -> None:
     if R.size == 0:
         return
     with np.errstate(over="ignore", invalid="ignore"):
         off = np.max(np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)), axis=(-2, -1))
-        bad = ~(off <= ROTATION_TOLERANCE)
+        bad = ~(off <= tolerance)
     if np.any(bad):
         where = tuple(int(i) for i in np.argwhere(bad)[0])
         raise ValueError(

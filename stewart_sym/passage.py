@@ -5,6 +5,8 @@ function of time, so its roots are found from its sign at all its turning points
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
 
+from __future__ import annotations
+
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass

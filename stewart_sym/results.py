@@ -1,9 +1,12 @@
 """What the dynamics functions return: plain records of arrays, the same for every backend.
 
+Their arrays belong to the caller, who may write to them: nothing else holds them.
+
 Stands between the kernels and the user; knows nothing of how the numbers were computed.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,3 +141,27 @@ class Linearisation:
     A: NDArray[np.float64]
     B: NDArray[np.float64]
     status: NDArray[np.int32]
+
+
+class Velocities(NamedTuple):
+    """Velocities of the platform, base frame, (..., 3): v of the reference point, m/s, and omega, rad/s."""
+
+    v: NDArray[np.float64]
+    omega: NDArray[np.float64]
+
+
+class Accelerations(NamedTuple):
+    """Accelerations of the platform, base frame, (..., 3): a of the reference point, m/s^2; alpha.
+
+    alpha: rad/s^2.
+    """
+
+    a: NDArray[np.float64]
+    alpha: NDArray[np.float64]
+
+
+class DampedSolution(NamedTuple):
+    """Axial forces x, N, (..., 6), and wrench_error = c - H x, N and N m, (..., 6)."""
+
+    x: NDArray[np.float64]
+    wrench_error: NDArray[np.float64]

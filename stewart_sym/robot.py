@@ -7,7 +7,7 @@ holds.  It knows nothing of poses, equations or backends.
 import math
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,7 +26,7 @@ DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
 BASE_JOINTS = ("universal", "spherical")
 SYMMETRY_TOLERANCE = 1e-9
 
-_TOP_KEYS = ("schema", "name", "base_joint", "gravity", "platform", "leg_defaults", "leg")
+_TOP_KEYS = ("schema", "name", "base_joint", "gravity", "accept", "platform", "leg_defaults", "leg")
 _BODY_KEYS = ("mass", "center_of_mass", "inertia")
 _FRICTION_KEYS = ("universal", "prismatic", "spherical")
 _SHARED_KEYS = ("lower", "upper", "friction", "length_limits", "force_limit", "speed_limit")
@@ -34,8 +34,18 @@ _NO_LIMITS = {"length_limits": (0.0, math.inf), "force_limit": math.inf, "speed_
 _LEG_KEYS = ("base_point", "platform_point", "universal_axis", *_SHARED_KEYS)
 
 
+DOUBTS = (
+    *("platform-inertia", "lower-inertia", "upper-inertia"),
+    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size", "center-of-mass"),
+    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity", "overlap"),
+    *("length-limits", "force-limit", "speed-limit"),
+)
+"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
+loading, the others by ``plausibility.doubts``."""
+
+
 class PhysicalityWarning(UserWarning):
-    """An inertia tensor that no rigid body can have; the robot is loaded all the same."""
+    """Numbers that no machine, or hardly one, can have; the robot is loaded all the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +69,7 @@ class Robot(Frozen):
         (N m s), (6,).
     length_limits: shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
     force_limit, speed_limit: of the actuators, N and m/s, (6,); inf means no limit.
+    accept: names, of ``DOUBTS``, of warnings that are known of this robot and not given.
 
     Raises ``ValueError`` naming the field when a value breaks a rule of the robot file.
     ``dataclasses.replace`` makes a changed copy and checks it again.
@@ -85,12 +96,14 @@ class Robot(Frozen):
     length_limits: Array = field(default_factory=lambda: np.tile([0.0, math.inf], (LEGS, 1)))
     force_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
     speed_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
+    accept: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
         tables.one_line(self.name, "robot: name")
         _base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, float | Array] = {
+        checked: dict[str, float | Array | tuple[str, ...]] = {
+            "accept": _accepted(self.accept, "robot: accept"),
             "g": tables.vector(self.g, "robot: g"),
             "M": tables.positive(self.M, "robot: M"),
             "R_0": tables.vector(self.R_0, "robot: R_0"),
@@ -119,7 +132,7 @@ class Robot(Frozen):
 
         Raises ``ValueError`` of one line, ``file: key: what was expected``, for a file that cannot be read
         and for every break of the schema; legs are numbered from 1.  Warns with ``PhysicalityWarning`` about
-        inertias that no body can have.
+        inertias that no body can have, unless the file accepts them.
         """
         source = tables.file_name(path)
         robot = _from_table(cls, tables.read_toml(source, "robot file"), source)
@@ -143,6 +156,7 @@ class Robot(Frozen):
             "name": self.name,
             "base_joint": self.base_joint,
             "gravity": self.g.tolist(),
+            **({"accept": list(self.accept)} if self.accept else {}),
             "platform": _body_table(self.M, self.R_0, self.I_p),
             "leg": [self._leg_table(i) for i in range(LEGS)],
         }
@@ -166,17 +180,9 @@ class Robot(Frozen):
         """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
 
         Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.  Legs with the same tensor
-        share a line.
+        share a line.  What the robot accepts is told as well.
         """
-        messages = [f"platform: inertia: {fault}" for fault in _inertia_fault(self.I_p)]
-        for part, tensors in (("lower", self.I_d0), ("upper", self.I_u0)):
-            alike: dict[bytes, list[int]] = {}
-            for i, tensor in enumerate(tensors):
-                alike.setdefault(tensor.tobytes(), []).append(i)
-            for legs in alike.values():
-                for fault in _inertia_fault(tensors[legs[0]]):
-                    messages.append(f"{part} part of {_legs_text(legs)}: inertia: {fault}")
-        return messages
+        return [message for _, message in _impossible_inertias(self)]
 
 
 def _body_table(mass: float, center: Array, inertia: Array) -> dict[str, Any]:
@@ -184,6 +190,19 @@ def _body_table(mass: float, center: Array, inertia: Array) -> dict[str, Any]:
 
 
 # Physicality
+
+
+def _impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
+    """Name, of ``DOUBTS``, and line of each impossible inertia."""
+    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in _inertia_fault(robot.I_p)]
+    for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
+        alike: dict[bytes, list[int]] = {}
+        for i, tensor in enumerate(tensors):
+            alike.setdefault(tensor.tobytes(), []).append(i)
+        for legs in alike.values():
+            for fault in _inertia_fault(tensors[legs[0]]):
+                found.append((f"{part}-inertia", f"{part} part of {legs_text(legs)}: inertia: {fault}"))
+    return found
 
 
 def _inertia_fault(inertia: Array) -> list[str]:
@@ -198,15 +217,17 @@ def _inertia_fault(inertia: Array) -> list[str]:
     return []
 
 
-def _legs_text(legs: list[int]) -> str:
+def legs_text(legs: Sequence[int]) -> str:
+    """Legs, counted from 0, as a message names them."""
     if len(legs) == LEGS:
         return "all legs"
     return ("leg " if len(legs) == 1 else "legs ") + ", ".join(str(i + 1) for i in legs)
 
 
 def _warn(robot: Robot, source: str) -> None:
-    for message in robot.physicality():
-        warnings.warn(f"{source}: {message}", PhysicalityWarning, stacklevel=3)
+    for name, message in _impossible_inertias(robot):
+        if name not in robot.accept:
+            warnings.warn(f"{source}: {message} [{name}]", PhysicalityWarning, stacklevel=3)
 
 
 # From tables to a Robot
@@ -257,6 +278,7 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
         length_limits=column("length_limits"),
         force_limit=column("force_limit"),
         speed_limit=column("speed_limit"),
+        accept=_accepted(top.get("accept", ()), f"{file}accept"),
     )
 
 
@@ -318,6 +340,12 @@ def _base_joint(value: object, where: str) -> str:
     if not isinstance(value, str) or value not in BASE_JOINTS:
         raise ValueError(f'{where}: expected "universal" or "spherical", got {shown(value)}')
     return value
+
+
+def _accepted(value: object, where: str) -> tuple[str, ...]:
+    if not isinstance(value, list | tuple):
+        raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
+    return tuple(tables.choice(name, DOUBTS, where) for name in value)
 
 
 def _limits(value: object, where: str) -> Array:

@@ -4,6 +4,8 @@ Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, 
 times the angle, base axes.  They know nothing of robots or motions.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np
@@ -117,16 +119,17 @@ def angular_velocity_from_quaternion(e: ArrayLike, e_dot: ArrayLike) -> Array:
 
     omega is the vector of 2 e' e^-1; what only changes the length of e has no part in it.
     """
-    e, e_dot = _quaternions(e, "e"), _quaternions(e_dot, "e_dot")
+    e, e_dot = _shares(_quaternions(e, "e"), _quaternions(e_dot, "e_dot"))
     return np.asarray(2.0 * quaternion_product(e_dot, _inverse(e))[..., 1:])
 
 
 def angular_acceleration_from_quaternion(e: ArrayLike, e_dot: ArrayLike, e_ddot: ArrayLike) -> Array:
     """Return alpha, rad/s^2, base frame, (..., 3): the vector of 2 (e'' e^-1 - (e' e^-1)^2)."""
-    e, e_dot = _quaternions(e, "e"), _quaternions(e_dot, "e_dot")
+    given = _quaternions(e, "e"), _quaternions(e_dot, "e_dot"), _quaternions(e_ddot, "e_ddot")
+    e, e_dot, e_ddot = _shares(*given)
     inverse = _inverse(e)
     rate = quaternion_product(e_dot, inverse)
-    second = quaternion_product(_quaternions(e_ddot, "e_ddot"), inverse)
+    second = quaternion_product(e_ddot, inverse)
     return np.asarray(2.0 * (second - quaternion_product(rate, rate))[..., 1:])
 
 
@@ -256,11 +259,18 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def _unit_quaternion(e: Array) -> Array:
-    return np.asarray(e / np.linalg.norm(e, axis=-1, keepdims=True))
+    (share,) = _shares(e)
+    return np.asarray(share / np.linalg.norm(share, axis=-1, keepdims=True))
 
 
 def _inverse(e: Array) -> Array:
     return np.asarray(e * np.array([1.0, -1.0, -1.0, -1.0]) / np.sum(e * e, axis=-1, keepdims=True))
+
+
+def _shares(e: Array, *rates: Array) -> list[Array]:
+    """A quaternion and its rates over its largest component: squares then neither overflow nor vanish."""
+    largest = np.max(np.abs(e), axis=-1, keepdims=True)
+    return [each / largest for each in (e, *rates)]
 
 
 def _quaternions(value: ArrayLike, name: str) -> Array:

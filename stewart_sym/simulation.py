@@ -5,6 +5,8 @@ local chart, the rotation vector from a centre that moves along, so that no atti
 orthonormal to rounding. Knows charts, steps and limits; knows no equation of the machine.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -236,7 +238,7 @@ class _Run:
     constant: tuple[Array | None, Array | None]
     solver: Any
     tolerances: dict[str, float]
-    watch: "_Watch"
+    watch: _Watch
     fault: int = 0
 
     def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[_Piece]]:
@@ -394,7 +396,7 @@ class _Watch:
         ]
         return np.concatenate(margins, axis=-1)
 
-    def _singular_margins(self, legs: "_Legs") -> tuple[Array, Array]:
+    def _singular_margins(self, legs: _Legs) -> tuple[Array, Array]:
         if self.thresholds.max_condition == math.inf:
             none = np.ones((len(legs.L), 1))
             return none, none
@@ -410,7 +412,7 @@ class _Watch:
             return np.ones(s.shape[:-1])
         return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
 
-    def _condition(self, legs: "_Legs") -> Array:
+    def _condition(self, legs: _Legs) -> Array:
         return condition_number(_scaled_H(legs, self._size))
 
     def _stop(self, time: float, row: int, piece: _Piece, law: ForceLaw) -> Stop:

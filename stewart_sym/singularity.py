@@ -3,6 +3,8 @@
 Stands on ``kinematics``, whose H it takes apart, and ``conditioning``; knows nothing of time or forces.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

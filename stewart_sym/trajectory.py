@@ -4,6 +4,8 @@ Stands above ``Motion``, which it makes, and below the studies and the command l
 forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
 """
 
+from __future__ import annotations
+
 import array
 import csv
 import io

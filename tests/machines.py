@@ -5,7 +5,6 @@ Stands below all test modules; knows Robot and Motion only. Poses are drawn wher
 """
 
 import dataclasses
-import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from stewart_sym import robots
 from stewart_sym.motion import Motion
-from stewart_sym.robot import PhysicalityWarning, Robot
+from stewart_sym.robot import Robot
 
 Array = NDArray[np.float64]
 
@@ -67,10 +66,8 @@ def random_robot(
 
 
 def dasgupta(friction: bool = True) -> Robot:
-    """The paper's machine, without the warning that its printed inertias belong to no body."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PhysicalityWarning)
-        robot = robots.dasgupta1998()
+    """The paper's machine."""
+    robot = robots.dasgupta1998()
     none = np.zeros(6)
     return robot if friction else dataclasses.replace(robot, C_u=none, C_p=none, C_s=none)
 

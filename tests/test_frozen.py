@@ -1,5 +1,4 @@
-"""Frozen records stay frozen: through copies, deep copies and pickles, nested ones too, and after numbers that
-were computed from them."""
+"""Frozen records stay frozen: through copies, deep copies and pickles, records in records too."""
 
 import copy
 import dataclasses

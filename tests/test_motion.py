@@ -53,6 +53,31 @@ def skew_part(matrix: Array) -> Array:
     )
 
 
+def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> None:
+    rng = np.random.default_rng(32)
+    exact = rotation_from_rpy(rng.uniform(-4.0, 4.0, (1000, 3)))
+    rounded = exact.astype(np.float32)
+    motion = Motion(rounded, *np.zeros((3, 3)))
+    assert motion.R.dtype == np.float64
+    assert np.abs(motion.R - exact).max() < np.finfo(np.float32).eps
+    product = np.swapaxes(motion.R, -1, -2) @ motion.R
+    assert np.abs(product - np.eye(3)).max() < 8 * np.finfo(np.float64).eps
+    # A slice and a second Motion of what is stored leave its bits alone.
+    assert np.array_equal(Motion(motion.R, *np.zeros((3, 3)))[3:7].R, motion.R[3:7])
+    for bad in (rounded.astype(np.float64), rounded * np.float32(1.0 + 1e-5), -rounded):
+        with pytest.raises(ValueError, match=r"R.*: expected a rotation matrix"):
+            Motion(bad, *np.zeros((3, 3)))
+
+
+@pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200, 4e307])
+def test_quaternions_may_have_any_length_but_zero(size: float) -> None:
+    zero, e, e_dot = np.zeros(3), np.array([1.0, 2.0, 3.0, 1.0]), np.array([0.0, 1.0, -1.0, 2.0])
+    one = Motion.from_quaternion(zero, e, zero, e_dot, zero, -e)
+    other = Motion.from_quaternion(zero, size * e, zero, size * e_dot, zero, -size * e)
+    for name in ("R", "omega", "alpha"):
+        assert getattr(other, name) == pytest.approx(getattr(one, name), abs=1e-14)
+
+
 def test_rodrigues_turns_the_right_way() -> None:
     np.testing.assert_allclose(turn(2, np.pi / 2) @ E[0], E[1], atol=1e-15)
 

@@ -4,6 +4,7 @@ import copy
 import dataclasses
 import json
 import math
+import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -348,8 +349,7 @@ def test_asymmetry_of_rounding_size_is_evened_out() -> None:
 
 
 def test_paper_machine_is_the_appendix() -> None:
-    with pytest.warns(PhysicalityWarning):
-        robot = robots.dasgupta1998()
+    robot = robots.dasgupta1998()
     assert robot.M == 40.0
     np.testing.assert_allclose(robot.k[0], np.array([-3.0, 1.0, 0.0]) / math.sqrt(10.0), atol=1e-4)
     np.testing.assert_array_equal(robot.b[:, 0], [0.6, 0.1, -0.3, -0.3, 0.2, 0.5])
@@ -364,10 +364,40 @@ def test_paper_machine_is_the_appendix() -> None:
     np.testing.assert_array_equal(robot.g, [0.0, 0.0, -9.81])
 
 
-def test_paper_machine_warns_once_for_each_part() -> None:
+def test_paper_machine_is_silent_for_its_file_accepts_what_it_is() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        robot = robots.dasgupta1998()
+        assert same(Robot.from_dict(robot.to_dict()), robot)
+    assert robot.accept == ("platform-inertia", "lower-inertia", "upper-inertia")
+    assert len(robot.physicality()) == 3
+
+
+@pytest.mark.parametrize("accepted", ["platform-inertia", "lower-inertia", "upper-inertia"])
+def test_a_file_accepts_the_warnings_that_it_names_and_no_other(accepted: str) -> None:
+    d = robots.dasgupta1998().to_dict() | {"accept": [accepted]}
+    with pytest.warns(PhysicalityWarning) as caught:
+        Robot.from_dict(d)
+    assert len(caught) == 2
+    assert not any(accepted in str(w.message) for w in caught)
+
+
+@pytest.mark.parametrize(
+    ("accept", "got"),
+    [("mass", "'mass'"), (["masses"], "'masses'"), ([1], "1"), ({"mass": 1}, "{'mass': 1}")],
+)
+def test_names_of_no_warning_are_not_accepted(accept: object, got: str) -> None:
+    message = error_of(lambda: Robot.from_dict(machine() | {"accept": accept}))
+    assert message.startswith("robot: accept: expected ")
+    assert message.endswith(f", got {got}")
+
+
+def test_paper_machine_warns_once_for_each_part_where_nothing_is_accepted(tmp_path: Path) -> None:
+    path = tmp_path / "dasgupta1998.toml"
+    path.write_text(re.sub(r"accept = .*\n", "", paper_text()), encoding="utf-8")
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        robot = robots.dasgupta1998()
+        robot = Robot.from_toml(path)
     messages = [str(w.message) for w in caught]
     assert all(w.category is PhysicalityWarning for w in caught)
     assert len(messages) == len(robot.physicality()) == 3

@@ -8,7 +8,8 @@ from ..robot import Robot
 def dasgupta1998() -> Robot:
     """Load the paper's test manipulator (appendix), as printed.
 
-    Warns with ``PhysicalityWarning``: none of its three printed inertia tensors belongs to a rigid body.
+    None of its three printed inertia tensors belongs to a rigid body; the file accepts that, so there is no
+    warning. ``physicality()`` tells.
     """
     with resources.as_file(resources.files(__name__) / "dasgupta1998.toml") as path:
         return Robot.from_toml(path)

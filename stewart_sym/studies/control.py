@@ -6,7 +6,6 @@ its forces. Takes robots and paths, returns records of errors and forces. Writes
 
 import dataclasses
 import math
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple
@@ -22,7 +21,7 @@ from ..kinematics import inverse_kinematics
 from ..laws import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
 from ..motion import Motion
 from ..results import OK, STATUS_TEXT
-from ..robot import PhysicalityWarning, Robot
+from ..robot import Robot
 from ..robots import dasgupta1998
 from ..rotation import rotation_from_vector, vector_from_rotation
 from ..trajectory import PATHS, StraightLinePath
@@ -148,15 +147,13 @@ class Study:
 
 def papers_machines() -> dict[str, Robot]:
     """The paper's machine with the friction it states, which is next to none, and with ``FRICTION``."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PhysicalityWarning)
-        printed = dasgupta1998()
-        C_u, C_p, C_s = (np.full(6, FRICTION[name]) for name in ("C_u", "C_p", "C_s"))
-        name = f"{printed.name}, friction of {FRICTION['C_p']:g} N s/m in the legs"
-        return {
-            "printed": printed,
-            "friction": dataclasses.replace(printed, name=name, C_u=C_u, C_p=C_p, C_s=C_s),
-        }
+    printed = dasgupta1998()
+    C_u, C_p, C_s = (np.full(6, FRICTION[name]) for name in ("C_u", "C_p", "C_s"))
+    name = f"{printed.name}, friction of {FRICTION['C_p']:g} N s/m in the legs"
+    return {
+        "printed": printed,
+        "friction": dataclasses.replace(printed, name=name, C_u=C_u, C_p=C_p, C_s=C_s),
+    }
 
 
 class PreparedModel:

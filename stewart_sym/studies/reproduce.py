@@ -7,7 +7,6 @@ Takes the paper's machine and the generated kernels and returns plain records. `
 import dataclasses
 import functools
 import importlib
-import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -19,7 +18,7 @@ from ..conditioning import characteristic_length, condition_number, scaled_condi
 from ..dynamics import Formulation, inverse_dynamics, massless_forces
 from ..kernel import FORMULATIONS, kernel_name, library
 from ..motion import Motion
-from ..robot import PhysicalityWarning, Robot
+from ..robot import Robot
 from ..trajectory import PATHS, StraightLinePath
 
 Array = NDArray[np.float64]
@@ -156,9 +155,7 @@ def reproduce(progress: Progress = lambda _: None) -> Reproduction:
 
 def paper_machine() -> Robot:
     """The paper's machine; that its inertias are impossible is said in the report."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PhysicalityWarning)
-        return robots.dasgupta1998()
+    return robots.dasgupta1998()
 
 
 def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:

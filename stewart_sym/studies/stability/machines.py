@@ -4,14 +4,13 @@ Knows Robot and Motion only.
 """
 
 import dataclasses
-import warnings
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ... import robots
 from ...motion import Motion
-from ...robot import PhysicalityWarning, Robot
+from ...robot import Robot
 from ...rotation import rotation_from_vector
 
 Array = NDArray[np.float64]
@@ -68,10 +67,8 @@ def random_machine(
 
 
 def papers_machine() -> Robot:
-    """The paper's machine, without the warning that its printed inertias belong to no body."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", PhysicalityWarning)
-        return robots.dasgupta1998()
+    """The paper's machine."""
+    return robots.dasgupta1998()
 
 
 def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:

@@ -1,0 +1,61 @@
+"""What a reader of help(ss), dir(ss) and of a result at the prompt sees."""
+
+import importlib.metadata
+import inspect
+import types
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym.results import Accelerations, DampedSolution, Velocities
+
+
+def test_dir_shows_what_is_public_and_nothing_else() -> None:
+    assert set(dir(ss)) == {*ss.__all__, "__version__"}
+    assert not any(
+        isinstance(getattr(ss, name), types.ModuleType) for name in set(dir(ss)) - {"results", "robots"}
+    )
+
+
+def test_the_version_is_that_of_the_package() -> None:
+    assert ss.__version__ == importlib.metadata.version("stewart-sym")
+    with pytest.raises(AttributeError, match="module 'stewart_sym' has no attribute 'version'"):
+        _ = ss.version  # type: ignore[attr-defined]
+
+
+def test_signatures_name_their_types_and_fit_a_screen() -> None:
+    functions = {name: getattr(ss, name) for name in ss.__all__ if callable(getattr(ss, name))}
+    functions |= {f"Motion.{name}": getattr(ss.Motion, name) for name in dir(ss.Motion) if name[0] != "_"}
+    for name, function in functions.items():
+        if not callable(function) or (isinstance(function, type) and issubclass(function, Warning)):
+            continue
+        text = str(inspect.signature(function))
+        assert "_SupportsArray" not in text, name
+        assert len(text) < 1500, name
+
+
+def test_pairs_of_results_say_which_is_which() -> None:
+    rng = np.random.default_rng(1)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    found = ss.inverse_dynamics(robot, motion)
+    legs = ss.inverse_kinematics(robot, motion)
+    dynamics = ss.forward_dynamics(robot, motion, found.F)
+    velocity = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
+    acceleration = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
+    assert isinstance(dynamics, Accelerations)
+    assert isinstance(velocity, Velocities)
+    assert isinstance(acceleration, Accelerations)
+    for pair in (dynamics, acceleration):
+        a, alpha = pair
+        assert a is pair.a
+        assert pair.a == pytest.approx(motion.a, rel=1e-7, abs=1e-7 * np.abs(motion.a).max())
+        assert pair.alpha == pytest.approx(motion.alpha, rel=1e-7, abs=1e-7 * np.abs(motion.alpha).max())
+        assert alpha is pair.alpha
+    assert velocity.v == pytest.approx(motion.v)
+    assert velocity.omega == pytest.approx(motion.omega)
+    solution = ss.damped_solution(found.H, found.c, 1.0)
+    assert isinstance(solution, DampedSolution)
+    assert found.H @ solution.x + solution.wrench_error == pytest.approx(found.c)
