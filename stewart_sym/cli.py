@@ -106,10 +106,14 @@ def _reproduce(arguments: argparse.Namespace) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from .robot import Robot
+    from .plausibility import doubts
+    from .robot import PhysicalityWarning, Robot
     from .studies.describe import description
 
-    print(description(Robot.from_toml(arguments.robot)))
+    robot = Robot.from_toml(arguments.robot)
+    for name, text in doubts(robot):
+        warnings.warn(f"{arguments.robot}: {text} [{name}]", PhysicalityWarning, stacklevel=2)
+    print(description(robot))
     return 0
 
 

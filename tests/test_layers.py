@@ -33,7 +33,7 @@ FLOORS = (
     {"simulation", "fixed_step"},
     {"scene", "budget"},
     {"parameters", "home"},
-    {"identifiable"},
+    {"identifiable", "plausibility"},
     {"excitation"},
     {"identification"},
     {"studies", "kit"},

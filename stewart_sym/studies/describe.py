@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..conditioning import characteristic_length
 from ..home import HomePose, home_pose, radius
 from ..results import STATUS_TEXT
-from ..robot import Robot
+from ..robot import Robot, legs_text
 
 Array = NDArray[np.float64]
 
@@ -45,6 +45,11 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
     ]
+    parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
+    short = np.flatnonzero(home.L < parts).tolist()
+    if short:
+        named = legs_text(short)
+        rows.append(("overlap", f"lower and upper centres of mass pass each other in {named}: a low pose"))
     if home.status:
         rows.append(("condition", f"no answer here: {STATUS_TEXT[home.status]}"))
     else:
@@ -88,7 +93,7 @@ def _limits(robot: Robot) -> str:
 
 def _inertias(robot: Robot) -> str:
     count = len(robot.physicality())
-    return f"{count} that no rigid body can have (see the warnings)" if count else "physically possible"
+    return f"{count} that no rigid body can have" if count else "possible for rigid bodies"
 
 
 def _range(values: Array) -> str:
