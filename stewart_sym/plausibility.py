@@ -337,7 +337,8 @@ def _parts(robot: Robot) -> Array:
 def _heights(robot: Robot, direction: Array) -> Array:
     """Positions of the level platform, its middle along a direction from the base's, (50, 3)."""
     middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    return middle + np.linspace(0.05, 3.0, 50)[:, None] * (radius(robot.b) + radius(robot.p)) * direction
+    size = radius(robot.b) + radius(robot.p)
+    return np.asarray(middle + np.linspace(0.05, 3.0, 50)[:, None] * size * direction)
 
 
 def _level_conditions(b: Array, p: Array, t: Array) -> Array:
