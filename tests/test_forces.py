@@ -362,3 +362,19 @@ def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
     longer[6:9] = 0.0
     status = kernel.function("prepare")(address(longer), address(model))
     assert status == ss.results.NOT_FINITE
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("size", [1e-15, 1e15])
+def test_c_takes_axes_of_the_lengths_that_its_header_states(size: float, precision: forces.Precision) -> None:
+    robot = random_robot(np.random.default_rng(15))
+    kernel = ss.prepare(robot, precision=precision)
+    numbers = robot_numbers(robot)
+    legs = numbers[:-13].reshape(6, -1)  # the platform's own: M, R_0, I_p, g
+    assert np.array_equal(legs[:, 6:9], robot.k)
+    legs[:, 6:9] *= size
+    numbers = numbers.astype(kernel.dtype)
+    model = np.zeros_like(kernel.model)
+    assert kernel.function("prepare")(address(numbers), address(model)) == 0
+    unit = 64 * np.finfo(kernel.dtype).eps
+    np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)

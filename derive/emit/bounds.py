@@ -426,8 +426,9 @@ typedef struct {
     stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
 } stewart_@NAME@_bounds_model;
 
-/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
- * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+ * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
+ * STEWART_OK. */
 int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bounds_model *model);
 
 /* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound

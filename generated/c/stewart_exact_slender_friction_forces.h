@@ -57,8 +57,9 @@ typedef struct {
 #endif
 } stewart_exact_slender_friction_model;
 
-/* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
- * robot is not finite or too large, or k is zero; the model is written only if it is STEWART_OK. */
+/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+ * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
+ * STEWART_OK. */
 int stewart_exact_slender_friction_prepare(const stewart_robot *robot, stewart_exact_slender_friction_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
