@@ -22,6 +22,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO
 
+from .extras import needed_for
 from .faults import SingularPoseWarning
 from .native import CompilerError
 from .publish import named
@@ -42,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = _parser().parse_args(argv)
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
-            with _warnings_in_lines(), _terminated_as_interrupted():
+            with _warnings_in_lines(), _terminated_as_interrupted(), needed_for(arguments.subcommand):
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
@@ -251,8 +252,8 @@ def _bench(arguments: argparse.Namespace) -> int:
 
     from .publish import staged_folder
     from .robot import Robot
+    from .studies import bench, bench_plot, peers_casadi  # noqa: F401, what is missing is said at once
 
-    bench, bench_plot = _benchmark()
     robot = None if arguments.robot is None else Robot.from_toml(arguments.robot)
     with staged_folder(arguments.output) as folder:
         with _progress() as progress:
@@ -531,21 +532,11 @@ def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -
     return simulated_texts(robot, identification(robot, **options, progress=progress))
 
 
-def _benchmark() -> tuple[ModuleType, ModuleType]:
-    try:
-        from .studies import bench, bench_plot
-    except ImportError:
-        raise ImportError(
-            "bench needs CasADi, MuJoCo, Pinocchio and Matplotlib: pip install casadi mujoco pin matplotlib"
-        ) from None
-    return bench, bench_plot
-
-
 def _plots() -> ModuleType:
-    try:
-        from .studies import plots
-    except ImportError:
-        raise ImportError("pictures need Matplotlib: pip install matplotlib, or give --no-pictures") from None
+    with needed_for("drawing", ", or give --no-pictures"):
+        import matplotlib  # noqa: F401
+    from .studies import plots
+
     return plots
 
 
@@ -999,7 +990,7 @@ def _verb(
 ) -> argparse.ArgumentParser:
     description = f"{what[0].upper()}{what[1:]}. {more}".strip()
     verb = verbs.add_parser(name, help=what, description=description, epilog=f"Example: {example}")
-    verb.set_defaults(run=run)
+    verb.set_defaults(run=run, subcommand=name)
     return verb
 
 

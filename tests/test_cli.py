@@ -114,7 +114,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
-    assert "pip install matplotlib" in line
+    assert 'pip install "stewart-sym[plot]", or give --no-pictures' in line
     assert not list(tmp_path.iterdir())
 
 
