@@ -52,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
     except KeyboardInterrupt:
         return 130
-    except (ValueError, OSError, ImportError, CompilerError, MemoryError) as error:
+    except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
         try:
             sys.stdout.flush()

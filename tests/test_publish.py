@@ -134,6 +134,13 @@ def test_out_of_memory_is_one_line(
     assert line.endswith("error: out of memory: Unable to allocate 4 GiB")
 
 
+def test_warnings_turned_into_errors_are_one_line() -> None:
+    command = [sys.executable, "-W", "error", "-m", "stewart_sym.cli", "check", str(PAPER)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode in (0, 2)
+    assert len(done.stderr.splitlines()) == (done.returncode == 2)
+
+
 SIGNALLED = """
 import os, signal, sys, warnings
 from pathlib import Path
