@@ -46,7 +46,7 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
     for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
-    rounding units of the largest component of the terms of S = q + t - b, (2); and when a result overflows.
+    rounding units of the largest component of the terms of S = q + t - b, (1); and when a result overflows.
     """
     legs = legs_or_overflow(robot, motion)
     _refuse_overflow(legs.L, legs.L_dot, legs.L_ddot)
