@@ -690,9 +690,9 @@ def _parser() -> argparse.ArgumentParser:
         "validate and describe a robot file",
         "stewart-sym check hexapod.toml",
         "SI units. Base points, fixed axes and gravity are in the base frame, platform points and the "
-        "platform's body in the platform frame, whose origin is yours to choose. Lower parts are measured from "
-        "the base point, upper parts from the platform point, x along the leg. Frames, signs and rotation "
-        "order with a drawing: .docs/conventions.md of the source.",
+        "platform's body in the platform frame, whose origin is yours to choose. Lower parts are measured "
+        "from the base point, upper parts from the platform point, x along the leg. Frames, signs and "
+        "rotation order with a drawing: .docs/conventions.md of the source.",
     )
     _robot(verb)
 
