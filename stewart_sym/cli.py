@@ -8,11 +8,10 @@ is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but t
 import argparse
 import contextlib
 import dataclasses
+import itertools
 import math
 import os
-import signal
 import sys
-import threading
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
@@ -22,7 +21,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO
 
+from .extras import needed_for
 from .faults import SingularPoseWarning
+from .interrupts import as_interrupts
 from .native import CompilerError
 from .publish import named
 
@@ -42,7 +43,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = _parser().parse_args(argv)
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
-            with _warnings_in_lines(), _terminated_as_interrupted():
+            with _warnings_in_lines(), as_interrupts(), needed_for(arguments.subcommand):
                 code: int = arguments.run(arguments)
             sys.stdout.flush()
         return code
@@ -51,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
     except KeyboardInterrupt:
         return 130
-    except (ValueError, OSError, ImportError, CompilerError) as error:
+    except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
         try:
             sys.stdout.flush()
@@ -60,37 +61,18 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
 
 
-@contextlib.contextmanager
-def _terminated_as_interrupted() -> Iterator[None]:
-    """Let a run that is told to end undo what it has begun to write, as on Ctrl-C."""
-
-    def interrupted(number: int, frame: object) -> NoReturn:
-        raise KeyboardInterrupt
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    names = [name for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    before = {name: signal.signal(getattr(signal, name), interrupted) for name in names}
-    try:
-        yield
-    finally:
-        for name, handler in before.items():
-            signal.signal(getattr(signal, name), handler)
-
-
 # Verbs
 
 
 def _reproduce(arguments: argparse.Namespace) -> int:
-    from .publish import replaced_file, staged_folder
+    from .publish import replaced_file
     from .studies.output import csv_lines
     from .studies.report import report
     from .studies.reproduce import reproduce, run_columns
 
     if arguments.pictures:
         plots = _plots()
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "report.txt") as folder, _progress() as progress:
         found = reproduce(progress)
         for (path, formulation), run in found.runs.items():
             with replaced_file(folder / f"path_{path}_{formulation}.csv") as stream:
@@ -152,7 +134,7 @@ def _forces(arguments: argparse.Namespace) -> int:
 
 def _singularities(arguments: argparse.Namespace) -> int:
     from .interpolation import between
-    from .publish import replaced_file, staged_folder
+    from .publish import replaced_file
     from .robot import Robot
     from .studies import singularities
     from .studies.output import csv_lines
@@ -162,7 +144,7 @@ def _singularities(arguments: argparse.Namespace) -> int:
         _plots()
         from .studies import singularities_plot
     robot = Robot.from_toml(arguments.robot)
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "report.txt", "events.csv", "path.csv") as folder, _progress() as progress:
         name = arguments.path
         if name in PATHS:
             if arguments.start is not None:
@@ -199,7 +181,8 @@ def _derive(arguments: argparse.Namespace) -> int:
         if not directory.is_dir():
             raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
         return _compare(directory, _derived())
-    with staged_folder(directory) as folder:
+    own = arguments.output is None
+    with staged_folder(directory) if own else _folder(arguments) as folder:
         texts = _derived()
         for name, text in texts.items():
             (folder / name).parent.mkdir(exist_ok=True)
@@ -238,9 +221,8 @@ def _cmake_dir(arguments: argparse.Namespace) -> int:
 
 
 def _identify(arguments: argparse.Namespace) -> int:
-    from .publish import staged_folder
 
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "report.txt", "trajectory.csv") as folder, _progress() as progress:
         progress("identifying")
         texts = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
         for name, text in texts.items():
@@ -253,12 +235,11 @@ def _identify(arguments: argparse.Namespace) -> int:
 def _bench(arguments: argparse.Namespace) -> int:
     import json
 
-    from .publish import staged_folder
     from .robot import Robot
+    from .studies import bench, bench_plot, peers_casadi  # noqa: F401, what is missing is said at once
 
-    bench, bench_plot = _benchmark()
     robot = None if arguments.robot is None else Robot.from_toml(arguments.robot)
-    with staged_folder(arguments.output) as folder:
+    with _folder(arguments, "bench.txt", "bench.json") as folder:
         with _progress() as progress:
             found = bench.bench(robot, arguments.quick, progress)
             progress("drawing")
@@ -274,7 +255,7 @@ def _bench(arguments: argparse.Namespace) -> int:
 
 
 def _simulate(arguments: argparse.Namespace) -> int:
-    from .publish import replaced_file, staged_folder
+    from .publish import replaced_file
     from .scene import read_scene
     from .studies import energy_drift, run
     from .studies.output import csv_lines
@@ -283,7 +264,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
         _plots()
     scene = read_scene(arguments.scene)
     springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "summary.txt", "run.csv") as folder, _progress() as progress:
         progress("simulating")
         done = scene.run()
         tables = {"run": run.run_columns(done)}
@@ -314,7 +295,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
 def _control(arguments: argparse.Namespace) -> int:
     import json
 
-    from .publish import replaced_file, staged_folder
+    from .publish import replaced_file
     from .robot import Robot
     from .studies import control, control_report, run
     from .studies.output import csv_lines
@@ -326,7 +307,7 @@ def _control(arguments: argparse.Namespace) -> int:
         machines = {"robot": Robot.from_toml(arguments.robot)}
     paths = control.TRACKED if arguments.path is None else (arguments.path,)
     settings = control.Settings(rate=arguments.rate)
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "control.txt", "control.csv", "control.json") as folder, _progress() as progress:
         studies = {
             label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
         }
@@ -353,14 +334,17 @@ def _control(arguments: argparse.Namespace) -> int:
 
 
 def _controller(arguments: argparse.Namespace) -> int:
-    from .publish import staged_folder
     from .robot import Robot
     from .studies.controller import measure, report
     from .studies.reproduce import paper_machine
 
     robot = paper_machine() if arguments.robot is None else Robot.from_toml(arguments.robot)
     with contextlib.ExitStack() as stack:
-        folder = None if arguments.output is None else stack.enter_context(staged_folder(arguments.output))
+        folder = (
+            None
+            if arguments.output is None
+            else stack.enter_context(_folder(arguments, "controller.txt", "controller.json"))
+        )
         with _progress() as progress:
             found = measure.study(robot, progress, arguments.fidelity)
         text = report.report(found)
@@ -376,7 +360,7 @@ def _controller(arguments: argparse.Namespace) -> int:
 def _stability(arguments: argparse.Namespace) -> int:
     import json
 
-    from .publish import replaced_file, staged_folder
+    from .publish import replaced_file
     from .studies.output import csv_lines
     from .studies.stability.sweep import report, sweep
 
@@ -389,8 +373,8 @@ def _stability(arguments: argparse.Namespace) -> int:
         _plots()
     from .studies.stability import atlas
 
-    output = arguments.output or Path("stability")
-    with staged_folder(output) as folder, _progress() as progress:
+    output = arguments.output = arguments.output or Path("stability")
+    with _folder(arguments, "stability.txt", "stability.json") as folder, _progress() as progress:
         found = atlas.atlas(progress)
         cases = ATLAS_CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
@@ -452,7 +436,6 @@ def _chart(arguments: argparse.Namespace) -> int:
     import json
 
     from .budget import papers_motions, read_budget
-    from .publish import staged_folder
     from .studies import host
     from .studies.advice import table
     from .studies.charts import charts
@@ -466,7 +449,7 @@ def _chart(arguments: argparse.Namespace) -> int:
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
         robot, motions = scene.robot, dict(scene.motions)
-    with staged_folder(arguments.output) as folder, _progress() as progress:
+    with _folder(arguments, "chart.txt", "chart.json") as folder, _progress() as progress:
         found = economy(robot, motions, True, ROUNDS, progress)
         text = table(found)
         figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
@@ -535,21 +518,11 @@ def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -
     return simulated_texts(robot, identification(robot, **options, progress=progress))
 
 
-def _benchmark() -> tuple[ModuleType, ModuleType]:
-    try:
-        from .studies import bench, bench_plot
-    except ImportError:
-        raise ImportError(
-            "bench needs CasADi, MuJoCo, Pinocchio and Matplotlib: pip install casadi mujoco pin matplotlib"
-        ) from None
-    return bench, bench_plot
-
-
 def _plots() -> ModuleType:
-    try:
-        from .studies import plots
-    except ImportError:
-        raise ImportError("pictures need Matplotlib: pip install matplotlib, or give --no-pictures") from None
+    with needed_for("drawing", ", or give --no-pictures"):
+        import matplotlib  # noqa: F401
+    from .studies import plots
+
     return plots
 
 
@@ -615,6 +588,15 @@ def _differs(path: Path, text: str) -> bool:
         return True
 
 
+def _folder(arguments: argparse.Namespace, *names: str) -> contextlib.AbstractContextManager[Path]:
+    """The folder of a subcommand's results; ``names``: of files in it, so that a clash is said at once."""
+    from .publish import result_folder
+
+    given = (value if isinstance(value, list) else [value] for value in vars(arguments).values())
+    inputs = [path for path in itertools.chain(*given) if isinstance(path, Path) and path != arguments.output]
+    return result_folder(arguments.output, arguments.force, inputs, names)
+
+
 def _refuse_overwrite(output: Path, *inputs: Path) -> None:
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
@@ -664,6 +646,8 @@ def _warnings_in_lines() -> Iterator[None]:
 
 
 def _one_line(error: object) -> str:
+    if isinstance(error, MemoryError):
+        return f"out of memory: {error}" if str(error) else "out of memory"
     if isinstance(error, OSError) and error.strerror:
         text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
     else:
@@ -704,7 +688,15 @@ def _parser() -> argparse.ArgumentParser:
     )
 
     verb = _verb(
-        verbs, "check", _check, "validate and describe a robot file", "stewart-sym check hexapod.toml"
+        verbs,
+        "check",
+        _check,
+        "validate and describe a robot file",
+        "stewart-sym check hexapod.toml",
+        "SI units. Base points, fixed axes and gravity are in the base frame, platform points and the "
+        "platform's body in the platform frame, whose origin is yours to choose. Lower parts are measured "
+        "from the base point, upper parts from the platform point, x along the leg. Frames, signs and "
+        "rotation order with a drawing: .docs/conventions.md of the source.",
     )
     _robot(verb)
 
@@ -823,13 +815,7 @@ def _parser() -> argparse.ArgumentParser:
         nargs="?",
         help="robot file, schema 1; default: the paper's machine",
     )
-    verb.add_argument(
-        "-o",
-        dest="output",
-        metavar="DIR",
-        type=Path,
-        help="folder for the table and controller.json; default: none written",
-    )
+    _output(verb, "DIR", "folder for the table and controller.json", "none written")
     verb.add_argument(
         "--fidelity", metavar="LEVEL", default="general", help="as of `generate`; default: general"
     )
@@ -849,12 +835,12 @@ def _parser() -> argparse.ArgumentParser:
         "is good enough. Takes half a minute, less when the kernels are compiled.",
     )
     verb.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
-    verb.add_argument("--json", metavar="FILE", type=Path, help="write all figures and the answer to a file")
+    verb.add_argument("--json", metavar="FILE", type=_path, help="write all figures and the answer to a file")
     verb.add_argument(
-        "--generate", metavar="DIR", type=Path, help="write the chosen kernel for this robot, as generate"
+        "--generate", metavar="DIR", type=_path, help="write the chosen kernel for this robot, as generate"
     )
     verb.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")
-    verb.add_argument("--force", action="store_true", help="replace files that --generate finds there")
+    _force(verb)
 
     verb = _verb(
         verbs,
@@ -875,9 +861,7 @@ def _parser() -> argparse.ArgumentParser:
     verb = _verb(
         verbs, "derive", _derive, "derive the kernels again and write them", "stewart-sym derive --check"
     )
-    verb.add_argument(
-        "-o", "--output", metavar="DIR", type=Path, help="folder to write to; default: the installed kernels"
-    )
+    _output(verb, "DIR", "folder to write to", "the installed kernels")
     verb.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
     )
@@ -915,7 +899,6 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
-    verb.add_argument("--force", action="store_true", help="replace edited files and others' files")
 
     _verb(
         verbs,
@@ -980,9 +963,7 @@ def _parser() -> argparse.ArgumentParser:
         "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is refused. "
         "Needs a compiler with __float128. The atlas takes about two minutes, a million cases another.",
     )
-    verb.add_argument(
-        "-o", "--output", metavar="DIR", type=Path, help="folder to write to; default: stability"
-    )
+    _output(verb, "DIR", "folder to write to", "stability")
     verb.add_argument(
         "--cases", metavar="N", type=_whole, help=f"random cases near failure; in the atlas {ATLAS_CASES:,}"
     )
@@ -1003,7 +984,7 @@ def _verb(
 ) -> argparse.ArgumentParser:
     description = f"{what[0].upper()}{what[1:]}. {more}".strip()
     verb = verbs.add_parser(name, help=what, description=description, epilog=f"Example: {example}")
-    verb.set_defaults(run=run)
+    verb.set_defaults(run=run, subcommand=name)
     return verb
 
 
@@ -1011,11 +992,25 @@ def _robot(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1")
 
 
-def _output(verb: argparse.ArgumentParser, metavar: str, what: str, default: Path | None) -> None:
+def _output(verb: argparse.ArgumentParser, metavar: str, what: str, default: Path | str | None) -> None:
+    """``default``: a path, words for what happens without the option, or None where it must be given."""
     text = what if default is None else f"{what}; default: {default}"
+    path = default if isinstance(default, Path) else None
     verb.add_argument(
-        "-o", "--output", metavar=metavar, type=Path, required=default is None, default=default, help=text
+        "-o", "--output", metavar=metavar, type=_path, required=default is None, default=path, help=text
     )
+    if metavar == "DIR":
+        _force(verb)
+
+
+def _force(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument("--force", action="store_true", help="replace edited files and others' files")
+
+
+def _path(text: str) -> Path:
+    if not text.strip():
+        raise argparse.ArgumentTypeError("expected a name, got nothing")
+    return Path(text)
 
 
 def _finite(text: str) -> float:

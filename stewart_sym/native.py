@@ -5,7 +5,6 @@ lock between processes: a library is published by one rename, and its file name 
 which is checked before the loader maps it.
 """
 
-import atexit
 import contextlib
 import ctypes
 import functools
@@ -61,6 +60,17 @@ _turns: dict[str, threading.Lock] = {}
 _lock = threading.Lock()
 
 
+def _renew_locks() -> None:
+    """Give a forked child locks of its own: the threads that held them are not in it."""
+    global _lock
+    _lock = threading.Lock()
+    _turns.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_renew_locks)
+
+
 class CompilerError(RuntimeError):
     """No library could be built or loaded; one line. ``log`` is all that the compiler printed, or empty."""
 
@@ -105,7 +115,7 @@ def load(
     flags: added after the default flags. defines: macro -> value.
 
     The cache is ``$STEWART_SYM_CACHE``, else the user's cache folder; one that can't be written, or that
-    others may write, is replaced by a temporary folder of this process. Calls into the library release the
+    others may write, is replaced by a temporary folder. Calls into the library release the
     interpreter lock. Loading the same thing again returns the same object.
 
     Raises CompilerError if there is no compiler, or it fails; ValueError for a bad name or flag.
@@ -310,7 +320,9 @@ def _open(recipe: _Recipe, key: str) -> ctypes.CDLL:
     with contextlib.suppress(OSError):
         return _open_in(_cache_directory(), recipe, key)
     try:
-        return _open_in(_private_directory(os.getpid()), recipe, key)
+        # A library needs no file once it is loaded; where it does (Windows), the folder stays behind.
+        with tempfile.TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True) as folder:
+            return _open_in(Path(folder), recipe, key)
     except OSError as error:
         raise CompilerError(
             f"the compiled library {recipe.name} can't be stored or loaded: {error}"
@@ -348,19 +360,6 @@ def _cache_location() -> Path:
     if sys.platform == "darwin":
         return Path.home() / "Library" / "Caches" / "stewart-sym"
     return Path.home().absolute() / ".cache" / "stewart-sym"
-
-
-@functools.cache
-def _private_directory(process: int) -> Path:
-    """A temporary folder of this process, removed when it ends; a forked child gets its own."""
-    directory = Path(tempfile.mkdtemp(prefix="stewart-sym-"))
-    atexit.register(_remove_private, directory, process)
-    return directory
-
-
-def _remove_private(directory: Path, process: int) -> None:
-    if os.getpid() == process:
-        shutil.rmtree(directory, ignore_errors=True)
 
 
 def _is_ours(status: os.stat_result) -> bool:

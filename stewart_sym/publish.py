@@ -1,17 +1,26 @@
 """Writing so that a failure leaves things as they were: one file, or a folder's files all together.
 
-The one publisher of every command that writes. Stands at the bottom; knows nothing of what is written.
+What stands in a folder is replaced only where a record there shows that this program wrote it and nobody
+changed it since.
 """
 
 import contextlib
+import hashlib
+import json
 import os
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from errno import EISDIR, ENOTDIR
+from importlib.metadata import version
 from pathlib import Path
 from typing import TextIO
+
+from . import interrupts
+
+RECORD = ".stewart-sym.json"
+"""Names and SHA-256 of the files that this program wrote into a folder."""
 
 
 @contextlib.contextmanager
@@ -33,17 +42,122 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         with named(path), open(target, "w", encoding="utf-8") as stream:
             yield stream
         return
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.part")
     with _blamed_on(path):
-        temporary.touch(exist_ok=False)
+        descriptor, name = tempfile.mkstemp(prefix=".stewart-sym-", dir=target.parent)
+        temporary = Path(name)
     try:
-        with named(path), open(temporary, "w", encoding="utf-8", newline="\n") as stream:
+        with named(path), open(descriptor, "w", encoding="utf-8", newline="\n") as stream:
             yield stream
+        interrupts.check()
         with _blamed_on(path):
+            temporary.chmod(_mode(target))
             os.replace(temporary, target)
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
+
+
+def _mode(target: Path) -> int:
+    """Permissions of a file that takes the place of ``target``: the same, or those of any new file."""
+    with contextlib.suppress(FileNotFoundError):
+        return target.stat().st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+@contextlib.contextmanager
+def result_folder(
+    directory: Path, force: bool = False, inputs: Iterable[Path] = (), names: Iterable[str] = ()
+) -> Iterator[Path]:
+    """Give an empty folder as ``staged_folder`` does, and let no file of others be replaced.
+
+    Parameters
+    ----------
+    directory : where the files go; a record of them is kept there.
+    force : replace files of the same names whoever wrote them, but no input.
+    inputs : files that are never replaced.
+    names : of files that will come, checked before the block as well.
+
+    Raises
+    ------
+    ValueError
+        In one line: a file that is an input, or that another wrote or changed.
+    OSError
+        As ``staged_folder``.
+    """
+    ours = recorded(directory, RECORD)
+    for name in names:
+        must_replace(directory, name, None, ours, force, inputs)
+    with staged_folder(directory) as folder:
+        yield folder
+        found = {
+            path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in sorted(folder.rglob("*"))
+            if path.is_file()
+        }
+        for name, content in found.items():
+            must_replace(directory, name, content, ours, force, inputs)
+        kept = {name: digest for name, digest in ours.items() if (directory / name).is_file()}
+        files = kept | {name: hashlib.sha256(content).hexdigest() for name, content in found.items()}
+        (folder / RECORD).write_text(record(files), encoding="utf-8", newline="\n")
+
+
+def record(files: Mapping[str, str]) -> str:
+    """Text of a record: names and digests of files."""
+    generator = f"stewart-sym {version('stewart-sym')}"
+    return json.dumps({"generator": generator, "files": dict(sorted(files.items()))}, indent=1) + "\n"
+
+
+def recorded(directory: Path, name: str) -> Mapping[str, str]:
+    """Digests of files that this program wrote into a folder, by the record of that name; empty without."""
+    path = directory / name
+    if not path.is_file():
+        return {}
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        own = str(found["generator"]).startswith("stewart-sym ")
+        files = {str(file): str(digest) for file, digest in found["files"].items()}
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return {}
+    inside = all(not Path(file).is_absolute() and ".." not in Path(file).parts for file in files)
+    return files if own and inside else {}
+
+
+def digest(path: Path) -> str | None:
+    """SHA-256 of a file's content, None of what is no file."""
+    return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+
+
+def must_replace(
+    directory: Path,
+    name: str,
+    content: bytes | None,
+    ours: Mapping[str, str],
+    force: bool,
+    inputs: Iterable[Path] = (),
+) -> bool:
+    """Whether a file of a folder has to be written; ``content`` None: not known yet; ``ours``: as recorded.
+
+    Raises ValueError of one line where what stands there is an input, no file, or another's and ``force`` is
+    not given.
+    """
+    path = directory / name
+    if not os.path.lexists(path):
+        return True
+    if path.exists() and not path.is_file():
+        raise ValueError(f"{path}: expected a file or nothing, found {_kind(path)}")
+    if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
+        raise ValueError(f"{path}: is an input, name another folder")
+    if content is not None and path.exists() and path.read_bytes() == content:
+        return False
+    if not force and digest(path) != ours.get(name, ""):
+        raise ValueError(f"{path}: exists with other content; use --force to overwrite")
+    return True
+
+
+def _kind(path: Path) -> str:
+    return "a folder" if path.is_dir() else "a device or a pipe"
 
 
 @contextlib.contextmanager
@@ -70,6 +184,7 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
         replaced.mkdir()
         with named(directory):
             yield staged
+        interrupts.check()
         _move_all(staged, target, replaced, gone)
     finally:
         shutil.rmtree(temporary, ignore_errors=True)

@@ -7,6 +7,7 @@ times the angle, base axes.  They know nothing of robots or motions.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import polynomial
@@ -59,7 +60,7 @@ def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
     angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.
     """
     theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
-    return _on_axes(_axes(theta), theta_dot)
+    return _rows(_on_axes(_turns(theta), *_split(theta_dot)))
 
 
 def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_ddot: ArrayLike) -> Array:
@@ -71,12 +72,19 @@ def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_
     """
     theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
     theta_ddot = _angles(theta_ddot, "theta_ddot")
-    axes = _axes(theta)
-    e_x, e_y, e_z = axes
-    x, y, z = (rate[..., None] for rate in _split(theta_dot))
-    e_y_dot = np.cross(e_z * z, e_y)
-    e_x_dot = np.cross(e_z * z + e_y * y, e_x)
-    return _on_axes(axes, theta_ddot) + e_x_dot * x + e_y_dot * y
+    turns = _turns(theta)
+    x, y, z = _split(theta_dot)
+    about_x = _on_axes(turns, x, 0.0, 0.0)
+    about_y = _on_axes(turns, 0.0, y, 0.0)
+    alpha = _on_axes(turns, *_split(theta_ddot))
+    # e_z z x (e_y y + e_x x) and e_y y x e_x x, component by component; e_y has no part along z.
+    return _rows(
+        (
+            alpha[0] - z * (about_y[1] + about_x[1]) + about_y[1] * about_x[2],
+            alpha[1] + z * (about_y[0] + about_x[0]) - about_y[0] * about_x[2],
+            alpha[2] + about_y[0] * about_x[1] - about_y[1] * about_x[0],
+        )
+    )
 
 
 def rotation_from_vector(phi: ArrayLike) -> Array:
@@ -286,20 +294,21 @@ def _sinc(x: Array) -> Array:
     return np.asarray(np.sinc(x / np.pi))
 
 
-def _axes(theta: Array) -> tuple[Array, Array, Array]:
-    (_, sy, sz), (_, cy, cz) = _split(np.sin(theta)), _split(np.cos(theta))
-    zero = np.zeros_like(sy)
-    return (
-        np.stack([cz * cy, sz * cy, -sy], axis=-1),
-        np.stack([-sz, cz, zero], axis=-1),
-        np.stack([zero, zero, zero + 1.0], axis=-1),
-    )
+def _turns(theta: Array) -> tuple[Array, Array, Array, Array]:
+    """Sines and cosines of theta_y and theta_z: sy, sz, cy, cz."""
+    y, z = theta[..., 1], theta[..., 2]
+    return np.sin(y), np.sin(z), np.cos(y), np.cos(z)
 
 
-def _on_axes(axes: tuple[Array, Array, Array], rates: Array) -> Array:
-    e_x, e_y, e_z = axes
-    x, y, z = (rate[..., None] for rate in _split(rates))
-    return np.asarray(e_x * x + e_y * y + e_z * z, dtype=np.float64)
+def _on_axes(turns: tuple[Array, Array, Array, Array], x: Any, y: Any, z: Any) -> tuple[Array, Array, Array]:
+    """Components of e_x x + e_y y + e_z z with the axes of ``angular_velocity_from_rpy``."""
+    sy, sz, cy, cz = turns
+    return cz * cy * x - sz * y, sz * cy * x + cz * y, z - sy * x
+
+
+def _rows(components: tuple[Array, Array, Array]) -> Array:
+    """Vectors, (..., 3), of their components."""
+    return np.stack(np.broadcast_arrays(*components), axis=-1)
 
 
 def _split(vector: Array) -> tuple[Array, Array, Array]:

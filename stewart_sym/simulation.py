@@ -20,6 +20,7 @@ from .checks import instance, option, real_array, shown
 from .conditioning import characteristic_length, condition_number
 from .dynamics import Backend, Formulation
 from .equations import ForwardDynamics
+from .extras import needed_for
 from .kinematics import leg_vectors, tip_velocities
 from .laws import ForceLaw
 from .motion import Motion
@@ -566,8 +567,6 @@ def _number(value: object, name: str, low: float, high: float) -> None:
 
 
 def _solver(method: str) -> Any:
-    try:
+    with needed_for("simulation"):
         from scipy import integrate
-    except ImportError:
-        raise ImportError("simulation needs SciPy: pip install scipy") from None
     return getattr(integrate, method)

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import real_array, shown
+from .extras import needed_for
 from .motion import Motion
 from .rotation import rpy_from_rotation
 from .tables import file_name, number, read_text
@@ -524,8 +525,6 @@ def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
 
 
 def _spline_maker() -> Callable[..., Callable[..., Array]]:
-    try:
+    with needed_for("a trajectory without derivatives"):
         from scipy.interpolate import make_interp_spline
-    except ImportError:
-        raise ImportError("a trajectory without derivatives needs SciPy: pip install scipy") from None
     return make_interp_spline  # type: ignore[no-any-return]

@@ -490,7 +490,7 @@ def test_a_missing_extra_is_one_line_that_says_what_to_install(missing: str, tmp
     assert done.returncode == 2
     assert done.stdout == ""
     (line,) = done.stderr.splitlines()
-    assert line.endswith("pip install casadi mujoco pin matplotlib")
+    assert line.endswith(f'pip install "stewart-sym[{"plot" if missing == "matplotlib" else "bench"}]"')
     assert not (tmp_path / "out").exists()
 
 

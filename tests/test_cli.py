@@ -17,7 +17,7 @@ import pytest
 import stewart_sym as ss
 from stewart_sym import cli, kernel
 from stewart_sym.cli import main
-from stewart_sym.publish import replaced_file, staged_folder
+from stewart_sym.publish import RECORD, replaced_file, staged_folder
 from stewart_sym.studies import track
 from stewart_sym.studies.output import csv_lines
 
@@ -72,6 +72,11 @@ def read(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(stream))
 
 
+def results(folder: Path) -> list[str]:
+    """Names of the files in a folder but its record of them."""
+    return sorted(path.name for path in folder.iterdir() if path.name != RECORD)
+
+
 def folder_state(folder: Path) -> dict[str, bytes]:
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()} | {
         str(p.relative_to(folder)): b"folder" for p in folder.rglob("*") if p.is_dir()
@@ -90,7 +95,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     captured = capsys.readouterr()
     assert captured.err == ""
     names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
-    assert sorted(path.name for path in target.iterdir()) == sorted([*names, "report.txt"])
+    assert results(target) == sorted([*names, "report.txt"])
     assert (target / "report.txt").read_text() in captured.out
     rows = read(target / "path_I_paper.csv")
     assert len(rows) == 61
@@ -114,7 +119,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
-    assert "pip install matplotlib" in line
+    assert 'pip install "stewart-sym[plot]", or give --no-pictures' in line
     assert not list(tmp_path.iterdir())
 
 
@@ -476,7 +481,7 @@ def test_derive_with_a_file_in_the_way_of_a_folder_leaves_no_trace(
     for name in ("c", "exact.py"):
         (tmp_path / "dd" / name).write_text("x")
     before = folder_state(tmp_path)
-    assert main(["derive", "-o", str(tmp_path / "dd")]) == 2
+    assert main(["derive", "-o", str(tmp_path / "dd"), "--force"]) == 2
     assert f"{tmp_path / 'dd' / 'c'}: is in the way, expected a folder" in capsys.readouterr().err
     assert folder_state(tmp_path) == before
 
@@ -602,7 +607,7 @@ def test_forces_of_a_single_instant_are_no_path(robot: Path, crossing: Path) -> 
 def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = robot.parent / "found"
     assert main(["singularities", str(robot), "III", "-o", str(folder)]) == 0
-    assert sorted(path.name for path in folder.iterdir()) == [
+    assert results(folder) == [
         "crossing_1.png",
         "events.csv",
         "path.csv",
@@ -628,7 +633,7 @@ def test_singularities_of_a_path_that_crosses_none(
 ) -> None:
     folder = robot.parent / "found"
     assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
-    assert sorted(path.name for path in folder.iterdir()) == ["events.csv", "path.csv", "report.txt"]
+    assert results(folder) == ["events.csv", "path.csv", "report.txt"]
     out = capsys.readouterr().out
     assert "crossings  0" in out
     assert "Nearest approach at" in out

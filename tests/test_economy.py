@@ -683,7 +683,7 @@ def test_chart_writes_tables_without_matplotlib(
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
     before = folder_state(scene.parent)
-    assert "pip install matplotlib" in fails_in_one_line(capsys, "chart", scene, "-o", output)
+    assert 'pip install "stewart-sym[plot]"' in fails_in_one_line(capsys, "chart", scene, "-o", output)
     assert folder_state(scene.parent) == before
     assert main(["chart", str(scene), "-o", str(output), "--no-pictures"]) == 0
     assert sorted(path.name for path in output.iterdir()) == TABLES

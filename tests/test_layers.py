@@ -14,7 +14,19 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
-    {"checks", "faults", "frozen", "publish", "results", "rotation", "search", "tables", "generated"},
+    {
+        "checks",
+        "extras",
+        "faults",
+        "frozen",
+        "interrupts",
+        "publish",
+        "results",
+        "rotation",
+        "search",
+        "tables",
+        "generated",
+    },
     {"robot", "motion", "native"},
     {
         "robots",

@@ -412,16 +412,50 @@ def test_cache_of_another_user_is_not_used(cache: Path, temporary: Path, compile
     assert len(compiler.calls) == 2
 
 
-def test_forked_child_leaves_its_parents_temporary_folder(
+POOL = """
+import multiprocessing
+
+def work(_):
+    library = native.load("adder", SOURCES)
+    return library.add(2, 3)
+
+if __name__ == "__main__":
+    with multiprocessing.get_context("fork").Pool(3) as pool:
+        assert pool.map(work, range(6)) == [5] * 6
+    print("/")
+"""
+
+
+def test_no_temporary_folder_outlives_the_load_in_forked_pools_neither(
     temporary: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("STEWART_SYM_CACHE", "/dev/null/x")
-    code = (
-        CHILD + "import os, sys\nchild = os.fork()\nif child == 0:\n    sys.exit(0)\n"
-        "assert os.waitpid(child, 0)[1] == 0\nassert os.path.exists(library._name)\n"
-    )
-    run_child(code)
+    run_child(f"from stewart_sym import native\nSOURCES = {ADD!r}\n{POOL}")
+    assert compiler.calls
     assert list(temporary.iterdir()) == []
+
+
+FORKED_WHILE_COMPILING = """
+import os, threading, time
+thread = threading.Thread(target=lambda: native.load("adder", SOURCES))
+thread.start()
+while not os.path.exists(STARTED):
+    time.sleep(0.01)
+child = os.fork()
+if child == 0:
+    assert native.load("adder", SOURCES).add(2, 3) == 5
+    os._exit(0)
+thread.join()
+assert os.waitpid(child, 0)[1] == 0
+print("/")
+"""
+
+
+def test_a_child_forked_while_a_thread_compiles_can_load(cache: Path, tmp_path: Path) -> None:
+    started = tmp_path / "started"
+    slow = LoggedCompiler(tmp_path, f'case "$*" in *--version*) ;; *) touch {started}; sleep 0.3 ;; esac')
+    code = f"import os\nos.environ['CC'] = {str(slow.path)!r}\nfrom stewart_sym import native\n"
+    run_child(f"{code}SOURCES, STARTED = {ADD!r}, {str(started)!r}\n{FORKED_WHILE_COMPILING}")
 
 
 # --- compilers

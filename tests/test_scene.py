@@ -107,7 +107,7 @@ def test_tables_need_no_matplotlib(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     before = folder_state(scene.parent)
-    assert "pip install matplotlib" in fails_in_one_line(
+    assert 'pip install "stewart-sym[plot]"' in fails_in_one_line(
         capsys, "simulate", scene, "-o", scene.parent / "out"
     )
     assert folder_state(scene.parent) == before

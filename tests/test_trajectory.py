@@ -1,7 +1,7 @@
 """Trajectories: blends as (39) and (40), splines that differentiate, and bad CSV named by row and column."""
 
-import builtins
 import csv
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -403,17 +403,11 @@ def test_without_scipy_the_error_says_what_to_install(
 ) -> None:
     path = tmp_path / "traj.csv"
     path.write_text("\n".join(GOOD), encoding="utf-8")
-    real_import = builtins.__import__
-
-    def no_scipy(name: str, *args: Any, **kwargs: Any) -> Any:
-        if name.split(".")[0] == "scipy":
-            raise ImportError(name)
-        return real_import(name, *args, **kwargs)
-
-    monkeypatch.setattr(builtins, "__import__", no_scipy)
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
     with pytest.raises(ImportError) as caught:
         read_csv(path)
-    assert "pip install scipy" in str(caught.value)
+    assert 'pip install "stewart-sym[sim]"' in str(caught.value)
     assert "\n" not in str(caught.value)
     full = tmp_path / "full.csv"
     full.write_text("\n".join(FULL), encoding="utf-8")

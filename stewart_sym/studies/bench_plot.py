@@ -8,13 +8,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure as Canvas
-
+from ..extras import needed_for
 from .bench_figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
 from .host import DISTURBED
 from .table import aligned
+
+with needed_for("drawing"):
+    import matplotlib
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
 
 WIDTH = 110
 

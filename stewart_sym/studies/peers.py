@@ -8,7 +8,7 @@ import ctypes
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,9 @@ from ..dynamics import Formulation
 from ..kernel import address
 from ..motion import Motion
 from ..robot import Robot
-from . import peers_casadi
+
+if TYPE_CHECKING:
+    from .peers_casadi import Program
 
 Array = NDArray[np.float64]
 
@@ -169,8 +171,14 @@ def _reference(poses: Poses) -> Runner:
     )
 
 
-def _casadi(name: str, what: str, equations: peers_casadi.LegEquations) -> Contestant:
-    program = functools.cache(lambda: peers_casadi.program(equations))
+def _casadi(name: str, what: str, equations: str) -> Contestant:
+    """One of the legs' equations that ``peers_casadi`` writes out; CasADi is imported when it runs."""
+
+    @functools.cache
+    def program() -> "Program":
+        from . import peers_casadi
+
+        return peers_casadi.program(getattr(peers_casadi, equations))
 
     def make(poses: Poses) -> Runner:
         library = native.load("bench_casadi", program().sources)
@@ -186,12 +194,12 @@ def _casadi(name: str, what: str, equations: peers_casadi.LegEquations) -> Conte
     )
 
 
-CASADI = _casadi("CasADi", "C, base frame", peers_casadi.base_frame)
+CASADI = _casadi("CasADi", "C, base frame", "base_frame")
 """What every other figure is divided by."""
 
 PEERS = (
     CASADI,
-    _casadi("CasADi, closed form", "C, leg frame", peers_casadi.leg_frame),
+    _casadi("CasADi, closed form", "C, leg frame", "leg_frame"),
     Contestant("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
 )
 

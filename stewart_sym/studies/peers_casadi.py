@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import casadi
+from ..extras import needed_for
+
+with needed_for("the comparison with CasADi"):
+    import casadi
 
 LEG_NUMBERS = 32
 ROBOT_NUMBERS = 6 * LEG_NUMBERS + 13

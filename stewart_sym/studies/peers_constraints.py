@@ -8,13 +8,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import mujoco
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
+from ..extras import needed_for
 from ..robot import Robot
 from .peers_tree import CARRIER, Tree, base_frames
+
+with needed_for("the comparison with MuJoCo and Pinocchio"):
+    import mujoco
+    import pinocchio as pin
 
 Array = NDArray[np.float64]
 

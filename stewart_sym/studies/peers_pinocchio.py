@@ -9,11 +9,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import pinocchio as pin
 from numpy.typing import NDArray
 
+from ..extras import needed_for
 from ..motion import Motion
 from ..robot import Robot
+
+with needed_for("the comparison with Pinocchio"):
+    import pinocchio as pin
 
 Array = NDArray[np.float64]
 

@@ -8,16 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import NDArray
 
+from ..extras import needed_for
 from ..motion import Motion
 from ..robot import LEGS, Robot
 from ..singularity import Singularity
 from .run import save
 from .singularities import Columns, Examination, curves
+
+with needed_for("drawing"):
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 Array = NDArray[np.float64]
 

@@ -20,17 +20,20 @@ A program that starts workers itself, by ``Client()``, does so under ``if __name
 
 from typing import Any
 
-import dask.array as da
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..conditioning import condition_number
 from ..dynamics import Formulation
+from ..extras import needed_for
 from ..forces import prepare
 from ..kinematics import wrench_matrix
 from ..motion import Motion
 from ..results import NOT_FINITE, SHORT_LEG
 from ..robot import Robot
+
+with needed_for("a map of the workspace"):
+    import dask.array as da
 
 Array = NDArray[np.float64]
 

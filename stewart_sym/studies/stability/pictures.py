@@ -6,18 +6,21 @@ Colours are Okabe and Ito's, told apart by the colour blind; no method is told b
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
-from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
+from ...extras import needed_for
 from ...results import STATUS_TEXT
 from .atlas import Atlas
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
+
+with needed_for("drawing"):
+    import matplotlib
+    from matplotlib.axes import Axes
+    from matplotlib.colors import ListedColormap
+    from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
 
 _COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A8A00", "#7F7F7F")
 _MARKS = ("o", "s", "^", "v", "D", "P", "X", "*", "p")

@@ -1,0 +1,46 @@
+"""Optional packages: what is missing is one line that names the extra to install."""
+
+import contextlib
+from collections.abc import Iterator
+
+EXTRAS = {
+    "casadi": ("CasADi", "bench"),
+    "dask": ("Dask", "cluster"),
+    "distributed": ("Dask", "cluster"),
+    "matplotlib": ("Matplotlib", "plot"),
+    "mpl_toolkits": ("Matplotlib", "plot"),
+    "mujoco": ("MuJoCo", "bench"),
+    "pinocchio": ("Pinocchio", "bench"),
+    "scipy": ("SciPy", "sim"),
+}
+"""Name and extra of each optional package, by the name it is imported by."""
+
+
+class MissingExtraError(ImportError):
+    """An optional package that is not installed; the message names the extra that brings it."""
+
+
+@contextlib.contextmanager
+def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
+    """Import optional packages in this block.
+
+    Parameters
+    ----------
+    what : the work that needs them, as the subject of the message.
+    otherwise : what helps without them, such as an option, at the end of the message.
+
+    Raises
+    ------
+    MissingExtraError
+        In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        known = EXTRAS.get((error.name or "").partition(".")[0])
+        if known is None:
+            raise
+        package, extra = known
+        raise MissingExtraError(
+            f'{what} needs {package}: pip install "stewart-sym[{extra}]"{otherwise}'
+        ) from None
