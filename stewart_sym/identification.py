@@ -2,41 +2,69 @@
 
     F = H^-1 (Y pi - [R F_ext; R M_ext]) + noise
 
-is linear in the base parameters, so weighted least squares finds them, whatever the robot file says of masses
-and friction: only its geometry and gravity are used. Stands above ``excitation``; reads and writes no file.
+is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly. Poses
+measured with noise are errors in the regressor: there the motion is a series with unknown coefficients, fitted
+together with the parameters to poses and forces (maximum likelihood). Of the robot file only geometry and gravity
+are used. Every fit is tested by its residual; ``Estimate.verdict`` says with what result.
 """
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array
 from .dynamics import inverse_dynamics, need_motion, need_universal
+from .equations import force_derivatives
 from .excitation import Excitation, force_regressor, need_seed
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
-from .parameters import inertial_parameters
+from .parameters import inertial_parameters, with_parameters
 from .robot import LEGS, Robot
+from .rotation import rotation_from_vector
+from .smooth_motion import Basis, PoseNoise, bases, chain, coordinates, estimated_noise, pose_fit, residual
 
 Array = NDArray[np.float64]
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12
+# A misfit is named where a right model with the stated noise would show one this rarely.
+_LEVEL = 1e-3
+# Deviations are not inflated by more than this: the fit is rejected.
+_MOST_INFLATION = 3.0
+# Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
+_COSINES = 20
+# Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
+_STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
+# Larger bases tried without a gain before the search for a basis ends.
+_IN_VAIN = 4
 
 
 @dataclass(frozen=True, eq=False)
 class Estimate:
-    """Base parameters as the forces tell them.
+    """Base parameters identified from forces, and whether model and stated noise explain the measurement.
 
-    base: what they are. values: SI, (rank,). covariance: (rank, rank). misfit: RMS of what is left of the
-    forces beside its expectation; near 1 if model and sigma are right.
+    base: what they are. values: SI, (rank,). covariance: (rank, rank), inflated by the square of ``inflation``;
+    infinite on its diagonal if the fit is rejected. misfit: RMS of the residual over its expectation, near 1 if
+    model and noise are right. p_noise: probability of so large a residual under the stated noise, p_model: of so
+    large a smooth part of it, whatever the size of the noise. verdict: "consistent"; "misfit": one of the
+    two is below 0.001; "rejected": inflation would be above 3 or the fit did not converge; "untested": no more
+    forces than unknowns. doubts: a line for each finding. motion: along which the parameters were estimated, (...).
     """
 
     base: BaseParameters
     values: Array
     covariance: Array
     misfit: float
+    p_noise: float
+    p_model: float
+    inflation: float
+    verdict: str
+    doubts: tuple[str, ...]
+    motion: Motion
 
     @property
     def sigma(self) -> Array:
@@ -48,13 +76,16 @@ class Estimate:
 class Experiment:
     """A simulated measurement and what it tells.
 
-    excitation: the motion. F: noisy forces, N, (n, 6). sigma: their standard deviation, N. truth: the base
+    excitation: the motion. measured: its poses as measured, with noise if there is any. F: noisy forces, N,
+    (n, 6). sigma: their standard deviation, N. noise: of the poses, None if they are exact. truth: the base
     parameters of the robot, (rank,). estimate: from F.
     """
 
     excitation: Excitation
+    measured: Motion
     F: Array
     sigma: float
+    noise: PoseNoise | None
     truth: Array
     estimate: Estimate
 
@@ -65,49 +96,97 @@ class Experiment:
 
 
 def identify(
-    robot: Robot, motion: Motion, F: ArrayLike, sigma: ArrayLike, base: BaseParameters | None = None
+    robot: Robot,
+    motion: Motion,
+    F: ArrayLike,
+    sigma: ArrayLike,
+    base: BaseParameters | None = None,
+    noise: PoseNoise | None = None,
 ) -> Estimate:
-    """Estimate the base parameters by weighted least squares.
+    """Estimate the base parameters by weighted least squares, and test the residual.
 
-    robot: its geometry and gravity count, the rest may be wrong. motion: measured, with accelerations and any
-    load, (...). F: measured actuator forces, N, (..., 6). sigma: standard deviation of each force, N,
-    broadcasts to F's shape. base: None for ``base_parameters(robot)``.
+    robot: its geometry and gravity count, the rest may be wrong. motion: measured, with any load, (...).
+    F: measured actuator forces, N, (..., 6). sigma: standard deviation of each force, N, broadcasts to F's
+    shape. base: None for ``base_parameters(robot)``. noise: of the poses at n instants, of which only these and
+    the load then count; the rates are those of the smooth motion that explains poses and forces best, and
+    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact.
 
-    The motion is taken as exact, the noise as independent. Raises ValueError for wrong shapes, for sigma not
-    > 0, for poses without an answer, and for a motion that does not excite every base parameter; pass
+    All noise is taken as normal and independent. Raises ValueError for wrong shapes, for sigma not > 0, for
+    unsolvable poses, and for a motion that does not excite every base parameter; pass
     ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
-    need_motion(robot, motion)
+    if noise is None:
+        need_motion(robot, motion)
     if base is None:
         base = base_parameters(robot)
+    instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
-    deviations = _deviations(sigma, forces.shape)
-    with np.errstate(over="ignore", invalid="ignore"):
-        A = (force_regressor(robot, motion, base) / deviations[..., None]).reshape(-1, base.rank)
-        y = ((forces + _load_forces(robot, motion)) / deviations).ravel()
-    if not (np.isfinite(A).all() and np.isfinite(y).all()):
-        raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
-    return _least_squares(A, y, base)
+    data = _Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
+    if noise is None:
+        fit = _exact_fit(data, motion)
+        return _tested(data, fit, _remedy(data, fit))
+    instance(noise, PoseNoise, "noise")
+    return _tested(data, _joint_fit(data, noise), ())
 
 
-def simulated_experiment(robot: Robot, excited: Excitation, sigma: float, seed: int = 0) -> Experiment:
+def simulated_experiment(
+    robot: Robot,
+    excited: Excitation,
+    sigma: float,
+    seed: int = 0,
+    noise_position: float = 0.0,
+    noise_angle: float = 0.0,
+) -> Experiment:
     """Measure the robot's forces along a motion with normal noise and identify it from them.
 
     sigma: standard deviation of every force, N, > 0. seed: of the noise, which is independent of what
-    ``choose_excitation`` draws from the same seed.
+    ``choose_excitation`` draws from the same seed. noise_position, noise_angle: of the measured poses, m and
+    rad, both 0 or both > 0; with noise, only poses are measured.
     """
     instance(excited, Excitation, "excited")
     need_seed(seed)
     exact = inverse_dynamics(robot, excited.motion).F
     deviation = float(_deviations(sigma, ()))
-    F = exact + deviation * np.random.default_rng((seed, 1)).normal(size=exact.shape)
-    estimate = identify(robot, excited.motion, F, deviation, excited.base)
+    rng = np.random.default_rng((seed, 1))
+    F = exact + deviation * rng.normal(size=exact.shape)
+    motion, path, noise = excited.motion, excited.path, None
+    if noise_position != 0.0 or noise_angle != 0.0:
+        noise = PoseNoise(excited.time, noise_position, noise_angle, path.period, len(path.sine))
+        shift, turn = rng.normal(size=(2, len(excited.time), 3))
+        R = rotation_from_vector(noise.angle * turn) @ motion.R
+        motion = Motion(R, motion.t + noise.position * shift, motion.omega, motion.v)
+    estimate = identify(robot, motion, F, deviation, excited.base, noise)
     truth = excited.base.matrix @ inertial_parameters(robot).values
-    return Experiment(excited, F, deviation, truth, estimate)
+    return Experiment(excited, motion, F, deviation, noise, truth, estimate)
+
+
+class _Data(NamedTuple):
+    """What ``identify`` was given."""
+
+    robot: Robot
+    motion: Motion
+    forces: Array
+    deviations: Array
+    base: BaseParameters
+
+
+class _Fit(NamedTuple):
+    """A least-squares fit about its solution.
+
+    parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values:
+    (rank,). covariance: (rank, rank). span: orthonormal basis of what the unknowns can explain, (rows, unknowns).
+    """
+
+    parts: tuple[Array, ...]
+    values: Array
+    covariance: Array
+    span: Array
+    motion: Motion
+    converged: bool = True
 
 
 def _deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
@@ -123,8 +202,34 @@ def _deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise ValueError(f"sigma: expected {expected}, {shape}, got shape {values.shape}") from None
 
 
+# The linear fit along a known motion
+
+
+def _exact_fit(data: _Data, motion: Motion) -> _Fit:
+    A, y = _linear(data, motion)
+    span, back = _factors(A.reshape(-1, data.base.rank))
+    if back.shape[1] < data.base.rank:
+        raise ValueError(
+            f"motion: excites {back.shape[1]} of {data.base.rank} base parameters, expected all of them"
+        )
+    values = back @ (span.T @ y.ravel())
+    return _Fit(((y - A @ values).reshape(-1, LEGS),), values, back @ back.T, span, motion)
+
+
+def _linear(data: _Data, motion: Motion) -> tuple[Array, Array]:
+    """A and y of A values = y, both over the deviations: (..., 6, rank) and (..., 6)."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        A = force_regressor(data.robot, motion, data.base) / data.deviations[..., None]
+        y = (data.forces + _load_forces(data.robot, motion)) / data.deviations
+    if not (np.isfinite(A).all() and np.isfinite(y).all()):
+        raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")
+    return A, y
+
+
 def _load_forces(robot: Robot, motion: Motion) -> Array:
     """H^-1 [R F_ext; R M_ext], (..., 6)."""
+    if motion.F_ext is None and motion.M_ext is None:
+        return np.zeros((*motion.shape, LEGS))
     zero = np.zeros((*motion.shape, 3))
     load = [
         np.einsum("...ij,...j", motion.R, zero if vector is None else vector)
@@ -134,14 +239,207 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
     return np.asarray(np.linalg.solve(H, np.concatenate(load, axis=-1)[..., None])[..., 0])
 
 
-def _least_squares(A: Array, y: Array, base: BaseParameters) -> Estimate:
-    lengths = np.linalg.norm(A, axis=0)
-    U, values, V = np.linalg.svd(A / np.where(lengths > 0.0, lengths, 1.0), full_matrices=False)
+def _factors(J: Array) -> tuple[Array, Array]:
+    """Orthonormal basis of the range of J, and B such that B basis^T is the pseudoinverse."""
+    lengths = np.linalg.norm(J, axis=0)
+    Q, corner = np.linalg.qr(J / np.where(lengths > 0.0, lengths, 1.0))
+    U, values, V = np.linalg.svd(corner)
     felt = int(np.count_nonzero(values > _ROUNDING * values[0])) if values.size else 0
-    if felt < base.rank:
-        raise ValueError(f"motion: excites {felt} of {base.rank} base parameters, expected all of them")
-    back = V.T / values / lengths[:, None]
-    found = back @ (U.T @ y)
-    spare = len(y) - base.rank
-    misfit = np.sqrt(np.sum((A @ found - y) ** 2) / spare) if spare else np.nan
-    return Estimate(base, found, back @ back.T, float(misfit))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return Q @ U[:, :felt], (V[:felt].T / values[:felt]) / lengths[:, None]
+
+
+# The joint fit of motion and parameters
+
+
+def _joint_fit(data: _Data, noise: PoseNoise) -> _Fit:
+    """The fit whose basis explains poses and forces best for its size (Akaike)."""
+    q = coordinates(data.motion, noise)
+    best, least = None, math.inf
+    for basis in _from_best(noise, q):
+        if (6 * basis.size + data.base.rank) > 2 * q.size:
+            break
+        fit = _gauss_newton(data, noise, basis, pose_fit(basis, q))
+        criterion = _squares(fit.parts) + 2.0 * 6 * basis.size
+        if criterion >= least:
+            break
+        best, least = fit, criterion
+    if best is None:
+        raise ValueError(f"noise: expected more than {len(q)} instants to fit motion and parameters to")
+    return best
+
+
+def _from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
+    """The bases from that on which explains the poses alone best for its size."""
+    found: list[tuple[float, Basis]] = []
+    for basis in bases(noise):
+        squares = _squares(((q - basis.value @ pose_fit(basis, q)) * noise.weights,))
+        found.append((squares + 2.0 * 6 * basis.size, basis))
+        best = min(range(len(found)), key=lambda i: found[i][0])
+        if len(found) > best + _IN_VAIN:
+            break
+    yield from (basis for _, basis in found[best:])
+
+
+def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> _Fit:
+    """Least squares in the coefficients c of the motion, (m, 6), and the base parameters together."""
+    values = _exact_fit(data, basis.motion(c, data.motion)).values
+    parts = _residuals(data, noise, basis, values, c)
+    for _ in range(_STEPS):
+        r = np.concatenate([part.ravel() for part in parts])
+        span, back = _factors(_jacobian(data, noise, basis, values, c))
+        along = span.T @ r
+        step = back @ along
+        converged = bool(along @ along < _NO_DECREASE)
+        if converged:
+            break
+        for halving in range(_HALVINGS):
+            share = 0.5**halving
+            next_values = values + share * step[: data.base.rank]
+            next_c = c + share * step[data.base.rank :].reshape(6, -1).T
+            try:
+                next_parts = _residuals(data, noise, basis, next_values, next_c)
+            except ValueError:
+                continue
+            if _squares(next_parts) < _squares(parts):
+                break
+        else:
+            break
+        values, c, parts = next_values, next_c, next_parts
+    motion = basis.motion(c, data.motion)
+    spread = back[: data.base.rank]
+    return _Fit(parts, values, spread @ spread.T, span, motion, converged)
+
+
+def _residuals(data: _Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
+    A, y = _linear(data, basis.motion(c, data.motion))
+    return y - A @ values, residual(basis, c, data.motion, noise)
+
+
+def _squares(parts: tuple[Array, ...]) -> float:
+    return float(sum(np.sum(part**2) for part in parts))
+
+
+def _jacobian(data: _Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
+    """Of forces and poses by base parameters and coefficients, over the deviations, (12 n, rank + 6 m)."""
+    motion = basis.motion(c, data.motion)
+    A, _ = _linear(data, motion)
+    maps = chain(basis, c, motion)
+    by_c = np.zeros((*motion.shape, LEGS, 6, basis.size))
+    for slopes, parts in zip(_force_slopes(data, motion, values), maps, strict=True):
+        for matrix, functions in zip(parts, basis, strict=False):
+            by_c += (slopes @ matrix)[..., None] * functions[:, None, None, :]
+    by_c /= data.deviations[..., None, None]
+    poses = (noise.weights[:, None] * maps[0][0])[..., None] * basis.value[:, None, None, :]
+    unknowns = data.base.rank
+    J = np.zeros((2 * LEGS * len(by_c), unknowns + 6 * basis.size))
+    J[: LEGS * len(by_c), :unknowns] = A.reshape(-1, unknowns)
+    J[:, unknowns:] = np.concatenate([by_c, poses]).reshape(len(J), -1)
+    return J
+
+
+def _force_slopes(data: _Data, motion: Motion, values: Array) -> tuple[Array, ...]:
+    """Derivatives of the forces by pose, twist and acceleration at these base parameters, (n, 6, 6) each.
+
+    Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
+    so they are the difference of two machines that exist.
+    """
+    lifted = np.zeros(data.base.matrix.shape[1])
+    lifted[data.base.kept] = values
+    own = inertial_parameters(data.robot)
+    friction = np.array([name.startswith("C_") for name in own.names])
+    mass = own.names.index("M")
+    lesser = np.where(friction, np.abs(lifted), own.values)
+    lesser[mass] += abs(lifted[mass])
+    unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
+    more = force_derivatives(with_parameters(data.robot, lesser + lifted), motion)
+    less = force_derivatives(with_parameters(data.robot, lesser), unloaded)
+    return tuple(
+        getattr(more, name) - getattr(less, name) for name in ("by_pose", "by_twist", "by_acceleration")
+    )
+
+
+# The test of the residual
+
+
+def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
+    r = np.concatenate([part.ravel() for part in fit.parts])
+    spare = len(r) - fit.span.shape[1]
+    misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
+    noise_misfit, p_noise, noise_doubts = _noise_test(fit)
+    smooth_misfit, p_model = _model_test(fit, r)
+    doubts = list(noise_doubts) if p_noise < _LEVEL else []
+    inflation = max(1.0, noise_misfit) if p_noise < _LEVEL else 1.0
+    if p_model < _LEVEL:
+        inflation = max(inflation, smooth_misfit)
+        doubts.append(
+            f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by noise: "
+            "expected all that moves, its friction and load, and a right geometry in the model"
+        )
+    if not fit.converged:
+        doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
+    rejected = inflation > _MOST_INFLATION or not fit.converged
+    verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
+    covariance = np.diag(np.full(data.base.rank, np.inf)) if rejected else inflation**2 * fit.covariance
+    return Estimate(
+        base=data.base,
+        values=fit.values,
+        covariance=covariance,
+        misfit=misfit,
+        p_noise=p_noise,
+        p_model=p_model,
+        inflation=inflation,
+        verdict=verdict,
+        doubts=(*doubts, *(remedy if doubts else ())),
+        motion=fit.motion,
+    )
+
+
+def _noise_test(fit: _Fit) -> tuple[float, float, tuple[str, ...]]:
+    """Largest RMS residual of forces or poses over its expectation, its p-value, and which are too large."""
+    worst, p, doubts, start = 0.0, 1.0, [], 0
+    for name, part in zip(("forces", "poses"), fit.parts, strict=False):
+        explained = float(np.sum(fit.span[start : start + part.size] ** 2))
+        spare, start = part.size - explained, start + part.size
+        if spare < 1.0:
+            continue
+        ratio = float(np.sum(part**2)) / spare
+        own = len(fit.parts) * _tail(ratio, spare)
+        worst, p = max(worst, math.sqrt(ratio)), min(p, own)
+        if own < _LEVEL:
+            doubts.append(
+                f"{name}: expected a residual of the stated noise, got {math.sqrt(ratio):.3g} times as much"
+            )
+    return worst, p, tuple(doubts)
+
+
+def _model_test(fit: _Fit, r: Array) -> tuple[float, float]:
+    """RMS over its expectation of what smooth forces, added to the model's, would explain; its p-value."""
+    n = len(fit.parts[0])
+    order = min(_COSINES, n // 8)
+    cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, np.arange(order)))
+    added = np.zeros((len(r), LEGS * order))
+    added[: n * LEGS] = np.kron(cosines, np.eye(LEGS))
+    span, _ = _factors(added - fit.span @ (fit.span.T @ added))
+    extra = span.shape[1]
+    spare = len(r) - fit.span.shape[1] - extra
+    if extra == 0 or spare <= 0:
+        return math.nan, 1.0
+    explained = float(np.sum((span.T @ r) ** 2))
+    rest = (float(r @ r) - explained) / spare
+    return math.sqrt(explained / extra), _tail(explained / extra / rest, extra, spare) if rest > 0.0 else 1.0
+
+
+def _tail(ratio: float, freedom: float, other: float = math.inf) -> float:
+    """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
+
+    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees of
+    freedom on.
+    """
+    a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
+    root = math.cbrt(ratio)
+    return 0.5 * math.erfc(((1.0 - b) * root - (1.0 - a)) / math.sqrt(2.0 * (b * root**2 + a)))
+
+
+def _remedy(data: _Data, fit: _Fit) -> tuple[str, ...]:
+    return ()

@@ -22,6 +22,7 @@ FLOORS = (
         "reference_equations",
         "conditioning",
         "kinematics",
+        "smooth_motion",
         "trajectory",
         "kernel",
         "damping",
