@@ -22,7 +22,7 @@ from .equations import force_derivatives
 from .excitation import Excitation, force_regressor, need_seed
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
-from .parameters import inertial_parameters, with_parameters
+from .parameters import inertial_parameters, is_friction, with_parameters
 from .robot import LEGS, Robot
 from .rotation import rotation_from_vector
 from .smooth_motion import Basis, PoseNoise, bases, chain, coordinates, estimated_noise, pose_fit, residual
@@ -347,9 +347,8 @@ def _force_slopes(data: _Data, motion: Motion, values: Array) -> tuple[Array, ..
     lifted = np.zeros(data.base.matrix.shape[1])
     lifted[data.base.kept] = values
     own = inertial_parameters(data.robot)
-    friction = np.array([name.startswith("C_") for name in own.names])
     mass = own.names.index("M")
-    lesser = np.where(friction, np.abs(lifted), own.values)
+    lesser = np.where(is_friction(own.names), np.abs(lifted), own.values)
     lesser[mass] += abs(lifted[mass])
     unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
     more = force_derivatives(with_parameters(data.robot, lesser + lifted), motion)

@@ -6,6 +6,7 @@ Y depends on the points, the axes, gravity and the motion alone, pi on masses, c
 friction alone. Stands above the generated kernels; knows nothing of which parameters can be told apart.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -105,6 +106,11 @@ def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     ]
     rows += exact_regressor.PLATFORM_PARAMETERS
     return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
+
+
+def is_friction(names: Sequence[str]) -> NDArray[np.bool_]:
+    """Which names are of friction coefficients, (n,)."""
+    return np.array([name.startswith("C_") for name in names], dtype=np.bool_)
 
 
 def leg_name(name: str, leg: int) -> str:
