@@ -66,9 +66,7 @@ class BaseParameters:
     gap: float
 
 
-def base_parameters(
-    robot: Robot, motion: Motion | None = None, friction: bool = True
-) -> BaseParameters:
+def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool = True) -> BaseParameters:
     """Find the base parameters by the singular values of Y, stacked over many poses.
 
     motion: with accelerations; all its instants are taken: what this motion excites. None: random

@@ -9,23 +9,23 @@ are used. Every fit is tested by its residual; ``Estimate.verdict`` says with wh
 """
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import finite_array, instance, real_array
+from .checks import finite_array, instance, real_array, truth
 from .dynamics import inverse_dynamics, need_motion, need_universal
 from .equations import force_derivatives
 from .excitation import Excitation, force_regressor, need_seed
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
-from .parameters import inertial_parameters, is_friction, with_parameters
+from .parameters import Parameters, inertial_parameters, is_friction, with_parameters
+from .physical import impossible, possible_fit
 from .robot import LEGS, Robot
 from .rotation import rotation_from_vector
-from .smooth_motion import Basis, PoseNoise, bases, chain, coordinates, estimated_noise, pose_fit, residual
+from .smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
 
 Array = NDArray[np.float64]
 
@@ -37,10 +37,12 @@ _LEVEL = 1e-3
 _MOST_INFLATION = 3.0
 # Cosines over the instants, for each leg, by which the forces may still differ smoothly from the fitted ones.
 _COSINES = 20
+# Length beside that of a cosine below which the fit explains it already.
+_NEW = 1e-8
 # Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
-# Larger bases tried without a gain before the search for a basis ends.
-_IN_VAIN = 4
+
+_EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,9 @@ class Estimate:
     model and noise are right. p_noise: probability of so large a residual under the stated noise, p_model: of so
     large a smooth part of it, whatever the size of the noise. verdict: "consistent"; "misfit": one of the
     two is below 0.001; "rejected": inflation would be above 3 or the fit did not converge; "untested": no more
-    forces than unknowns. doubts: a line for each finding. motion: along which the parameters were estimated, (...).
+    forces than unknowns. doubts: a line for each reason. impossible: a line for each value that no machine can
+    have (a right one may be among them, if it is small beside its deviation). motion: along which the parameters
+    were estimated, (...). parameters: of possible bodies that have these values, (148,), if they were asked for.
     """
 
     base: BaseParameters
@@ -64,12 +68,27 @@ class Estimate:
     inflation: float
     verdict: str
     doubts: tuple[str, ...]
+    impossible: tuple[str, ...]
     motion: Motion
+    parameters: Parameters | None = None
 
     @property
     def sigma(self) -> Array:
         """Standard deviation of each value, (rank,)."""
         return np.sqrt(np.diagonal(self.covariance))
+
+    def departure(self, robot: Robot) -> tuple[Array, float]:
+        """How far the values are from a robot's: in standard deviations, (rank,), and the p-value of all.
+
+        The probability that a robot with its own parameters would be identified so far from these or farther; 1
+        if the fit is rejected.
+        """
+        off = self.values - self.base.matrix @ inertial_parameters(robot).values
+        if not np.isfinite(self.covariance).all():
+            return np.zeros(len(off)), 1.0
+        sigma = self.sigma
+        squares = off / sigma @ np.linalg.solve(self.covariance / np.outer(sigma, sigma), off / sigma)
+        return off / sigma, _tail(float(squares) / len(off), len(off))
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +121,7 @@ def identify(
     sigma: ArrayLike,
     base: BaseParameters | None = None,
     noise: PoseNoise | None = None,
+    physical: bool = False,
 ) -> Estimate:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
@@ -109,7 +129,9 @@ def identify(
     F: measured actuator forces, N, (..., 6). sigma: standard deviation of each force, N, broadcasts to F's
     shape. base: None for ``base_parameters(robot)``. noise: of the poses at n instants, of which only these and
     the load then count; the rates are those of the smooth motion that explains poses and forces best, and
-    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact.
+    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact. physical:
+    keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's own
+    bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
 
     All noise is taken as normal and independent. Raises ValueError for wrong shapes, for sigma not > 0, for
     unsolvable poses, and for a motion that does not excite every base parameter; pass
@@ -122,15 +144,17 @@ def identify(
         base = base_parameters(robot)
     instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
+    truth(physical, "physical")
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
     data = _Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
     if noise is None:
-        fit = _exact_fit(data, motion)
-        return _tested(data, fit, _remedy(data, fit))
-    instance(noise, PoseNoise, "noise")
-    return _tested(data, _joint_fit(data, noise), ())
+        found = _tested(data, _exact_fit(data, motion), _EXACT)
+    else:
+        instance(noise, PoseNoise, "noise")
+        found = _tested(data, _joint_fit(data, noise), ())
+    return _possible(robot, found) if physical and found.verdict != "rejected" else found
 
 
 def simulated_experiment(
@@ -160,8 +184,8 @@ def simulated_experiment(
         R = rotation_from_vector(noise.angle * turn) @ motion.R
         motion = Motion(R, motion.t + noise.position * shift, motion.omega, motion.v)
     estimate = identify(robot, motion, F, deviation, excited.base, noise)
-    truth = excited.base.matrix @ inertial_parameters(robot).values
-    return Experiment(excited, motion, F, deviation, noise, truth, estimate)
+    right = excited.base.matrix @ inertial_parameters(robot).values
+    return Experiment(excited, motion, F, deviation, noise, right, estimate)
 
 
 class _Data(NamedTuple):
@@ -207,13 +231,22 @@ def _deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
 
 def _exact_fit(data: _Data, motion: Motion) -> _Fit:
     A, y = _linear(data, motion)
-    span, back = _factors(A.reshape(-1, data.base.rank))
-    if back.shape[1] < data.base.rank:
-        raise ValueError(
-            f"motion: excites {back.shape[1]} of {data.base.rank} base parameters, expected all of them"
-        )
+    J = A.reshape(-1, data.base.rank)
+    felt = _felt(J)
+    if felt < data.base.rank:
+        raise ValueError(f"motion: excites {felt} of {data.base.rank} base parameters, expected all of them")
+    span, back = _factors(J)
     values = back @ (span.T @ y.ravel())
     return _Fit(((y - A @ values).reshape(-1, LEGS),), values, back @ back.T, span, motion)
+
+
+def _felt(J: Array) -> int:
+    """Rank of J, its columns of length 1."""
+    lengths = np.linalg.norm(J, axis=0)
+    values = np.linalg.svd(
+        np.linalg.qr(J / np.where(lengths > 0.0, lengths, 1.0), mode="r"), compute_uv=False
+    )
+    return int(np.count_nonzero(values > _ROUNDING * values[0])) if values.size else 0
 
 
 def _linear(data: _Data, motion: Motion) -> tuple[Array, Array]:
@@ -240,49 +273,40 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def _factors(J: Array) -> tuple[Array, Array]:
-    """Orthonormal basis of the range of J, and B such that B basis^T is the pseudoinverse."""
+    """Orthonormal basis of the range of J, of full rank, and B such that B basis^T is the pseudoinverse."""
     lengths = np.linalg.norm(J, axis=0)
-    Q, corner = np.linalg.qr(J / np.where(lengths > 0.0, lengths, 1.0))
-    U, values, V = np.linalg.svd(corner)
-    felt = int(np.count_nonzero(values > _ROUNDING * values[0])) if values.size else 0
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return Q @ U[:, :felt], (V[:felt].T / values[:felt]) / lengths[:, None]
+    Q, corner = np.linalg.qr(J / lengths)
+    return Q, np.linalg.inv(corner) / lengths[:, None]
 
 
 # The joint fit of motion and parameters
 
 
 def _joint_fit(data: _Data, noise: PoseNoise) -> _Fit:
-    """The fit whose basis explains poses and forces best for its size (Akaike)."""
+    """The fit whose basis is the next beyond that which explains poses and forces best for its size (Akaike).
+
+    With one size more, what a basis cannot follow of the motion stays below the noise.
+    """
     q = coordinates(data.motion, noise)
-    best, least = None, math.inf
-    for basis in _from_best(noise, q):
-        if (6 * basis.size + data.base.rank) > 2 * q.size:
+    best, least, before = None, math.inf, q
+    for basis in from_best(noise, q):
+        if 6 * basis.size + data.base.rank >= 2 * q.size:
             break
-        fit = _gauss_newton(data, noise, basis, pose_fit(basis, q))
+        c = pose_fit(basis, before)
+        fit, c = _gauss_newton(data, noise, basis, c)
         criterion = _squares(fit.parts) + 2.0 * 6 * basis.size
+        if best is None or fit.converged:
+            best = fit
         if criterion >= least:
             break
-        best, least = fit, criterion
+        least, before = criterion, basis.value @ c
     if best is None:
         raise ValueError(f"noise: expected more than {len(q)} instants to fit motion and parameters to")
     return best
 
 
-def _from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
-    """The bases from that on which explains the poses alone best for its size."""
-    found: list[tuple[float, Basis]] = []
-    for basis in bases(noise):
-        squares = _squares(((q - basis.value @ pose_fit(basis, q)) * noise.weights,))
-        found.append((squares + 2.0 * 6 * basis.size, basis))
-        best = min(range(len(found)), key=lambda i: found[i][0])
-        if len(found) > best + _IN_VAIN:
-            break
-    yield from (basis for _, basis in found[best:])
-
-
-def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> _Fit:
-    """Least squares in the coefficients c of the motion, (m, 6), and the base parameters together."""
+def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple[_Fit, Array]:
+    """Least squares, from c on, in the coefficients c of the motion, (m, 6), and the base parameters together."""
     values = _exact_fit(data, basis.motion(c, data.motion)).values
     parts = _residuals(data, noise, basis, values, c)
     for _ in range(_STEPS):
@@ -308,7 +332,7 @@ def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> _Fit
         values, c, parts = next_values, next_c, next_parts
     motion = basis.motion(c, data.motion)
     spread = back[: data.base.rank]
-    return _Fit(parts, values, spread @ spread.T, span, motion, converged)
+    return _Fit(parts, values, spread @ spread.T, span, motion, converged), c
 
 
 def _residuals(data: _Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
@@ -390,6 +414,7 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
+        impossible=impossible(data.robot, data.base, fit.values, inflation**2 * fit.covariance),
         motion=fit.motion,
     )
 
@@ -419,7 +444,8 @@ def _model_test(fit: _Fit, r: Array) -> tuple[float, float]:
     cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, np.arange(order)))
     added = np.zeros((len(r), LEGS * order))
     added[: n * LEGS] = np.kron(cosines, np.eye(LEGS))
-    span, _ = _factors(added - fit.span @ (fit.span.T @ added))
+    span, sizes, _ = np.linalg.svd(added - fit.span @ (fit.span.T @ added), full_matrices=False)
+    span = span[:, sizes > _NEW * math.sqrt(n)]
     extra = span.shape[1]
     spare = len(r) - fit.span.shape[1] - extra
     if extra == 0 or spare <= 0:
@@ -440,5 +466,23 @@ def _tail(ratio: float, freedom: float, other: float = math.inf) -> float:
     return 0.5 * math.erfc(((1.0 - b) * root - (1.0 - a)) / math.sqrt(2.0 * (b * root**2 + a)))
 
 
-def _remedy(data: _Data, fit: _Fit) -> tuple[str, ...]:
-    return ()
+def _possible(robot: Robot, found: Estimate) -> Estimate:
+    """The estimate kept to possible bodies; a misfit if these explain the forces much worse."""
+    fit = possible_fit(robot, found.base, found.values, found.covariance)
+    ratio = fit.squares / found.base.rank
+    verdict, doubts = found.verdict, found.doubts
+    if _tail(ratio, found.base.rank) < _LEVEL:
+        verdict = "misfit"
+        doubts = (
+            *doubts,
+            f"bodies: those that are possible are {math.sqrt(ratio):.3g} times as far from the estimate as by noise",
+        )
+    return replace(
+        found,
+        values=fit.values,
+        covariance=fit.covariance,
+        verdict=verdict,
+        doubts=doubts,
+        impossible=(),
+        parameters=fit.parameters,
+    )

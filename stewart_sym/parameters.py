@@ -69,10 +69,10 @@ def inertial_parameters(robot: Robot) -> Parameters:
     Raises ValueError for spherical base joints.
     """
     need_universal(robot)
-    lower = _body(robot.m_d, robot.r_d0, robot.I_d0)
-    upper = _body(robot.m_u, robot.r_u0, robot.I_u0)
+    lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
+    upper = body_parameters(robot.m_u, robot.r_u0, robot.I_u0)
     friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
-    platform = _body(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
+    platform = body_parameters(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
     legs = np.hstack([lower, upper, friction])
     names, units = parameter_names()
     return Parameters(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
@@ -131,11 +131,11 @@ def _about_centre(bodies: Array) -> tuple[Array, Array, Array]:
     """Masses, centres of mass and inertias about them of bodies as in ``Parameters``, (n, 10)."""
     m = bodies[:, 0]
     r = bodies[:, 1:4] / m[:, None]
-    at_point = _body(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
+    at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
     return m, r, symmetric(bodies[:, 4:] - at_point)
 
 
-def _body(m: Array, r: Array, inertia: Array) -> Array:
+def body_parameters(m: Array, r: Array, inertia: Array) -> Array:
     """Mass, first moment and inertia about the point from which r (n, 3) is measured, (n, 10)."""
     outer = np.einsum("ni,nj->nij", r, r)
     about = inertia + m[:, None, None] * (

@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 # Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
 _STEEPEST = 1.4
 _DEGREE = 5
+# Larger bases tried without a gain before the search for a basis ends.
+_IN_VAIN = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +129,28 @@ def coordinates(motion: Motion, noise: PoseNoise) -> Array:
     return np.concatenate([motion.t, np.unwrap(theta, axis=0)], axis=1)
 
 
+def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
+    """The bases from that on which explains measured coordinates, (n, 6), best for its size (Akaike)."""
+    found: list[tuple[float, Basis]] = []
+    for basis in bases(noise):
+        off = (q - basis.value @ pose_fit(basis, q)) * noise.weights
+        found.append((float(np.sum(off**2)) + 2.0 * 6 * basis.size, basis))
+        best = min(range(len(found)), key=lambda i: found[i][0])
+        if len(found) > best + _IN_VAIN:
+            break
+    yield from (basis for _, basis in found[best:])
+
+
+def smoothed(motion: Motion, noise: PoseNoise) -> Motion:
+    """The smooth motion that explains the measured poses alone best, under the load of the measured one.
+
+    Raises ValueError as ``coordinates``.
+    """
+    q = coordinates(motion, noise)
+    basis = next(from_best(noise, q))
+    return basis.motion(pose_fit(basis, q), motion)
+
+
 def pose_fit(basis: Basis, q: Array) -> Array:
     """Coefficients by least squares, (m, 6)."""
     return np.asarray(np.linalg.lstsq(basis.value, q, rcond=None)[0])
@@ -153,7 +177,9 @@ def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
     return np.concatenate([motion.t - smooth.t, turn], axis=1) * noise.weights
 
 
-def chain(basis: Basis, c: Array, motion: Motion) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
+def chain(
+    basis: Basis, c: Array, motion: Motion
+) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
     """What the coordinates and their derivatives move: maps to pose, twist and acceleration.
 
     motion: of the coefficients. Returns for the pose [dt; dphi], twist and acceleration the matrices (n, 6, 6)

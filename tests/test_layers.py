@@ -35,7 +35,7 @@ FLOORS = (
     {"scene", "budget"},
     {"parameters", "home"},
     {"identifiable"},
-    {"excitation"},
+    {"excitation", "physical"},
     {"identification"},
     {"studies", "kit"},
     {"cli"},
