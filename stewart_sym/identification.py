@@ -2,10 +2,10 @@
 
     F = H^-1 (Y pi - [R F_ext; R M_ext]) + noise
 
-is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly. Poses
-measured with noise are errors in the regressor: there the motion is a series with unknown coefficients, fitted
-together with the parameters to poses and forces (maximum likelihood). Of the robot file only geometry and gravity
-are used. Every fit is tested by its residual; ``Estimate.verdict`` says with what result.
+is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly.
+Poses measured with noise are errors in the regressor: there the motion is a series with unknown coefficients,
+fitted together with the parameters to poses and forces (maximum likelihood). Of the robot file only geometry
+and gravity are used. Every fit is tested by its residual; ``Estimate.verdict`` says with what result.
 """
 
 import math
@@ -49,14 +49,17 @@ _EXACT = ("motion: is taken as exact, expected its noise if its poses were measu
 class Estimate:
     """Base parameters identified from forces, and whether model and stated noise explain the measurement.
 
-    base: what they are. values: SI, (rank,). covariance: (rank, rank), inflated by the square of ``inflation``;
-    infinite on its diagonal if the fit is rejected. misfit: RMS of the residual over its expectation, near 1 if
-    model and noise are right. p_noise: probability of so large a residual under the stated noise, p_model: of so
-    large a smooth part of it, whatever the size of the noise. verdict: "consistent"; "misfit": one of the
-    two is below 0.001; "rejected": inflation would be above 3 or the fit did not converge; "untested": no more
-    forces than unknowns. doubts: a line for each reason. impossible: a line for each value that no machine can
-    have (a right one may be among them, if it is small beside its deviation). motion: along which the parameters
-    were estimated, (...). parameters: of possible bodies that have these values, (148,), if they were asked for.
+    base: what they are. values: SI, (rank,). covariance: (rank, rank), inflated by the square of
+    ``inflation``; infinite on its diagonal if the fit is rejected. misfit: RMS of the residual over its
+    expectation, near 1 if model and noise are right. p_noise: probability of so large a residual under the
+    stated noise. p_model: of so large a smooth part of it, whatever the size of the noise.
+
+    verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": the inflation would be above 3,
+    or the fit did not converge; "untested": no more forces than unknowns. doubts: a line for each reason.
+    impossible: a line for each value that no machine can have; beside its deviation it may be small.
+
+    motion: along which the parameters were estimated, (...). parameters: of possible bodies that have these
+    values, (148,), if they were asked for. free: the estimate that was not kept to possible bodies, then.
     """
 
     base: BaseParameters
@@ -71,6 +74,7 @@ class Estimate:
     impossible: tuple[str, ...]
     motion: Motion
     parameters: Parameters | None = None
+    free: "Estimate | None" = None
 
     @property
     def sigma(self) -> Array:
@@ -80,9 +84,11 @@ class Estimate:
     def departure(self, robot: Robot) -> tuple[Array, float]:
         """How far the values are from a robot's: in standard deviations, (rank,), and the p-value of all.
 
-        The probability that a robot with its own parameters would be identified so far from these or farther; 1
-        if the fit is rejected.
+        The probability that a robot with its own parameters would be identified so far from these or farther;
+        1 if the fit is rejected.
         """
+        if self.free is not None:
+            return self.free.departure(robot)
         off = self.values - self.base.matrix @ inertial_parameters(robot).values
         if not np.isfinite(self.covariance).all():
             return np.zeros(len(off)), 1.0
@@ -127,11 +133,11 @@ def identify(
 
     robot: its geometry and gravity count, the rest may be wrong. motion: measured, with any load, (...).
     F: measured actuator forces, N, (..., 6). sigma: standard deviation of each force, N, broadcasts to F's
-    shape. base: None for ``base_parameters(robot)``. noise: of the poses at n instants, of which only these and
-    the load then count; the rates are those of the smooth motion that explains poses and forces best, and
-    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact. physical:
-    keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's own
-    bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
+    shape. base: None for ``base_parameters(robot)``. noise: of the poses at n instants, of which only these
+    and the load then count; the rates are those of the smooth motion that explains poses and forces best, and
+    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact.
+    physical: keep to bodies that can exist; what the forces do not decide is then as near as can be to the
+    robot's own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
 
     All noise is taken as normal and independent. Raises ValueError for wrong shapes, for sigma not > 0, for
     unsolvable poses, and for a motion that does not excite every base parameter; pass
@@ -202,7 +208,8 @@ class _Fit(NamedTuple):
     """A least-squares fit about its solution.
 
     parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values:
-    (rank,). covariance: (rank, rank). span: orthonormal basis of what the unknowns can explain, (rows, unknowns).
+    (rank,). covariance: (rank, rank). span: orthonormal basis of what the unknowns can explain, (rows,
+    unknowns).
     """
 
     parts: tuple[Array, ...]
@@ -306,7 +313,7 @@ def _joint_fit(data: _Data, noise: PoseNoise) -> _Fit:
 
 
 def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple[_Fit, Array]:
-    """Least squares, from c on, in the coefficients c of the motion, (m, 6), and the base parameters together."""
+    """Least squares in the base parameters and, from c on, the coefficients of the motion, (m, 6)."""
     values = _exact_fit(data, basis.motion(c, data.motion)).values
     parts = _residuals(data, noise, basis, values, c)
     for _ in range(_STEPS):
@@ -414,7 +421,7 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
-        impossible=impossible(data.robot, data.base, fit.values, inflation**2 * fit.covariance),
+        impossible=() if rejected else impossible(data.robot, data.base, fit.values, covariance),
         motion=fit.motion,
     )
 
@@ -458,8 +465,8 @@ def _model_test(fit: _Fit, r: Array) -> tuple[float, float]:
 def _tail(ratio: float, freedom: float, other: float = math.inf) -> float:
     """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
 
-    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees of
-    freedom on.
+    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
+    of freedom on.
     """
     a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
     root = math.cbrt(ratio)
@@ -475,7 +482,7 @@ def _possible(robot: Robot, found: Estimate) -> Estimate:
         verdict = "misfit"
         doubts = (
             *doubts,
-            f"bodies: those that are possible are {math.sqrt(ratio):.3g} times as far from the estimate as by noise",
+            f"bodies: possible ones are {math.sqrt(ratio):.3g} times as far from the estimate as by noise",
         )
     return replace(
         found,
@@ -485,4 +492,5 @@ def _possible(robot: Robot, found: Estimate) -> Estimate:
         doubts=doubts,
         impossible=(),
         parameters=fit.parameters,
+        free=found,
     )

@@ -1,11 +1,12 @@
 """Bodies that can exist: what a rigid body requires of base parameters, and estimates kept to it.
 
 A body is possible if its pseudo-inertia [[S, h], [h^T, m]] is positive definite: S the second moments, with
-J = tr(S) E - S, h the first moment, m the mass (Wensing, Kim and Slotine 2018). Written P = U L L^T U^T with the
-robot file's U U^T and a triangular L with a positive diagonal, it is possible whatever the numbers in L are
-(Rucker and Wensing 2022).
+J = tr(S) E - S, h the first moment, m the mass (Wensing, Kim and Slotine 2018). Written P = U L L^T U^T with
+the robot file's U U^T and a triangular L with a positive diagonal, it is possible whatever the numbers in L
+are (Rucker and Wensing 2022).
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -37,12 +38,14 @@ _LEAST = 1e-3
 # Deviation of the prior: in L of a body (a factor e in a length or mass), and of friction beside its size.
 _WIDTH, _FRICTION_WIDTH = 1.0, 10.0
 _STEP = 1e-6
+_MOST_STEPS = 300
 
 
 class PossibleFit(NamedTuple):
     """Possible bodies nearest to an estimate.
 
-    parameters: of all bodies, (148,). values, covariance: the base parameters of these, (rank,), (rank, rank).
+    parameters: of all bodies, (148,). values, covariance: the base parameters of these, (rank,), (rank,
+    rank).
     squares: how much worse they explain the measurement: sum of squares over the deviations.
     """
 
@@ -53,11 +56,12 @@ class PossibleFit(NamedTuple):
 
 
 def impossible(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> tuple[str, ...]:
-    """A line for each identified result that no machine can have, with its standard deviation.
+    """A line for each identified result that no machine can have; the farthest off, in deviations, is first.
 
     Friction below zero; the inertia of a leg's two parts about their joints without positive second moments;
-    the platform's pseudo-inertia, less the least masses that the first moments of the upper parts call for, not
-    positive definite. If every base parameter is the one of ``MERGED``, these conditions are sufficient too.
+    the platform's pseudo-inertia, less the least masses that the first moments of the upper parts call for,
+    not positive definite. If every base parameter is the one of ``MERGED``, these conditions are sufficient
+    too.
     """
     found = []
     for text, unit, condition in _conditions(robot, base, values):
@@ -70,16 +74,17 @@ def impossible(robot: Robot, base: BaseParameters, values: Array, covariance: Ar
             for shift, size in zip(np.diag(step), step, strict=True)
         ])  # fmt: skip
         sigma = float(np.sqrt(slope @ covariance @ slope))
-        found.append(f"{text}: expected no negative value, got {value:.3g} +- {sigma:.2g} {unit}")
-    return tuple(found)
+        line = f"{text}: expected no negative value, got {value:.3g} +- {sigma:.2g} {unit}"
+        found.append((value / sigma if sigma > 0.0 else -np.inf, line))
+    return tuple(line for _, line in sorted(found))
 
 
 def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> PossibleFit:
     """Fit bodies that are possible to an estimate.
 
-    values, covariance: base parameters and their covariance, finite. The robot's own bodies, made possible where
-    they are not, are the prior with a deviation of about a factor e in each length and mass: it decides what the
-    measurement does not. Needs SciPy.
+    values, covariance: base parameters and their covariance, finite. The robot's own bodies, made possible
+    where they are not, are the prior with a deviation of about a factor e in each length and mass: it decides
+    what the measurement does not. Needs SciPy.
     """
     try:
         from scipy.optimize import least_squares
@@ -112,17 +117,25 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
         J[count, bodies.size + np.arange(len(count))] = unit.ravel()
         return J
 
-    start = np.concatenate([np.zeros(bodies.size), (friction / unit).ravel()])
+    prior = np.concatenate([np.zeros(bodies.size), (friction / unit).ravel()])
     width = np.concatenate([np.full(bodies.size, _WIDTH), np.full(friction.size, _FRICTION_WIDTH)])
     least = np.concatenate([np.full(bodies.size, -np.inf), np.zeros(friction.size)])
-    found = least_squares(
-        lambda x: np.concatenate([weight @ (base.matrix @ all_parameters(x) - values), (x - start) / width]),
-        np.maximum(start, _STEP),
-        lambda x: np.concatenate([weight @ base.matrix @ jacobian(x), np.diag(1.0 / width)]),
-        bounds=(least, np.inf),
-        x_scale="jac",
-        max_nfev=1000,
-    )
+    x = np.maximum(prior, _STEP)
+    far = float(np.max(np.abs(weight @ (base.matrix @ all_parameters(x) - values))))
+    # A measurement made ever more exact leads from the prior to an estimate far away.
+    for easier in np.geomspace(max(far, 1.0), 1.0, 2 + math.ceil(math.log10(max(far, 1.0)))):
+        W = weight / easier
+        found = least_squares(
+            lambda x, W=W: np.concatenate(
+                [W @ (base.matrix @ all_parameters(x) - values), (x - prior) / width]
+            ),
+            x,
+            lambda x, W=W: np.concatenate([W @ base.matrix @ jacobian(x), np.diag(1.0 / width)]),
+            bounds=(least, np.inf),
+            x_scale="jac",
+            max_nfev=_MOST_STEPS,
+        )
+        x = found.x
     pi = all_parameters(found.x)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
@@ -149,7 +162,7 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
         moments, vectors = np.linalg.eigh(_second_moments(values[inertia]))
         text = f"leg {leg}: second moment of both parts along {_direction(vectors[:, 0])}"
         found.append(
-            (text, "kg m^2", lambda x, I=inertia, v=vectors[:, 0]: float(v @ _second_moments(x[I]) @ v))
+            (text, "kg m^2", lambda x, own=inertia, v=vectors[:, 0]: float(v @ _second_moments(x[own]) @ v))
         )
         first = usual([leg_name(f"h_u_{axis}", leg) for axis in "xyz"])
         if first is not None and moments[0] > 0.0:

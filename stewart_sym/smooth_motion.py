@@ -1,7 +1,7 @@
 """Smooth motions fitted to measured poses: Fourier series or splines, linear in their coefficients.
 
-The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Differentiating the basis in place of
-the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient moves.
+The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Differentiating the basis in place
+of the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient moves.
 """
 
 import math
@@ -29,9 +29,10 @@ _IN_VAIN = 4
 class PoseNoise:
     """How the poses of a motion were measured.
 
-    time: instants, s, (n,), increasing. position, angle: standard deviation of each coordinate of the measured
-    position, m, and of the rotation about each axis, rad; independent from instant to instant. period: of a
-    periodic motion, s, which is then a Fourier series; None: of any other, which is then a spline of degree 5.
+    time: instants, s, (n,), increasing. position, angle: standard deviation of each coordinate of the
+    measured position, m, and of the rotation about each axis, rad; independent from instant to instant.
+    period: of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a
+    spline of degree 5.
     harmonics: of the series; None: as many as the measurement calls for.
 
     Raises ValueError naming the argument.
@@ -60,9 +61,10 @@ class PoseNoise:
             raise ValueError("harmonics: expected None for a motion without a period")
         if not isinstance(self.harmonics, int | np.integer) or isinstance(self.harmonics, bool):
             raise ValueError(f"harmonics: expected a whole number or None, got {shown(self.harmonics)}")
-        if not 1 <= self.harmonics <= (len(time) - 1) // 2:
+        most = (len(time) - 1) // 2
+        if not 1 <= self.harmonics <= most:
             raise ValueError(
-                f"harmonics: expected 1 to {(len(time) - 1) // 2} for {len(time)} instants, got {self.harmonics}"
+                f"harmonics: expected 1 to {most} for {len(time)} instants, got {self.harmonics}"
             )
 
     @property
@@ -182,8 +184,8 @@ def chain(
 ) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
     """What the coordinates and their derivatives move: maps to pose, twist and acceleration.
 
-    motion: of the coefficients. Returns for the pose [dt; dphi], twist and acceleration the matrices (n, 6, 6)
-    by q; by q, q_dot; and by q, q_dot, q_ddot. A turn dphi = E dq changes the angular velocity by
+    motion: of the coefficients. Returns for the pose [dt; dphi], twist and acceleration the matrices (n, 6,
+    6) by q; by q, q_dot; and by q, q_dot, q_ddot. A turn dphi = E dq changes the angular velocity by
     d(dphi)/dt - omega x dphi, and this in turn the angular acceleration by its rate.
     """
     q, q_dot, q_ddot = (part @ c for part in basis)
@@ -218,9 +220,9 @@ def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Arra
         (e, np.cross(w, e), np.cross(w_dot, e) + np.cross(w, np.cross(w, e)))
         for e, w, w_dot in ((e_x, about_x, about_x_dot), (e_y, about_y, about_y_dot))
     ]
-    rest = (e_z, np.zeros(e_z.shape), np.zeros(e_z.shape))
-    x, y, z = (*columns, rest)
-    return tuple(np.stack(parts, axis=-1) for parts in zip(x, y, z, strict=True))  # type: ignore[return-value]
+    columns.append((e_z, np.zeros(e_z.shape), np.zeros(e_z.shape)))
+    E, E_dot, E_ddot = (np.stack(parts, axis=-1) for parts in zip(*columns, strict=True))
+    return E, E_dot, E_ddot
 
 
 def _fourier(time: Array, period: float, harmonics: int) -> Basis:
