@@ -54,7 +54,7 @@ class Estimate:
     expectation, near 1 if model and noise are right. p_noise: probability of so large a residual under the
     stated noise. p_model: of so large a smooth part of it, whatever the size of the noise.
 
-    verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": the inflation would be above 3,
+    verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3,
     or the fit did not converge; "untested": no more forces than unknowns. doubts: a line for each reason.
     impossible: a line for each value that no machine can have; beside its deviation it may be small.
 
@@ -404,7 +404,7 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         inflation = max(inflation, smooth_misfit)
         doubts.append(
             f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by noise: "
-            "expected all that moves, its friction and load, and a right geometry in the model"
+            "expected a model of all that moves, its friction and load, and poses that follow the motion"
         )
     if not fit.converged:
         doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")

@@ -38,7 +38,8 @@ _LEAST = 1e-3
 # Deviation of the prior: in L of a body (a factor e in a length or mass), and of friction beside its size.
 _WIDTH, _FRICTION_WIDTH = 1.0, 10.0
 _STEP = 1e-6
-_MOST_STEPS = 300
+# Of one fit: steps, and the relative decrease of its sum of squares that counts as none.
+_MOST_STEPS, _NO_DECREASE = 150, 1e-6
 
 
 class PossibleFit(NamedTuple):
@@ -134,6 +135,7 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
             bounds=(least, np.inf),
             x_scale="jac",
             max_nfev=_MOST_STEPS,
+            ftol=_NO_DECREASE,
         )
         x = found.x
     pi = all_parameters(found.x)

@@ -159,11 +159,11 @@ def pose_fit(basis: Basis, q: Array) -> Array:
 
 
 def bases(noise: PoseNoise) -> Iterator[Basis]:
-    """Bases to choose from, by rising size, at most half as many functions as instants."""
+    """Bases to choose from, by rising size, at most three quarters as many functions as instants."""
     if noise.harmonics is not None and noise.period is not None:
         yield _fourier(noise.time, noise.period, noise.harmonics)
         return
-    size, most = 3, max(len(noise.time) // 2, 7)
+    size, most = 3, max(3 * len(noise.time) // 4, 7)
     while size <= most:
         if noise.period is not None:
             yield _fourier(noise.time, noise.period, (size - 1) // 2)
