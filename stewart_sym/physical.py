@@ -8,6 +8,7 @@ are (Rucker and Wensing 2022).
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -152,7 +153,7 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
     usual = _usual(robot, base)
     friction = [name for name in base.names if is_friction([name])[0]]
     found: list[Condition] = [
-        (name, base.units[own[0]], lambda x, i=own[0]: float(x[i]))
+        (name, base.units[own[0]], partial(_component, own[0]))
         for name in friction
         if (own := usual([name])) is not None
     ]
@@ -163,9 +164,7 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
             continue
         moments, vectors = np.linalg.eigh(_second_moments(values[inertia]))
         text = f"leg {leg}: second moment of both parts along {_direction(vectors[:, 0])}"
-        found.append(
-            (text, "kg m^2", lambda x, own=inertia, v=vectors[:, 0]: float(v @ _second_moments(x[own]) @ v))
-        )
+        found.append((text, "kg m^2", partial(_second_moment_along, vectors[:, 0], inertia)))
         first = usual([leg_name(f"h_u_{axis}", leg) for axis in "xyz"])
         if first is not None and moments[0] > 0.0:
             legs.append((leg, inertia, first))
@@ -173,6 +172,14 @@ def _conditions(robot: Robot, base: BaseParameters, values: Array) -> list[Condi
     if platform is not None:
         found.append(_platform_condition(robot, platform, legs, values))
     return found
+
+
+def _component(i: int, x: Array) -> float:
+    return float(x[i])
+
+
+def _second_moment_along(v: Array, inertia: list[int], x: Array) -> float:
+    return float(v @ _second_moments(x[inertia]) @ v)
 
 
 def _platform_condition(

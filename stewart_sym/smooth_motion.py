@@ -64,7 +64,7 @@ class PoseNoise:
         most = (len(time) - 1) // 2
         if not 1 <= self.harmonics <= most:
             raise ValueError(
-                f"harmonics: expected 1 to {most} for {len(time)} instants, got {self.harmonics}"
+                f"harmonics: expected 1 to {most} for {len(time)} instants, got {shown(self.harmonics)}"
             )
 
     @property
@@ -83,14 +83,12 @@ class Basis(NamedTuple):
     @property
     def size(self) -> int:
         """How many functions, m."""
-        return self.value.shape[1]
+        return int(self.value.shape[1])
 
     def motion(self, c: Array, load: Motion) -> Motion:
         """The motion of the coefficients c, (m, 6), under the load of another, (n,)."""
-        q, q_dot, q_ddot = (part @ c for part in self)
-        return Motion.from_rpy(
-            *(part for y in (q, q_dot, q_ddot) for part in (y[:, :3], y[:, 3:])), load.F_ext, load.M_ext
-        )
+        parts = [part for y in self for part in ((y @ c)[:, :3], (y @ c)[:, 3:])]
+        return Motion.from_rpy(*parts, F_ext=load.F_ext, M_ext=load.M_ext)
 
 
 def estimated_noise(
@@ -101,7 +99,7 @@ def estimated_noise(
     Arguments: as for ``PoseNoise``; motion: its poses count, (n,). The fit has as many functions as lower the
     residual by more than noise would. Raises ValueError naming the argument, and for poses without scatter.
     """
-    scale = PoseNoise(np.asarray(time), 1.0, 1.0, period, harmonics)
+    scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
     q = coordinates(motion, scale)
     least, best = math.inf, (0.0, 0.0)
     for basis in bases(scale):
