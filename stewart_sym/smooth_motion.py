@@ -87,8 +87,10 @@ class Basis(NamedTuple):
 
     def motion(self, c: Array, load: Motion) -> Motion:
         """The motion of the coefficients c, (m, 6), under the load of another, (n,)."""
-        parts = [part for y in self for part in ((y @ c)[:, :3], (y @ c)[:, 3:])]
-        return Motion.from_rpy(*parts, F_ext=load.F_ext, M_ext=load.M_ext)
+        q, q_dot, q_ddot = (part @ c for part in self)
+        t, v, a = (y[:, :3] for y in (q, q_dot, q_ddot))
+        theta, theta_dot, theta_ddot = (y[:, 3:] for y in (q, q_dot, q_ddot))
+        return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
 
 
 def estimated_noise(
