@@ -9,6 +9,7 @@ and gravity are used. Every fit is tested by its residual; ``Estimate.verdict`` 
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -29,6 +30,8 @@ from .smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose
 
 Array = NDArray[np.float64]
 
+# Draws of errors by which a fit is seen to be linear within them, and what is too far from it, in deviations.
+_DRAWS, _BENT = 8, 0.1
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12
 # A misfit is named where a right model with the stated noise would show one this rarely.
@@ -55,7 +58,8 @@ class Estimate:
     stated noise. p_model: of so large a smooth part of it, whatever the size of the noise.
 
     verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3,
-    or the fit did not converge; "untested": no more forces than unknowns. doubts: a line for each reason.
+    or the fit did not converge or is not linear within its deviations; "untested": no more forces than
+    unknowns. doubts: a line for each reason.
     impossible: a line for each value that no machine can have; beside its deviation it may be small.
 
     motion: along which the parameters were estimated, (...). parameters: of possible bodies that have these
@@ -210,6 +214,7 @@ class _Fit(NamedTuple):
     parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values:
     (rank,). covariance: (rank, rank). span: orthonormal basis of what the unknowns can explain, (rows,
     unknowns).
+    curvature: as ``_curvature`` returns.
     """
 
     parts: tuple[Array, ...]
@@ -218,6 +223,7 @@ class _Fit(NamedTuple):
     span: Array
     motion: Motion
     converged: bool = True
+    curvature: float = 0.0
 
 
 def _deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
@@ -339,7 +345,33 @@ def _gauss_newton(data: _Data, noise: PoseNoise, basis: Basis, c: Array) -> tupl
         values, c, parts = next_values, next_c, next_parts
     motion = basis.motion(c, data.motion)
     spread = back[: data.base.rank]
-    return _Fit(parts, values, spread @ spread.T, span, motion, converged), c
+
+    def residuals(by_values: Array, by_c: Array) -> Array:
+        shifted = _residuals(data, noise, basis, values + by_values, c + by_c)
+        return np.concatenate([part.ravel() for part in shifted])
+
+    curvature = _curvature(residuals, span, back, data.base.rank) if converged else math.inf
+    return _Fit(parts, values, spread @ spread.T, span, motion, converged, curvature), c
+
+
+def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, rank: int) -> float:
+    """Largest RMS error of a base parameter, in deviations, since the residual is not linear in the unknowns.
+
+    residuals: of changes of values and coefficients. Seen over opposite errors drawn as the fit states them;
+    inf where such an error makes a pose unsolvable.
+    """
+    sigma = np.linalg.norm(back[:rank], axis=1)
+    centre = residuals(np.zeros(rank), np.zeros((1, 6)))
+    shifts = []
+    for z in np.random.default_rng(0).normal(size=(_DRAWS, back.shape[1])):
+        for errors in (z, -z):
+            step = back @ errors
+            try:
+                changed = residuals(step[:rank], step[rank:].reshape(6, -1).T) - centre
+            except ValueError:
+                return math.inf
+            shifts.append(back[:rank] @ (span.T @ changed + errors) / sigma)
+    return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
 
 
 def _residuals(data: _Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
@@ -408,7 +440,12 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         )
     if not fit.converged:
         doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
-    rejected = inflation > _MOST_INFLATION or not fit.converged
+    elif fit.curvature > _BENT:
+        doubts.append(
+            f"fit: is not linear within its deviations, off by {fit.curvature:.2g} of them: expected a "
+            "smaller noise or a motion that excites more"
+        )
+    rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
     covariance = np.diag(np.full(data.base.rank, np.inf)) if rejected else inflation**2 * fit.covariance
     return Estimate(

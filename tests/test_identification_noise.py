@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from machines import dasgupta, random_robot
+from machines import dasgupta, path_period, random_path, random_robot
 from numpy.typing import NDArray
 from scipy import stats
 from scipy.interpolate import make_interp_spline
@@ -19,6 +19,7 @@ from stewart_sym.cli import main
 from stewart_sym.excitation import force_regressor
 from stewart_sym.parameters import with_parameters
 from stewart_sym.robot import Robot
+from stewart_sym.rotation import rotation_from_vector
 
 Array = NDArray[np.float64]
 NOISE = 1e-4
@@ -125,6 +126,22 @@ def test_wrong_models_are_named() -> None:
             assert estimate.verdict in ("misfit", "rejected")
             assert estimate.inflation > 1.0
             assert any(line.startswith("forces: differ smoothly") for line in estimate.doubts)
+
+
+@pytest.mark.parametrize(("scale", "verdict"), [(NOISE, "consistent"), (30 * NOISE, "rejected")])
+def test_a_fit_that_is_not_linear_within_its_deviations_is_rejected(scale: float, verdict: str) -> None:
+    machine, rng = robot(2), np.random.default_rng(2)
+    time = np.arange(150) * path_period(machine) / 150
+    exact = random_path(rng, machine, load=False)(time)
+    F = ss.inverse_dynamics(machine, exact).F + rng.normal(size=(150, 6))
+    t = exact.t + scale * rng.normal(size=(150, 3))
+    R = rotation_from_vector(scale * rng.normal(size=(150, 3))) @ exact.R
+    noise = ss.PoseNoise(time, scale, scale, path_period(machine), 2)
+    seen = ss.identify(machine, ss.Motion(R, t, exact.omega, exact.v), F, 1.0, noise=noise)
+    assert seen.verdict == verdict
+    assert [line[:4] for line in seen.doubts] == ["fit:"] * (verdict == "rejected")
+    _, right = truth(machine)
+    assert np.max(np.abs(seen.values - right) / seen.sigma) < 4.0
 
 
 def test_noise_beyond_the_stated_one_inflates_the_deviations() -> None:
