@@ -51,6 +51,7 @@ from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation,
 from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .singularity import Singularity, singularity
+from .smooth_motion import PoseNoise, estimated_noise
 from .trajectory import PATHS, StraightLinePath
 from .units import Units
 
@@ -78,6 +79,7 @@ __all__ = [
     "Passage",
     "PhysicalityWarning",
     "PlatformPose",
+    "PoseNoise",
     "Reactions",
     "Robot",
     "Simulation",
@@ -98,6 +100,7 @@ __all__ = [
     "damped_solution",
     "dynamic_fraction",
     "equations_of_motion",
+    "estimated_noise",
     "force_derivatives",
     "force_pole",
     "forces_with_bounds",

@@ -28,6 +28,7 @@ from .native import CompilerError
 from .publish import named
 
 if TYPE_CHECKING:
+    from .identification import Estimate
     from .interpolation import Path as MotionPath
     from .robot import Robot
     from .trajectory import Trajectory
@@ -221,15 +222,18 @@ def _cmake_dir(arguments: argparse.Namespace) -> int:
 
 
 def _identify(arguments: argparse.Namespace) -> int:
+    from .studies.identify import doubts
 
     with _folder(arguments, "report.txt", "trajectory.csv") as folder, _progress() as progress:
         progress("identifying")
-        texts = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
+        texts, found = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
     print(texts["report.txt"])
     print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
-    return 0
+    for line in doubts(found):
+        warnings.warn(line, stacklevel=2)
+    return 1 if found.verdict == "rejected" else 0
 
 
 def _bench(arguments: argparse.Namespace) -> int:
@@ -490,10 +494,11 @@ def _trajectory(
     return trajectory
 
 
-def _measured(arguments: argparse.Namespace) -> dict[str, str]:
-    """Texts of the files about measured forces, by name."""
+def _measured(arguments: argparse.Namespace) -> "tuple[dict[str, str], Estimate]":
+    """Texts of the files about measured forces, by name, and the estimate."""
     from .joint_space import on_platform
     from .robot import Robot
+    from .smooth_motion import PoseNoise
     from .studies.identify import from_measurement, measured_texts
     from .trajectory import JointTrajectory, read_any_csv, read_forces_csv
 
@@ -503,19 +508,42 @@ def _measured(arguments: argparse.Namespace) -> dict[str, str]:
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
     time, F = read_forces_csv(forces)
-    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces))
-    return measured_texts(robot, found, arguments.sigma)
+    noise = None
+    if _pose_noise(arguments):
+        series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
+        noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
+    model = (not arguments.no_friction, arguments.physical)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model)
+    return measured_texts(robot, found, arguments.sigma, noise), found
 
 
-def _simulated(arguments: argparse.Namespace, progress: Callable[[str], None]) -> dict[str, str]:
-    """Texts of the files about a simulated measurement, by name."""
+def _simulated(
+    arguments: argparse.Namespace, progress: Callable[[str], None]
+) -> "tuple[dict[str, str], Estimate]":
+    """Texts of the files about a simulated measurement, by name, and the estimate."""
     from .robot import Robot
     from .studies.identify import identification, simulated_texts
 
+    for option in ("no_friction", "physical"):
+        if getattr(arguments, option):
+            raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
     robot = Robot.from_toml(arguments.robot)
     names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
     options = {name: getattr(arguments, name) for name in names}
-    return simulated_texts(robot, identification(robot, **options, progress=progress))
+    if options["harmonics"] is None:
+        options["harmonics"] = 5
+    if _pose_noise(arguments):
+        options |= {name: getattr(arguments, name) for name in ("noise_position", "noise_angle")}
+    found = identification(robot, **options, progress=progress)
+    return simulated_texts(robot, found), found.estimate
+
+
+def _pose_noise(arguments: argparse.Namespace) -> bool:
+    """Whether the noise of poses is stated: both of it or neither."""
+    given = [getattr(arguments, name) is not None for name in ("noise_position", "noise_angle")]
+    if given[0] != given[1]:
+        raise ValueError("--noise-position: expected --noise-angle beside it, and none without it")
+    return given[0]
 
 
 def _plots() -> ModuleType:
@@ -926,16 +954,39 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
         help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
-        "only geometry and gravity are used; the options below --sigma have no part in it",
+        "only geometry and gravity are used; --seed, --samples and --candidates have no part in it",
     )
     verb.add_argument(
         "--sigma", type=_positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
     )
+    for name, unit, what in (("position", "M", "position"), ("angle", "RAD", "rotation about each axis")):
+        verb.add_argument(
+            f"--noise-{name}",
+            type=_positive,
+            metavar=unit,
+            help=f"standard deviation of the measured {what}: then poses alone count, and a smooth motion is "
+            "fitted together with the parameters; default: the motion is exact",
+        )
     verb.add_argument("--seed", type=_whole, default=0, help="of the candidates and of the noise; default: 0")
     verb.add_argument(
-        "--period", type=_finite, help="of the motion, s; default: accelerations of the order of gravity"
+        "--period",
+        type=_finite,
+        help="of the motion, s; default: accelerations of the order of gravity, or for measured poses with "
+        "noise a motion without a period",
     )
-    verb.add_argument("--harmonics", type=_whole, default=5, help="of the Fourier series; default: 5")
+    verb.add_argument(
+        "--harmonics",
+        type=_whole,
+        help="of the Fourier series; default: 5, or for measured poses as many as they call for",
+    )
+    verb.add_argument(
+        "--no-friction", action="store_true", help="of measured forces: a model whose joints have none"
+    )
+    verb.add_argument(
+        "--physical",
+        action="store_true",
+        help="of measured forces: keep to bodies that can exist, and write their parameters to bodies.csv",
+    )
     verb.add_argument("--samples", type=_whole, default=200, help="instants of one period; default: 200")
     verb.add_argument("--candidates", type=_whole, default=50, help="random series to try; default: 50")
 

@@ -16,14 +16,14 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import instance
+from .checks import instance, truth
 from .conditioning import characteristic_length
 from .dynamics import need_universal
 from .generated import exact_regressor
 from .home import home_pose, radius
 from .kinematics import inverse_kinematics
 from .motion import Motion
-from .parameters import leg_name, parameter_names, regressor
+from .parameters import is_friction, leg_name, parameter_names, regressor
 from .robot import LEGS, Robot
 from .rotation import rotation_from_rpy
 
@@ -66,21 +66,25 @@ class BaseParameters:
     gap: float
 
 
-def base_parameters(robot: Robot, motion: Motion | None = None) -> BaseParameters:
+def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool = True) -> BaseParameters:
     """Find the base parameters by the singular values of Y, stacked over many poses.
 
     motion: with accelerations; all its instants are taken: what this motion excites. None: random
     poses about the home pose with random rates and accelerations, fixed seed: what any motion can excite.
+    friction: False for a model whose joints have none.
 
     Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
     left stand for the formulas of ``MERGED``. Raises ValueError for spherical base joints, for poses without
     a regressor, and for a machine about whose home pose no regular pose is found.
     """
     need_universal(robot)
+    truth(friction, "friction")
     if motion is not None:
         instance(motion, Motion, "motion")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
     names, units = parameter_names()
+    if not friction:
+        stack[:, is_friction(names)] = 0.0
     lengths = _lengths(stack, units)
     values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
     rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0

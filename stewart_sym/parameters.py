@@ -6,7 +6,8 @@ Y depends on the points, the axes, gravity and the motion alone, pi on masses, c
 friction alone. Stands above the generated kernels; knows nothing of which parameters can be told apart.
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,8 @@ from .robot import LEGS, Robot
 Array = NDArray[np.float64]
 
 _UPPER = np.triu_indices(3)
+# Parameters of a body: mass, first moment, inertia.
+_BODY = 10
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,13 +69,32 @@ def inertial_parameters(robot: Robot) -> Parameters:
     Raises ValueError for spherical base joints.
     """
     need_universal(robot)
-    lower = _body(robot.m_d, robot.r_d0, robot.I_d0)
-    upper = _body(robot.m_u, robot.r_u0, robot.I_u0)
+    lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
+    upper = body_parameters(robot.m_u, robot.r_u0, robot.I_u0)
     friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
-    platform = _body(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
+    platform = body_parameters(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
     legs = np.hstack([lower, upper, friction])
     names, units = parameter_names()
     return Parameters(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
+
+
+def with_parameters(robot: Robot, values: Array) -> Robot:
+    """The robot with inertial and friction parameters, (148,), as in ``Parameters``, in place of its own.
+
+    Raises ValueError as ``Robot`` for masses not > 0 and friction < 0; inertias are not checked.
+    """
+    legs, platform = values[:-_BODY].reshape(LEGS, -1), values[-_BODY:]
+    m_d, r_d0, I_d0 = _about_centre(legs[:, :_BODY])
+    m_u, r_u0, I_u0 = _about_centre(legs[:, _BODY : 2 * _BODY])
+    M, R_0, I_p = (part[0] for part in _about_centre(platform[None]))
+    C_u, C_p, C_s = legs[:, 2 * _BODY :].T
+    return replace(
+        robot,
+        M=float(M), R_0=R_0, I_p=I_p,
+        m_d=m_d, r_d0=r_d0, I_d0=I_d0,
+        m_u=m_u, r_u0=r_u0, I_u0=I_u0,
+        C_u=C_u, C_p=C_p, C_s=C_s,
+    )  # fmt: skip
 
 
 def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -86,13 +108,34 @@ def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
 
 
+def is_friction(names: Sequence[str]) -> NDArray[np.bool_]:
+    """Which names are of friction coefficients, (n,)."""
+    return np.array([name.startswith("C_") for name in names], dtype=np.bool_)
+
+
 def leg_name(name: str, leg: int) -> str:
     """``h_d_x`` of leg 1 is ``h_d1_x``."""
     head, under, axes = name.rpartition("_")
     return f"{head}{leg}_{axes}" if under and set(axes) <= set("xyz") else f"{name}{leg}"
 
 
-def _body(m: Array, r: Array, inertia: Array) -> Array:
+def symmetric(six: Array) -> Array:
+    """Matrices of (xx, xy, xz, yy, yz, zz), (..., 6) to (..., 3, 3)."""
+    full = np.empty((*six.shape[:-1], 3, 3))
+    full[..., *_UPPER] = six
+    full[..., _UPPER[1], _UPPER[0]] = six
+    return full
+
+
+def _about_centre(bodies: Array) -> tuple[Array, Array, Array]:
+    """Masses, centres of mass and inertias about them of bodies as in ``Parameters``, (n, 10)."""
+    m = bodies[:, 0]
+    r = bodies[:, 1:4] / m[:, None]
+    at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
+    return m, r, symmetric(bodies[:, 4:] - at_point)
+
+
+def body_parameters(m: Array, r: Array, inertia: Array) -> Array:
     """Mass, first moment and inertia about the point from which r (n, 3) is measured, (n, 10)."""
     outer = np.einsum("ni,nj->nij", r, r)
     about = inertia + m[:, None, None] * (

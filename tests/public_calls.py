@@ -152,6 +152,18 @@ def calls() -> dict[str, Call]:
     excited = ss.choose_excitation(robot, harmonics=3, samples=60, candidates=1)
     deviations = {"F": ss.inverse_dynamics(robot, excited.motion).F, "sigma": 1.0, "base": excited.base}
     found["identify"] = Call(ss.identify, {"robot": robot, "motion": excited.motion, **deviations})
+    poses = {"time": np.arange(9.0), "position": 1e-4, "angle": 1e-4, "period": 9.0, "harmonics": 2}
+    found["PoseNoise"] = Call(ss.PoseNoise, poses)
+    rough = ss.Motion(
+        excited.motion.R,
+        excited.motion.t + 1e-4 * rng.normal(size=(60, 3)),
+        excited.motion.omega,
+        excited.motion.v,
+    )
+    found["estimated_noise"] = Call(
+        ss.estimated_noise,
+        {"time": excited.time, "motion": rough, "period": excited.path.period, "harmonics": 3},
+    )
     found["simulated_experiment"] = Call(
         ss.simulated_experiment, {"robot": robot, "excited": excited, "sigma": 1.0, "seed": 0}
     )

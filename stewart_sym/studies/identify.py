@@ -6,6 +6,7 @@ Prints nothing, writes no file.
 import csv
 import io
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,10 @@ from numpy.typing import NDArray
 from ..excitation import choose_excitation
 from ..identifiable import BaseParameters, base_parameters
 from ..identification import Estimate, Experiment, identify, simulated_experiment
+from ..parameters import inertial_parameters
 from ..robot import Robot
+from ..rotation import rpy_from_rotation
+from ..smooth_motion import PoseNoise, estimated_noise, smoothed
 from ..trajectory import Trajectory
 from .output import csv_lines
 from .table import aligned
@@ -24,6 +28,8 @@ Array = NDArray[np.float64]
 NORMAL = (0.6827, 0.9545, 0.9973)
 # Times that differ by less than this share of the last one are the same.
 _SAME_TIME = 1e-6
+# Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
+_FAR, _FAR_LEVEL = 4.0, 1e-3
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
 
 
@@ -35,6 +41,8 @@ def identification(
     harmonics: int,
     samples: int,
     candidates: int,
+    noise_position: float = 0.0,
+    noise_angle: float = 0.0,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Experiment:
     """Choose the motion, measure along it and identify.
@@ -44,16 +52,25 @@ def identification(
     progress(f"choosing among {candidates} motions")
     excited = choose_excitation(robot, period, harmonics, samples, candidates, seed)
     progress("identifying")
-    return simulated_experiment(robot, excited, sigma, seed)
+    return simulated_experiment(robot, excited, sigma, seed, noise_position, noise_angle)
 
 
 def from_measurement(
-    robot: Robot, trajectory: Trajectory, time: Array, F: Array, sigma: float, source: str
+    robot: Robot,
+    trajectory: Trajectory,
+    time: Array,
+    F: Array,
+    sigma: float,
+    source: str,
+    noise: PoseNoise | None = None,
+    friction: bool = True,
+    physical: bool = False,
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
-    time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. Raises ValueError naming it
-    for other times than those of the trajectory.
+    time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
+    ``identify``. friction: as for ``base_parameters``. Raises ValueError naming the source for other times
+    than those of the trajectory.
     """
     if len(time) != len(trajectory.time):
         raise ValueError(
@@ -64,25 +81,87 @@ def from_measurement(
         i = int(np.argmax(off))
         expected = f"the time {trajectory.time[i]:g} of {trajectory.source}"
         raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time[i]:g}")
-    return identify(robot, trajectory.motion, F, sigma, base_parameters(robot, trajectory.motion))
+    motion = trajectory.motion
+    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction)
+    found = identify(robot, motion, F, sigma, base, noise, physical)
+    if noise is None and found.verdict in ("misfit", "rejected"):
+        found = replace(found, doubts=(*found.doubts, *_scatter(trajectory)))
+    return found
 
 
-def measured_texts(robot: Robot, found: Estimate, sigma: float) -> dict[str, str]:
+def _scatter(trajectory: Trajectory) -> tuple[str, ...]:
+    """What the noise of the poses seems to be."""
+    try:
+        seen = estimated_noise(trajectory.time, trajectory.motion)
+    except (ValueError, ImportError):
+        return ()
+    return (
+        f"motion: its poses scatter by {seen.position:.2g} m and {seen.angle:.2g} rad about a smooth motion: "
+        f"--noise-position {seen.position:.2g} --noise-angle {seen.angle:.2g} takes that into account",
+    )
+
+
+def doubts(found: Estimate) -> list[str]:
+    """One line for each doubt about an estimate: the verdict's reasons, and impossible results if any."""
+    if not found.impossible:
+        return list(found.doubts)
+    many = len(found.impossible)
+    return [*found.doubts, f"results that no machine can have: {many}; farthest off: {found.impossible[0]}"]
+
+
+def verdict(found: Estimate) -> list[str]:
+    """Lines on the residual: its size, the verdict and the doubts."""
+    text = {
+        "consistent": "consistent with the model and the stated noise",
+        "misfit": f"misfit; deviations inflated {found.inflation:.3g} times",
+        "rejected": "rejected; no deviations can be given",
+        "untested": "untested, no more forces than unknowns",
+    }[found.verdict]
+    return [
+        f"residual: {found.misfit:.3f} of its expectation; probability of so large a one "
+        f"{found.p_noise:.2g}, of so smooth a one {found.p_model:.2g}",
+        f"verdict: {text}",
+        *found.doubts,
+        *(f"impossible: {line}" for line in found.impossible),
+    ]
+
+
+def measured_texts(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> dict[str, str]:
     """Texts of the files about measured forces, by name."""
     base = found.base
-    head = ("name", "formula", "unit", "estimated", "sigma")
-    columns = (base.names, base.formulas, base.units, found.values.tolist(), found.sigma.tolist())
-    rows = list(zip(*columns, strict=True))
+    departure, p = found.departure(robot)
+    file = base.matrix @ inertial_parameters(robot).values
+    head = ("name", "formula", "unit", "estimated", "sigma", "robot_file", "departure")
+    numbers = (x.tolist() for x in (found.values, found.sigma, file, departure))
+    rows = list(zip(base.names, base.formulas, base.units, *numbers, strict=True))
+    cells = [
+        [name, unit, f"{value:.6g}", f"{width:.2g}", f"{given:.6g}", f"{off:+.2f}"]
+        for name, _, unit, value, width, given, off in rows
+    ]
+    table = aligned(["parameter", "unit", "estimated", "sigma", "robot file", "off/sigma"], cells, left=2)
+    far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
+    agreement = "agrees with the forces" if p >= _FAR_LEVEL and not far else "does not agree with the forces"
+    named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
     lines = [
         _count(robot, base),
-        f"noise: {sigma:g} N on each force; RMS of what is left {found.misfit:.3f} of that",
+        _noise(sigma, noise),
+        *verdict(found),
+        f"robot file: {agreement}, probability of such a departure {p:.2g}{named}",
     ]
-    cells = [[name, unit, f"{value:.6g}", f"{width:.2g}"] for name, _, unit, value, width in rows]
-    table = aligned(["parameter", "unit", "estimated", "sigma"], cells, left=2)
-    return {
+    texts = {
         "parameters.csv": _csv(head, rows),
         "report.txt": "\n".join([*lines, "", table, "", *_merged(base)]) + "\n",
     }
+    if found.parameters is not None:
+        bodies = found.parameters
+        full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
+        texts["bodies.csv"] = _csv(("name", "unit", "value"), full)
+    return texts
+
+
+def _noise(sigma: float, noise: PoseNoise | None) -> str:
+    poses = "poses exact" if noise is None else f"{noise.position:g} m and {noise.angle:g} rad on each pose"
+    return f"noise: {sigma:g} N on each force, {poses}"
 
 
 def simulated_texts(robot: Robot, found: Experiment) -> dict[str, str]:
@@ -109,7 +188,8 @@ def report(robot: Robot, found: Experiment) -> str:
         _count(robot, base),
         f"motion: {harmonics} harmonics, period {excited.path.period:.4g} s, {len(excited.time)} instants; "
         f"condition number {excited.condition:.4g}",
-        f"noise: {found.sigma:g} N on each force; RMS of what is left {estimate.misfit:.3f} of that",
+        _noise(found.sigma, found.noise),
+        *verdict(estimate),
         f"errors in standard deviations (of a normal distribution): {shares}; largest {np.max(size):.2f}",
     ]
     rows = [
@@ -143,9 +223,12 @@ def _csv(head: Sequence[str], rows: Iterable[Sequence[str | float]]) -> str:
 
 
 def trajectory_columns(found: Experiment) -> dict[str, Array]:
-    """The motion as the command ``forces`` reads it."""
+    """The motion as the command ``forces`` reads it; poses alone where they are measured with noise."""
     columns = {"time": found.excitation.time}
-    for names, x in zip(_COORDINATES, found.excitation.path.coordinates(columns["time"]), strict=True):
+    coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
+    if found.noise is not None:
+        coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)
+    for names, x in zip(_COORDINATES, coordinates, strict=False):
         for j, name in enumerate(f"{name}_{axis}" for name in names for axis in "xyz"):
             columns[name] = x[:, j]
     return columns
