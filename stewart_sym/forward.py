@@ -17,6 +17,7 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .faults import ON_FAULT, OnFault
 from .kinematics import ROUNDING, leg_vectors, legs_or_overflow
 from .motion import Motion
+from .mounting import base_normal
 from .results import NOT_CONVERGED, NOT_FINITE, OK, OUT_OF_LIMITS, SINGULAR, STATUS_TEXT
 from .robot import Robot
 from .rotation import orthonormal, rotation_from_vector
@@ -70,8 +71,8 @@ def forward_kinematics(
     """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
 
     L: m, (..., 6).  guess: pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the
-    base and on the side of it to which the base frame's z points (where the base stands upright, the side
-    against gravity); where that leads nowhere, other such poses, and in the end the other side.
+    base and on the side of it that ``platform_side`` tells, against gravity; where that leads nowhere, other
+    such poses, and in the end the other side.
     limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
     about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return "nan"
     silently; ``status`` tells.
@@ -311,7 +312,7 @@ def _default_starts(robot: Robot, L: Array) -> list[Poses]:
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     U, _, V_T = np.linalg.svd(b.T @ p)
     nearest = U @ np.diag([1.0, 1.0, np.linalg.det(U @ V_T)]) @ V_T
-    normal = _normal(robot, b)
+    normal = base_normal(robot)
     as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
     first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
     turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
@@ -324,13 +325,6 @@ def _default_starts(robot: Robot, L: Array) -> list[Poses]:
         t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[:, None] * n
         starts.append((np.broadcast_to(R, (len(L), 3, 3)), t))
     return starts
-
-
-def _normal(robot: Robot, b: Array) -> Array:
-    """Unit normal of the base points' plane, to the side where the platform is looked for."""
-    n = np.asarray(np.linalg.svd(b)[2][2])
-    side = n[2] if abs(n[2]) > 0.1 else -n @ robot.g
-    return -n if side < 0.0 else n
 
 
 def _checked_guess(guess: object) -> Motion:
