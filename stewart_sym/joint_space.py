@@ -17,12 +17,15 @@ from .forward import (
     REASONS,
     Guess,
     checked_lengths,
+    fault,
     forward_acceleration,
     forward_kinematics,
     forward_velocity,
     jacobian,
     newton,
+    other_side,
     solve,
+    way_to_singular,
 )
 from .interpolation import between
 from .kinematics import leg_vectors
@@ -172,16 +175,16 @@ def _follow(
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
     if start.status.any():
-        raise _LostError(0, REASONS[int(start.status[0])])
+        raise _LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
     first = _pose(robot, start.R, start.t, L[:1])
     if time is None:
         time = times_from_rates(L, L_dot)
     if len(L) < 2 or time is None or not np.any(L_dot):
         return _at_rest(robot, first, L)
     rates = accelerations(time, L, L_dot) if L_ddot is None else L_ddot
-    for fault, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
-        if fault is not None:
-            raise _LostError(fault, reason)
+    for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
+        if sample is not None:
+            raise _LostError(sample, reason)
     legs = [_Legs(*(x[i : i + 1] for x in (L, L_dot, rates))) for i in range(len(L))]
     states = [_state(robot, first, legs[0])]
     lost = ""
@@ -241,13 +244,12 @@ def _with_other_side(
         return []
     state = _state(robot, pose, legs)
     found = [(_misfit(robot, before, state, h), state)]
-    step, direction = _way_to_singular(robot, pose)
+    way = abs(float(way_to_singular(robot, pose.R, pose.t)[0][0]))
     # As far away as this, the pose on the other side cannot fit better.
-    if abs(step) < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * abs(step):
-        turn = rotation_from_vector(2.0 * step * direction[None, 3:])
-        mirrored = _found(robot, legs.L, turn @ pose.R, pose.t + 2.0 * step * direction[:3])
-        if mirrored is not None and mirrored.sign != pose.sign:
-            other = _state(robot, mirrored, legs)
+    if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
+        mirrored = other_side(robot, legs.L, pose.R, pose.t)
+        if mirrored.found.all():
+            other = _state(robot, _pose(robot, mirrored.R, mirrored.t, legs.L), legs)
             found.append((_misfit(robot, before, other, h), other))
     return found
 
@@ -296,27 +298,9 @@ def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
     return _State(pose, *(np.where(regular, x[0], np.nan) for x in (twist, rate)))
 
 
-def _way_to_singular(robot: Robot, pose: _Pose) -> tuple[float, Array]:
-    """Return how far, m, and in which direction [v; omega], (6,), the next singular pose lies to first order.
-
-    The direction is the twist that changes the lengths least, of length 1 with angles times the platform's
-    size; along it, J's smallest singular value goes with its rate there to 0.
-    """
-    unit = np.repeat([1.0, characteristic_length(robot)], 3)
-    U, s, V_T = np.linalg.svd(pose.J[0] / unit)
-    direction = V_T[-1] / unit
-    q, S, L = (x[0] for x in leg_vectors(robot, pose.R, pose.t))
-    q_dot = cross(direction[3:], q)
-    along, S_dot = S / L[:, None], direction[:3] + q_dot
-    s_dot = (S_dot - along * np.sum(along * S_dot, axis=-1, keepdims=True)) / L[:, None]
-    J_dot = np.concatenate([s_dot, cross(q_dot, along) + cross(q, s_dot)], axis=-1)
-    rate = float(U[:, -1] @ J_dot @ direction)
-    return (-float(s[-1]) / rate if rate else np.inf), direction
-
-
 def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
-    R, t, _, _, converged = newton(robot, L, R, t)
-    return _pose(robot, R, t, L) if converged.all() else None
+    end = newton(robot, L, R, t)
+    return _pose(robot, end.R, end.t, L) if end.found.all() else None
 
 
 def _at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
