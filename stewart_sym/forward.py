@@ -6,7 +6,7 @@ depends on where the search starts.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -52,6 +52,8 @@ _MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
 _SHORT = 0.1
 # Starts after which the search is given up: without a guess, and about one.
 _MOST_STARTS, _MOST_ABOUT = 100, 20
+# Lengths whose starts are tried all at once.
+_AT_ONCE = 64
 # Share of the platform's size by which lengths all but met are missed.
 _ALMOST = 1e-6
 
@@ -104,7 +106,7 @@ def forward_kinematics(
     shape = lengths.shape[:-1]
     if guess is None:
         flat = lengths.reshape(-1, 6)
-        R, t, residual, iterations, found = _search(robot, flat, _default_starts(robot, flat))
+        R, t, residual, iterations, found = _search(robot, flat)
     else:
         start = _checked_guess(guess)
         shape = leading_shape({"L": shape, "guess": start.shape})
@@ -255,18 +257,45 @@ class Found(NamedTuple):
     iterations: NDArray[np.int64]
     found: NDArray[np.bool_]
 
+    def at(self, where: NDArray[np.intp]) -> "Found":
+        """What was found from some of the starts, as copies."""
+        return Found(
+            self.R[where], self.t[where], self.residual[where], self.iterations[where], self.found[where]
+        )
 
-def _search(robot: Robot, L: Array, starts: Iterable[Poses]) -> Found:
-    """Go from each start in turn to those lengths, (n, 6), that none before has found."""
-    remaining = iter(starts)
-    best = newton(robot, L, *next(remaining))
+
+def _search(robot: Robot, L: Array) -> Found:
+    """Go from each likely start in turn to the lengths, (n, 6), that none before has found; then from all."""
+    directions = _likely(robot)
+    best = newton(robot, L, *_over_base(robot, L, *directions[0]))
     possible = ~_impossible(robot, L)
-    for R, t in remaining:
+    for direction in directions[1:]:
         left = np.flatnonzero(~best.found & possible)
         if not left.size:
-            break
-        _replace(best, left, newton(robot, L[left], R[left], t[left]))
+            return best
+        _replace(best, left, newton(robot, L[left], *_over_base(robot, L[left], *direction)))
+    orientations, normals = _anywhere(robot, _MOST_STARTS - len(directions))
+    for part in _parts(np.flatnonzero(~best.found & possible)):
+        starts = _over_base(robot, L[part, None], orientations, normals)
+        _replace(best, part, _first_found(robot, L[part], *starts))
     return best
+
+
+def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+    """Return for lengths (n, 6) what the first good one of their starts, (n, m, ...), finds."""
+    n, m = t.shape[:2]
+    every = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
+    good = every.found.reshape(n, m)
+    chosen = np.where(good.any(axis=-1), np.argmax(good, axis=-1), m - 1)
+    found = every.at(np.arange(n) * m + chosen)
+    tried = np.arange(m) <= chosen[:, None]
+    return found._replace(iterations=np.sum(every.iterations.reshape(n, m) * tried, axis=-1))
+
+
+def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
+    """Yield indices so many at a time that all their starts fit into memory."""
+    for i in range(0, len(indices), _AT_ONCE):
+        yield indices[i : i + _AT_ONCE]
 
 
 def _nearest(robot: Robot, L: Array, R: Array, t: Array) -> Found:
@@ -286,16 +315,14 @@ def _nearest(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     first = best.R[doubtful], best.t[doubtful]
     tries = [short, *(other_side(robot, lengths, *poses) for poses in (first, short[:2]))]
     for found in tries:
-        old = Found(*(x[doubtful] for x in best))
+        old = best.at(doubtful)
         nearer = distance(robot, guess, found[:2]) < distance(robot, guess, old[:2])
         take = np.flatnonzero(found.found & (nearer | ~old.found))
-        _replace(best, doubtful[take], Found(*(x[take] for x in found)))
-    for R_0, t_0 in _about(robot, R, t, L):
-        # Lengths all but met belong to a singular pose or to one beside it.
-        left = doubtful[~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * _length(robot))]
-        if not left.size:
-            break
-        _replace(best, left, newton(robot, L[left], R_0[left], t_0[left]))
+        _replace(best, doubtful[take], found.at(take))
+    # Lengths all but met belong to a singular pose or to one beside it.
+    missed = ~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * _length(robot))
+    for part in _parts(doubtful[missed]):
+        _replace(best, part, _first_found(robot, L[part], *_about(robot, R[part], t[part], L[part])))
     return best
 
 
@@ -426,13 +453,12 @@ def _length(robot: Robot) -> float:
 # Where the search starts
 
 
-def _default_starts(robot: Robot, L: Array) -> Iterator[Poses]:
-    """Yield poses (n, 3, 3) and (n, 3), the likeliest first, for lengths (n, 6).
+def _likely(robot: Robot) -> list[Poses]:
+    """Return orientations, (3, 3), and the sides of the base they are looked for on, (3,), likeliest first.
 
     Orientations: E, and the one that brings each platform point nearest to its base point (Kabsch, 1976);
     the latter first when E tilts or turns the platform far from it; then both turned about the base's normal,
-    both on its other side, and in the end any orientations and directions.  Height: that of the mean square
-    length.
+    and both on its other side.
     """
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     U, _, V_T = np.linalg.svd(b.T @ p)
@@ -441,30 +467,35 @@ def _default_starts(robot: Robot, L: Array) -> Iterator[Poses]:
     as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
     first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
     turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
+    return [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]
+
+
+def _anywhere(robot: Robot, count: int) -> Poses:
+    """Return orientations, (count, 3, 3), and sides, (count, 3), drawn evenly, alike in whatever axes."""
+    rng, turn = np.random.default_rng(0), upright(robot)
+    e, n = rng.normal(size=(count, 4)), rng.normal(size=(count, 3))
+    R = rotation_from_quaternion(e / _size(e)[:, None])
+    return turn @ R @ turn.T, n / _size(n)[:, None] @ turn.T
+
+
+def _over_base(robot: Robot, L: Array, R: Array, n: Array) -> Poses:
+    """Return poses (..., 3, 3), (..., 3) at orientations R, on sides n, as high as the mean square length."""
+    b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
+    across = np.sqrt(np.mean(np.sum((p @ np.swapaxes(R, -1, -2) - b) ** 2, axis=-1), axis=-1))
     longest = np.max(L, axis=-1)
-    mean_length = longest * np.sqrt(np.mean((L / longest[:, None]) ** 2, axis=-1))
-    likely = [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]
-    for R, n in (*likely, *_anywhere(robot, _MOST_STARTS - len(likely))):
-        across = math.sqrt(np.mean(np.sum((p @ R.T - b) ** 2, axis=-1)))
-        height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
-        t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[:, None] * n
-        yield np.broadcast_to(R, (len(L), 3, 3)), t
+    mean_length = longest * np.sqrt(np.mean((L / longest[..., None]) ** 2, axis=-1))
+    height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
+    t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[..., None] * n
+    return np.broadcast_to(R, (*t.shape, 3)), t
 
 
-def _about(robot: Robot, R: Array, t: Array, L: Array) -> Iterator[Poses]:
-    """Yield poses (n, ...) about others, ever farther away: up to half a radian and half a leg's length."""
+def _about(robot: Robot, R: Array, t: Array, L: Array) -> Poses:
+    """Return poses (n, m, ...) about others, (n, ...), up to half a radian and half a leg's length away."""
     rng, turn = np.random.default_rng(0), upright(robot)
-    for i in range(_MOST_ABOUT):
-        phi, step = 0.5 * (i + 1) / _MOST_ABOUT * rng.normal(size=(2, 3)) @ turn.T
-        yield rotation_from_vector(phi) @ R, t + np.mean(L, axis=-1, keepdims=True) * step
-
-
-def _anywhere(robot: Robot, count: int) -> Iterator[Poses]:
-    """Yield orientations and directions drawn evenly, the same ones for a machine in whatever axes."""
-    rng, turn = np.random.default_rng(0), upright(robot)
-    for _ in range(count):
-        e, n = rng.normal(size=4), rng.normal(size=3)
-        yield turn @ rotation_from_quaternion(e / np.linalg.norm(e)) @ turn.T, turn @ n / np.linalg.norm(n)
+    width = 0.5 * np.arange(1, _MOST_ABOUT + 1)[:, None] / _MOST_ABOUT
+    phi, step = width * rng.normal(size=(2, _MOST_ABOUT, 3)) @ turn.T
+    mean = np.mean(L, axis=-1)[:, None, None]
+    return rotation_from_vector(phi) @ R[:, None], t[:, None] + mean * step
 
 
 def _checked_guess(guess: object) -> Motion:

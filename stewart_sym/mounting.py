@@ -115,7 +115,7 @@ def _axis(b: Array) -> Array:
     n = np.asarray(np.linalg.svd(b - b.mean(axis=0))[2][2])
     largest = int(np.argmax(np.abs(n)))
     if abs(n[largest]) >= np.cos(_LEVEL):
-        return np.eye(3)[largest]
+        return np.asarray(np.eye(3)[largest])
     return -n if n[largest] < 0.0 else n
 
 

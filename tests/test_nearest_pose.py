@@ -106,8 +106,8 @@ def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:
     for guess in (None, (np.eye(3), np.array([0.0, 0.0, 0.5]))):
         with pytest.raises(ValueError, match=proof):
             ss.forward_kinematics(robot, none, guess)
-    # All short: the platform would have to be in the base, which no two legs alone exclude.
-    short = 0.7 * np.linalg.norm(robot.p - robot.b, axis=-1) + 0.05
+    # No two legs exclude a pose, all six do.
+    short = np.array([0.69, 0.76, 0.66, 0.95, 0.67, 0.29])
     open_ = r"^L: no pose with these leg lengths was found from {}, which does not prove that there is none$"
     with pytest.raises(ValueError, match=open_.format("100 starts")):
         ss.forward_kinematics(robot, short)
