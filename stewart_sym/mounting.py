@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .checks import instance
 from .conditioning import characteristic_length, scaled_condition_number
 from .kinematics import leg_vectors
 from .robot import Robot
@@ -58,6 +59,7 @@ def platform_side(robot: Robot) -> Side:
     is against gravity; where gravity is 0 or pulls along the plane, it is that of the side on which the level
     platform's legs are nearer to their length limits, else on which the condition number of H is smaller.
     """
+    instance(robot, Robot, "robot")
     axis = _axis(robot.b)
     pull = float(_normal(robot.b, axis) @ robot.g)
     if abs(pull) > _DECISIVE * np.linalg.norm(robot.g):
