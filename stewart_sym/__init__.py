@@ -37,6 +37,7 @@ from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
 from .motion import Motion
+from .mounting import AssemblyModeWarning, up_direction
 from .parameters import Parameters, inertial_parameters, regressor
 from .passage import (
     Approach,
@@ -58,6 +59,7 @@ from .units import Units
 __all__ = [
     "PATHS",
     "Approach",
+    "AssemblyModeWarning",
     "BaseParameters",
     "Certificate",
     "ComputedTorque",
@@ -126,6 +128,7 @@ __all__ = [
     "simulated_experiment",
     "singularities_along",
     "singularity",
+    "up_direction",
     "wrench_matrix",
     "wrench_matrix_rate",
 ]

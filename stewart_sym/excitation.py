@@ -15,7 +15,7 @@ from .checks import finite_array, real_array, shown
 from .conditioning import characteristic_length, scaled_condition_number
 from .dynamics import inverse_dynamics, need_universal
 from .frozen import Frozen
-from .home import home_pose, radius
+from .home import home_pose, radius, upright
 from .identifiable import BaseParameters, base_parameters
 from .kinematics import inverse_kinematics
 from .motion import Motion
@@ -130,10 +130,12 @@ def choose_excitation(
     period = _own_period(robot) if period is None else _positive(period, "period", "a duration > 0 s")
     base, home, size = base_parameters(robot), home_pose(robot), radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
-    rng = np.random.default_rng(seed)
+    rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
     for _ in range(candidates):
-        sine, cosine = width * rng.normal(size=(2, harmonics, 6))
+        # The same draw means the same motion of the machine in whatever axes its file is written.
+        draws = (width * rng.normal(size=(2, harmonics, 6))).reshape(2, harmonics, 2, 3) @ turn.T
+        sine, cosine = draws.reshape(2, harmonics, 6)
         path = _within_limits(robot, home.t, sine, cosine, period, samples, _REGULAR * home.scaled_condition)
         if path is None:
             continue

@@ -8,7 +8,9 @@ depends on where the search starts.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +21,7 @@ from .conditioning import characteristic_length, scaled_condition_number
 from .faults import ON_FAULT, OnFault
 from .kinematics import ROUNDING, leg_vectors, legs_or_overflow
 from .motion import Motion
+from .mounting import base_normal, upright
 from .results import (
     NOT_CONVERGED,
     NOT_FINITE,
@@ -30,7 +33,13 @@ from .results import (
     Velocities,
 )
 from .robot import Robot
-from .rotation import orthonormal, rotation_from_vector
+from .rotation import (
+    cross,
+    orthonormal,
+    rotation_from_quaternion,
+    rotation_from_vector,
+    vector_from_rotation,
+)
 
 Array = NDArray[np.float64]
 Status = NDArray[np.int32]
@@ -50,6 +59,14 @@ _FIRST_DAMPING, _LEAST_DAMPING, _MOST_DAMPING = 1e-6, 1e-14, 1e3
 _MOST_CONDITION = 1.0 / (16.0 * math.sqrt(_EPS))
 # Turns about the base's normal, rad, from which the search starts when the first two poses were no good.
 _MORE_TURNS = (0.5, -0.5, 1.0, -1.0)
+# Most of a short step: rad, and share of the longest leg.
+_SHORT = 0.1
+# Starts after which the search is given up: without a guess, and about one.
+_MOST_STARTS, _MOST_ABOUT = 100, 20
+# Lengths whose starts are tried all at once.
+_AT_ONCE = 64
+# Share of the platform's size by which lengths all but met are missed.
+_ALMOST = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,14 +98,15 @@ def forward_kinematics(
     """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
 
     L: m, (..., 6).  guess: pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the
-    base and on the side of it to which the base frame's z points (where the base stands upright, the side
-    against gravity); where that leads nowhere, other such poses, and in the end the other side.
+    base and on the side of it that ``platform_side`` tells, against gravity; where that leads nowhere, other
+    such poses, and in the end the other side.
     limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
     about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return "nan"
     silently; ``status`` tells.
 
     A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of
-    S = q + t - b.  It is the assembly mode next to the guess if the guess is near; from afar it may be any.
+    S = q + t - b.  Of the assembly modes found from a guess it is the one nearest to it, angles counted times
+    the platform's size.  Where none is found, the error says what was tried, or why there is none.
     Raises ``ValueError`` naming the argument for lengths that are not > 0 and finite, and for a guess that
     is no pose.
     """
@@ -99,15 +117,13 @@ def forward_kinematics(
     shape = lengths.shape[:-1]
     if guess is None:
         flat = lengths.reshape(-1, 6)
-        R, t, residual, iterations, found = _search(robot, flat, _default_starts(robot, flat))
+        R, t, residual, iterations, found = _search(robot, flat)
     else:
         start = _checked_guess(guess)
         shape = leading_shape({"L": shape, "guess": start.shape})
         flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
         R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
-        R, t, residual, iterations, found = _search(
-            robot, flat, [(R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3))]
-        )
+        R, t, residual, iterations, found = _nearest(robot, flat, R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3))
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
     if limits:
@@ -122,8 +138,26 @@ def forward_kinematics(
         iterations.reshape(shape),
         status.astype(np.int32).reshape(shape),
     )
-    faults.report(result.status, "L", lambda: _first_fault(result.status), on_failure, stacklevel=3)
+
+    def describe() -> tuple[tuple[int, ...], str]:
+        where, others = faults.first(result.status)
+        leg_lengths = np.broadcast_to(lengths, (*shape, 6))[where]
+        return where, fault(robot, leg_lengths, int(result.status[where]), guess is not None) + others
+
+    faults.report(result.status, "L", describe, on_failure, stacklevel=3)
     return result
+
+
+def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
+    """Return in words why lengths (6,) have no pose, by the status: proven, or how far was looked for one."""
+    if status != NOT_CONVERGED:
+        return REASONS[status]
+    pairs = np.argwhere(_impossible_pairs(robot, L))
+    if len(pairs):
+        one, other = (int(leg) + 1 for leg in pairs[0])
+        return f"{REASONS[status]}: none exists, legs {one} and {other} cannot have theirs at once"
+    tried = "from the guess and about it" if guessed else f"from {_MOST_STARTS} starts"
+    return f"{REASONS[status]} {tried}, which does not prove that there is none"
 
 
 def forward_velocity(
@@ -225,24 +259,143 @@ def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:
 # The search for a pose
 
 
-def _search(
-    robot: Robot, L: Array, starts: list[Poses]
-) -> tuple[Array, Array, Array, NDArray[np.int64], NDArray[np.bool_]]:
-    """Go from each start in turn to those lengths, (n, 6), that none before has found."""
-    R, t, residual, iterations, found = newton(robot, L, *starts[0])
-    for R_0, t_0 in starts[1:]:
-        left = np.flatnonzero(~found)
+class Found(NamedTuple):
+    """Poses, (n, 3, 3) and (n, 3), residuals, m, steps taken, and where the search converged, (n,) each."""
+
+    R: Array
+    t: Array
+    residual: Array
+    iterations: NDArray[np.int64]
+    found: NDArray[np.bool_]
+
+    def at(self, where: NDArray[np.intp]) -> Found:
+        """What was found from some of the starts, as copies."""
+        return Found(
+            self.R[where], self.t[where], self.residual[where], self.iterations[where], self.found[where]
+        )
+
+
+def _search(robot: Robot, L: Array) -> Found:
+    """Go from each likely start in turn to the lengths, (n, 6), that none before has found; then from all."""
+    directions = _likely(robot)
+    best = newton(robot, L, *_over_base(robot, L, *directions[0]))
+    possible = ~_impossible(robot, L)
+    for direction in directions[1:]:
+        left = np.flatnonzero(~best.found & possible)
         if not left.size:
-            break
-        R[left], t[left], residual[left], steps, found[left] = newton(robot, L[left], R_0[left], t_0[left])
-        iterations[left] += steps
-    return R, t, residual, iterations, found
+            return best
+        _replace(best, left, newton(robot, L[left], *_over_base(robot, L[left], *direction)))
+    orientations, normals = _anywhere(robot, _MOST_STARTS - len(directions))
+    for part in _parts(np.flatnonzero(~best.found & possible)):
+        starts = _over_base(robot, L[part, None], orientations, normals)
+        _replace(best, part, _first_found(robot, L[part], *starts))
+    return best
 
 
-def newton(
-    robot: Robot, L: Array, R: Array, t: Array
-) -> tuple[Array, Array, Array, NDArray[np.int64], NDArray[np.bool_]]:
-    """Return poses R, t, residuals, m, steps taken and where it converged, from poses (n, ...) to L, (n, 6).
+def _first_found(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+    """Return for lengths (n, 6) what the first good one of their starts, (n, m, ...), finds."""
+    n, m = t.shape[:2]
+    every = newton(robot, np.repeat(L, m, axis=0), R.reshape(-1, 3, 3), t.reshape(-1, 3))
+    good = every.found.reshape(n, m)
+    chosen = np.where(good.any(axis=-1), np.argmax(good, axis=-1), m - 1)
+    found = every.at(np.arange(n) * m + chosen)
+    tried = np.arange(m) <= chosen[:, None]
+    return found._replace(iterations=np.sum(every.iterations.reshape(n, m) * tried, axis=-1))
+
+
+def _parts(indices: NDArray[np.intp]) -> Iterator[NDArray[np.intp]]:
+    """Yield indices so many at a time that all their starts fit into memory."""
+    for i in range(0, len(indices), _AT_ONCE):
+        yield indices[i : i + _AT_ONCE]
+
+
+def _nearest(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+    """Return of the poses found from a guess, (n, ...), the one nearest to it.
+
+    Where the first lies farther away than the next singular pose does, or none was found, short steps are
+    tried as well, and from what is found then the other side of the singular poses; in the end starts about
+    the guess.
+    """
+    best = newton(robot, L, R, t)
+    far = distance(robot, (R, t), best[:2]) > np.abs(way_to_singular(robot, best.R, best.t)[0])
+    doubtful = np.flatnonzero((~best.found | far) & ~_impossible(robot, L))
+    if not doubtful.size:
+        return best
+    guess, lengths = (R[doubtful], t[doubtful]), L[doubtful]
+    short = newton(robot, lengths, *guess, _SHORT)
+    first = best.R[doubtful], best.t[doubtful]
+    tries = [short, *(other_side(robot, lengths, *poses) for poses in (first, short[:2]))]
+    for found in tries:
+        old = best.at(doubtful)
+        nearer = distance(robot, guess, found[:2]) < distance(robot, guess, old[:2])
+        take = np.flatnonzero(found.found & (nearer | ~old.found))
+        _replace(best, doubtful[take], found.at(take))
+    # Lengths all but met belong to a singular pose or to one beside it.
+    missed = ~best.found[doubtful] & (best.residual[doubtful] > _ALMOST * _length(robot))
+    for part in _parts(doubtful[missed]):
+        _replace(best, part, _first_found(robot, L[part], *_about(robot, R[part], t[part], L[part])))
+    return best
+
+
+def _replace(best: Found, where: NDArray[np.intp], found: Found) -> None:
+    """Put what was found in place of what was; steps add up."""
+    found.iterations[:] += best.iterations[where]
+    for old, new in zip(best, found, strict=True):
+        old[where] = new
+
+
+def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
+    """Return poses with lengths L found from behind the next singular poses, as far as these are away."""
+    way, direction = way_to_singular(robot, R, t)
+    step = np.where(np.isfinite(way), 2.0 * way, 0.0)[:, None] * direction
+    angle = np.maximum(1.0, _size(step[:, 3:]))[:, None]
+    return newton(robot, L, rotation_from_vector(step[:, 3:] / angle) @ R, t + step[:, :3] / angle)
+
+
+def way_to_singular(robot: Robot, R: Array, t: Array) -> tuple[Array, Array]:
+    """Return how far, m, (n,), and in which direction, (n, 6), the next singular poses are, to first order.
+
+    The direction [v; omega] is the twist that changes the lengths least, of length 1 with angles times the
+    platform's size; along it, J's smallest singular value goes with its rate there to 0.
+    """
+    unit = np.repeat([1.0, _length(robot)], 3)
+    q, S, L = leg_vectors(robot, R, t)
+    U, s, V_T = np.linalg.svd(np.nan_to_num(_rows(q, S, L) / unit))
+    direction = V_T[:, -1] / unit
+    L = np.where(L > 0.0, L, 1.0)[..., None]
+    q_dot = cross(direction[:, None, 3:], q)
+    along, S_dot = S / L, direction[:, None, :3] + q_dot
+    s_dot = (S_dot - along * np.sum(along * S_dot, axis=-1, keepdims=True)) / L
+    J_dot = np.concatenate([s_dot, cross(q_dot, along) + cross(q, s_dot)], axis=-1)
+    rate = np.einsum("ni,nij,nj->n", U[..., -1], J_dot, direction)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return -s[:, -1] / rate, direction
+
+
+def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
+    """Return how far poses (n, ...) are from others, m, (n,): angles count times the platform's size."""
+    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    return np.hypot(_size(other[1] - one[1]), _length(robot) * _size(turn))
+
+
+def _impossible(robot: Robot, L: Array) -> NDArray[np.bool_]:
+    """Where lengths, (n, 6), have no pose for certain, (n,)."""
+    return np.asarray(_impossible_pairs(robot, L).any(axis=(-2, -1)))
+
+
+def _impossible_pairs(robot: Robot, L: Array) -> NDArray[np.bool_]:
+    """Which two legs' lengths, (..., 6), differ by more, or add up to less, than their joints allow."""
+    base, platform = (np.linalg.norm(x[:, None] - x, axis=-1) for x in (robot.b, robot.p))
+    one, other = L[..., :, None], L[..., None, :]
+    with np.errstate(over="ignore"):
+        slack = 64 * _EPS * (one + other)
+        too_far = np.abs(one - other) > base + platform + slack
+        too_near = one + other < np.abs(base - platform) - slack
+    return np.asarray((too_far | too_near) & ~np.eye(6, dtype=np.bool_))
+
+
+def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Found:
+    """Return what is found from poses (n, ...) for lengths L, (n, 6); most: of a step, see below.
 
     Each step is a twist: t <- t + dt, R <- exp([dphi]x) R.  It solves (J^T J + damping E) d = J^T (L - |S|),
     angles times the platform's size; damping falls with every step that brings the lengths nearer, until the
@@ -266,9 +419,8 @@ def newton(
             d = _damped_step(J, miss, damping[live])
             d[:, 3:] /= length
             # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
-            d /= np.maximum(1.0, np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])))[
-                :, None
-            ]
+            share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
+            d /= np.maximum(1.0, share)[:, None]
             R_1 = orthonormal(rotation_from_vector(d[:, 3:]) @ R[live])
             t_1 = t[live] + d[:, :3]
             nearer = _size(L[live] - leg_vectors(robot, R_1, t_1)[2]) < _size(miss)
@@ -281,7 +433,7 @@ def newton(
             )
         q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
-    return R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t)
+    return Found(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
 
 
 def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
@@ -312,36 +464,49 @@ def _length(robot: Robot) -> float:
 # Where the search starts
 
 
-def _default_starts(robot: Robot, L: Array) -> list[Poses]:
-    """Return poses (n, 3, 3) and (n, 3), the likeliest first, for lengths (n, 6).
+def _likely(robot: Robot) -> list[Poses]:
+    """Return orientations, (3, 3), and the sides of the base they are looked for on, (3,), likeliest first.
 
     Orientations: E, and the one that brings each platform point nearest to its base point (Kabsch, 1976);
     the latter first when E tilts or turns the platform far from it; then both turned about the base's normal,
-    and both on its other side.  Height: that of the mean square length.
+    and both on its other side.
     """
     b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
     U, _, V_T = np.linalg.svd(b.T @ p)
     nearest = U @ np.diag([1.0, 1.0, np.linalg.det(U @ V_T)]) @ V_T
-    normal = _normal(robot, b)
+    normal = base_normal(robot)
     as_drawn = normal @ nearest @ normal > math.cos(math.radians(30.0)) and np.trace(nearest) > 1.0
     first = [np.eye(3), nearest] if as_drawn else [nearest, np.eye(3)]
     turned = [rotation_from_vector(angle * normal) @ R for angle in _MORE_TURNS for R in first]
+    return [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]
+
+
+def _anywhere(robot: Robot, count: int) -> Poses:
+    """Return orientations, (count, 3, 3), and sides, (count, 3), drawn evenly, alike in whatever axes."""
+    rng, turn = np.random.default_rng(0), upright(robot)
+    e, n = rng.normal(size=(count, 4)), rng.normal(size=(count, 3))
+    R = rotation_from_quaternion(e / _size(e)[:, None])
+    return turn @ R @ turn.T, n / _size(n)[:, None] @ turn.T
+
+
+def _over_base(robot: Robot, L: Array, R: Array, n: Array) -> Poses:
+    """Return poses (..., 3, 3), (..., 3) at orientations R, on sides n, as high as the mean square length."""
+    b, p = (points - points.mean(axis=0) for points in (robot.b, robot.p))
+    across = np.sqrt(np.mean(np.sum((p @ np.swapaxes(R, -1, -2) - b) ** 2, axis=-1), axis=-1))
     longest = np.max(L, axis=-1)
-    mean_length = longest * np.sqrt(np.mean((L / longest[:, None]) ** 2, axis=-1))
-    starts = []
-    for R, n in [*((R, normal) for R in (*first, *turned)), *((R, -normal) for R in first)]:
-        across = math.sqrt(np.mean(np.sum((p @ R.T - b) ** 2, axis=-1)))
-        height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
-        t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[:, None] * n
-        starts.append((np.broadcast_to(R, (len(L), 3, 3)), t))
-    return starts
+    mean_length = longest * np.sqrt(np.mean((L / longest[..., None]) ** 2, axis=-1))
+    height = np.sqrt(np.maximum(mean_length - across, 0.01 * mean_length)) * np.sqrt(mean_length + across)
+    t = robot.b.mean(axis=0) - R @ robot.p.mean(axis=0) + height[..., None] * n
+    return np.broadcast_to(R, (*t.shape, 3)), t
 
 
-def _normal(robot: Robot, b: Array) -> Array:
-    """Unit normal of the base points' plane, to the side where the platform is looked for."""
-    n = np.asarray(np.linalg.svd(b)[2][2])
-    side = n[2] if abs(n[2]) > 0.1 else -n @ robot.g
-    return -n if side < 0.0 else n
+def _about(robot: Robot, R: Array, t: Array, L: Array) -> Poses:
+    """Return poses (n, m, ...) about others, (n, ...), up to half a radian and half a leg's length away."""
+    rng, turn = np.random.default_rng(0), upright(robot)
+    width = 0.5 * np.arange(1, _MOST_ABOUT + 1)[:, None] / _MOST_ABOUT
+    phi, step = width * rng.normal(size=(2, _MOST_ABOUT, 3)) @ turn.T
+    mean = np.mean(L, axis=-1)[:, None, None]
+    return rotation_from_vector(phi) @ R[:, None], t[:, None] + mean * step
 
 
 def _checked_guess(guess: object) -> Motion:

@@ -11,22 +11,24 @@ from numpy.typing import NDArray
 from .conditioning import characteristic_length, condition_number, scaled_condition_number
 from .dynamics import inverse_dynamics
 from .motion import Motion
+from .mounting import Side, level_positions, platform_side, radius, up_direction, upright
 from .robot import Robot
 
 Array = NDArray[np.float64]
 
-_HEIGHTS = 400
+__all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
 
 
 @dataclass(frozen=True, eq=False)
 class HomePose:
-    """The level platform at rest, its points centred above the base points (along z of the base frame).
+    """The level platform at rest, its points centred above the base points.
 
-    rule: how the height was chosen. t: position of the reference point, m, (3,). L: leg lengths, m, (6,).
-    F: forces that hold it there, N, (6,), NaN if none can. condition, scaled_condition: of H. status: a code
-    of ``STATUS_TEXT``.
+    side: which side of the base that is. rule: how the height was chosen. t: position of the reference
+    point, m, (3,). L: leg lengths, m, (6,). F: forces that hold it there, N, (6,), NaN if none can.
+    condition, scaled_condition: of H. status: a code of ``STATUS_TEXT``.
     """
 
+    side: Side
     rule: str
     t: Array
     L: Array
@@ -38,10 +40,7 @@ class HomePose:
 
 def home_pose(robot: Robot) -> HomePose:
     """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
-    centre = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    size = radius(robot.b) + radius(robot.p)
-    up = np.linspace(0.05, 3.0, _HEIGHTS)[:, None] * size * np.array([0.0, 0.0, 1.0])
-    t = centre + up
+    t = level_positions(robot, up_direction(robot))
     L = _lengths(robot, t)
     forces = inverse_dynamics(robot, _resting(t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
@@ -52,6 +51,7 @@ def home_pose(robot: Robot) -> HomePose:
         rule = "no length limits are given: the height with the least scaled condition number"
         best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))
     return HomePose(
+        side=platform_side(robot),
         rule=rule,
         t=t[best],
         L=L[best],
@@ -60,11 +60,6 @@ def home_pose(robot: Robot) -> HomePose:
         scaled_condition=float(scaled[best]),
         status=int(forces.status[best]),
     )
-
-
-def radius(points: Array) -> float:
-    """Root mean square distance of points (n, 3) from their mean, m."""
-    return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))
 
 
 def _lengths(robot: Robot, t: Array) -> Array:

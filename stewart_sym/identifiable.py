@@ -20,7 +20,7 @@ from .checks import instance, truth
 from .conditioning import characteristic_length
 from .dynamics import need_universal
 from .generated import exact_regressor
-from .home import home_pose, radius
+from .home import home_pose, radius, upright
 from .kinematics import inverse_kinematics
 from .motion import Motion
 from .parameters import is_friction, leg_name, parameter_names, regressor
@@ -178,7 +178,7 @@ def _random_motion(robot: Robot) -> Motion:
     size, home = radius(robot.b), home_pose(robot).t
     rate = math.sqrt(float(np.linalg.norm(robot.g)) / size) or 1.0
     for _ in range(_MOST_DRAWS):
-        theta, t, omega, v, alpha, a = rng.normal(size=(6, 2 * _POSES, 3))
+        theta, t, omega, v, alpha, a = rng.normal(size=(6, 2 * _POSES, 3)) @ upright(robot).T
         motion = Motion(
             rotation_from_rpy(0.2 * theta),
             home + 0.15 * size * t,

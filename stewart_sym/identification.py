@@ -80,7 +80,7 @@ class Estimate:
     impossible: tuple[str, ...]
     motion: Motion
     parameters: Parameters | None = None
-    free: "Estimate | None" = None
+    free: Estimate | None = None
 
     @property
     def sigma(self) -> Array:

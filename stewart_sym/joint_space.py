@@ -1,7 +1,9 @@
 """Joint-space trajectories, section 4.3: the platform's motion from leg lengths over time, by continuation.
 
-Stands above ``forward`` and ``trajectory``; knows nothing of forces.  Each sample starts from the one before,
-so the platform stays in the assembly mode it starts in, as the real one must.
+Lengths alone do not tell whether the platform crosses a singular pose or turns back at it: both motions have
+the same lengths. The rates do: turned back, the platform's velocity jumps. At every sample the poses on both
+sides are found, and the one that fits the motion of the sample before is taken; where J's determinant has
+changed its sign by then, or does so between the samples, the sample is named.
 """
 
 from __future__ import annotations
@@ -11,21 +13,36 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import finite_array, instance
+from .checks import finite_array, instance, real_array
 from .conditioning import characteristic_length
 from .forward import (
     REASONS,
     Guess,
     checked_lengths,
+    fault,
     forward_acceleration,
     forward_kinematics,
     forward_velocity,
     jacobian,
     newton,
+    other_side,
     solve,
+    way_to_singular,
 )
+from .interpolation import between
+from .kinematics import leg_vectors
+from .leg_steps import accelerations, jump, step_beyond_rates, times_from_rates
 from .motion import Motion
+from .passage import crossings
+from .results import SINGULAR
 from .robot import Robot
+from .rotation import (
+    cross,
+    rotation_from_vector,
+    vector_from_rotation,
+    vector_rate,
+    vector_second_rate,
+)
 from .trajectory import JointTrajectory, Trajectory
 
 Array = NDArray[np.float64]
@@ -34,13 +51,21 @@ NO_WAY = (
     "no way here from the sample before in the same assembly mode: the lengths jump, belong to no pose, "
     "or lead through one where H is singular"
 )
+CROSSED = (
+    "a singular pose is crossed on the way from the sample before: there the forces are without bound, and "
+    "from there on the same lengths belong to two motions"
+)
+JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
+OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
 
 # A sample is approached in parts no smaller than this share of the way from the one before.
 _SMALLEST_PART = 2.0**-20
-# A step this share of its length away from where the tangent points may have left the way.
+# A step this share of its length away from where it was foretold may have left the way.
 _ASTRAY = 0.1
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
+# A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
+_NEAR = 1.0
 
 
 class _Pose(NamedTuple):
@@ -51,6 +76,22 @@ class _Pose(NamedTuple):
     L: Array
     J: Array
     sign: float
+
+
+class _Legs(NamedTuple):
+    """What the legs do at one sample: (1, 6) each."""
+
+    L: Array
+    L_dot: Array
+    L_ddot: Array
+
+
+class _State(NamedTuple):
+    """A pose and the platform's motion there: [v; omega] and [a; alpha], (6,)."""
+
+    pose: _Pose
+    twist: Array
+    rate: Array
 
 
 class _LostError(ValueError):
@@ -69,17 +110,20 @@ def motion_from_lengths(
     guess: Guess | None = None,
     F_ext: ArrayLike | None = None,
     M_ext: ArrayLike | None = None,
+    time: ArrayLike | None = None,
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
 
     L, L_dot, L_ddot: lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without
     L_ddot the motion has no accelerations.  guess: pose (R, t) near the first sample; None: as in
-    ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  The robot's length_limits are not asked for.
+    ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  time: of the samples, s, (n,), increasing; None:
+    the steps that fit L and L_dot.  The robot's length_limits are not asked for.
 
-    Between samples the legs are taken to move along a straight line in the space of lengths, and the pose
-    found is the one to which this leads: a step in pose more than a tenth away from what (5) foretells is
-    made in smaller parts.  Raises ``ValueError`` naming the sample where that fails (the lengths jump, belong
-    to no pose, or lead through a singular one), and naming the argument for any other bad input.
+    Between samples the platform moves as poses, rates and accelerations at both ends say (polynomials of
+    degree 5).  Where all rates are 0, the samples are poses at rest, and between them the legs move along a
+    straight line in the space of lengths.  Raises ``ValueError`` naming the sample where the lengths jump,
+    differ from what the rates say, belong to no pose, or lead through a singular one, and naming the argument
+    for any other bad input.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -91,7 +135,8 @@ def motion_from_lengths(
     for name, values in rates.items():
         if values.shape != lengths.shape:
             raise ValueError(f"{name}: expected the shape of L, {lengths.shape}, got {values.shape}")
-    R, t = _follow(robot, lengths, guess)
+    when = _checked_times(time, len(lengths)) if time is not None else None
+    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess)
     v, omega = forward_velocity(robot, R, t, rates["L_dot"], on_failure="nan")
     a = alpha = None
     if "L_ddot" in rates:
@@ -105,12 +150,19 @@ def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = Non
     """Return a joint-space trajectory as one of the platform; errors name its file and row."""
     try:
         motion = motion_from_lengths(
-            robot, joints.L, joints.L_dot, joints.L_ddot, guess, joints.F_ext, joints.M_ext
+            robot, joints.L, joints.L_dot, joints.L_ddot, guess, joints.F_ext, joints.M_ext, joints.time
         )
     except _LostError as error:
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
     return Trajectory(joints.time, motion, joints.source, joints.rows)
+
+
+def _checked_times(time: ArrayLike, count: int) -> Array:
+    when = real_array(time, "time", "increasing times")
+    if when.shape != (count,) or not np.all(np.isfinite(when)) or np.any(np.diff(when) <= 0.0):
+        raise ValueError(f"time: expected {count} finite times, increasing, of shape ({count},)")
+    return when
 
 
 def _refuse_unsettled(rate: Array) -> None:
@@ -119,20 +171,149 @@ def _refuse_unsettled(rate: Array) -> None:
         raise _LostError(int(bad[0]), "H is singular or the rates overflow: no velocity or acceleration")
 
 
-def _follow(robot: Robot, L: Array, guess: Guess | None) -> tuple[Array, Array]:
+def _follow(
+    robot: Robot, time: Array | None, L: Array, L_dot: Array, L_ddot: Array | None, guess: Guess | None
+) -> tuple[Array, Array]:
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
     if start.status.any():
-        raise _LostError(0, REASONS[int(start.status[0])])
-    pose = _pose(robot, start.R, start.t, L[:1])
-    R, t = np.empty((len(L), 3, 3)), np.empty((len(L), 3))
-    for i in range(len(L)):
-        found = _approach(robot, pose, L[i : i + 1]) if i else pose
+        raise _LostError(0, fault(robot, L[0], int(start.status[0]), guess is not None))
+    first = _pose(robot, start.R, start.t, L[:1])
+    if time is None:
+        time = times_from_rates(L, L_dot)
+    if len(L) < 2 or time is None or not np.any(L_dot):
+        return _at_rest(robot, first, L)
+    rates = accelerations(time, L, L_dot) if L_ddot is None else L_ddot
+    for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
+        if sample is not None:
+            raise _LostError(sample, reason)
+    legs = [_Legs(*(x[i : i + 1] for x in (L, L_dot, rates))) for i in range(len(L))]
+    states = [_state(robot, first, legs[0])]
+    lost = ""
+    for now, h in zip(legs[1:], np.diff(time).tolist(), strict=True):
+        found = _next(robot, states[-1], now, h)
+        if found is None or found.pose.sign != first.sign:
+            lost = NO_WAY if found is None else CROSSED
+            break
+        states.append(found)
+    _refuse_crossings(robot, time[: len(states)], states)
+    if lost:
+        raise _LostError(len(states), lost)
+    return _joined([state.pose for state in states])
+
+
+def _joined(poses: list[_Pose]) -> tuple[Array, Array]:
+    return np.concatenate([pose.R for pose in poses]), np.concatenate([pose.t for pose in poses])
+
+
+def _refuse_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
+    """Name the first sample before which J's determinant changes its sign, between samples too."""
+    twist, rate = (np.array(part) for part in zip(*(state[1:] for state in states), strict=True))
+    bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(states)
+    if known > 1:
+        R, t = _joined([state.pose for state in states[:known]])
+        twist, rate = twist[:known], rate[:known]
+        motion = Motion(R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
+        path = between(Trajectory(time[:known], motion, "L", tuple(range(known))))
+        found = crossings(robot, path, time[:known])
+        if found:
+            raise _LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
+    if bad.size:
+        raise _LostError(known, REASONS[SINGULAR])
+
+
+# From one sample to the next
+
+
+def _next(robot: Robot, state: _State, legs: _Legs, h: float) -> _State | None:
+    """Return the state at the next sample, h s later, that fits the one before best, or None."""
+    ahead = _ahead(state, h)
+    found = _with_other_side(robot, _found(robot, legs.L, *ahead), state, legs, h)
+    step = np.linalg.norm(_apart(robot, (state.pose.R, state.pose.t), ahead))
+    if not found or np.linalg.norm(_apart(robot, (found[0][1].pose.R, found[0][1].pose.t), ahead)) > (
+        _ASTRAY * step + _SAME_POSE * characteristic_length(robot)
+    ):
+        found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
+    return min(found, key=lambda entry: entry[0])[1] if found else None
+
+
+def _with_other_side(
+    robot: Robot, pose: _Pose | None, before: _State, legs: _Legs, h: float
+) -> list[tuple[float, _State]]:
+    """Return a pose and that on the other side of the next singular one: misfit to ``before``, state."""
+    if pose is None:
+        return []
+    state = _state(robot, pose, legs)
+    found = [(_misfit(robot, before, state, h), state)]
+    way = abs(float(way_to_singular(robot, pose.R, pose.t)[0][0]))
+    # As far away as this, the pose on the other side cannot fit better.
+    if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
+        mirrored = other_side(robot, legs.L, pose.R, pose.t)
+        if mirrored.found.all():
+            other = _state(robot, _pose(robot, mirrored.R, mirrored.t, legs.L), legs)
+            found.append((_misfit(robot, before, other, h), other))
+    return found
+
+
+def _misfit(robot: Robot, before: _State, after: _State, h: float) -> float:
+    """Return by how far poses and rates miss a smooth motion, m: in the step made and in h times the rates.
+
+    Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
+    """
+    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))[0]
+    omega, alpha = after.twist[3:], after.rate[3:]
+    twist = np.concatenate([after.twist[:3], vector_rate(turn, omega)])
+    rate = np.concatenate([after.rate[:3], vector_second_rate(turn, omega, alpha)])
+    made = np.concatenate([(after.pose.t - before.pose.t)[0], turn])
+    step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
+    change = twist - before.twist - 0.5 * h * (before.rate + rate)
+    unit = np.repeat([1.0, characteristic_length(robot)], 3)
+    miss = float(np.linalg.norm([step * unit, h * change * unit]))
+    return miss if np.isfinite(miss) else np.inf
+
+
+def _ahead(state: _State, h: float) -> tuple[Array, Array]:
+    step = h * state.twist + 0.5 * h**2 * state.rate
+    angle = np.linalg.norm(step[3:])
+    turn = step[3:] if angle < 1.0 else step[3:] / angle
+    return rotation_from_vector(turn[None]) @ state.pose.R, state.pose.t + step[:3]
+
+
+def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
+    """Difference of two poses as a twist, (6,), m, angles times the platform's size."""
+    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))[0]
+    return np.concatenate([(other[1] - one[1])[0], characteristic_length(robot) * turn])
+
+
+def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
+    """The platform's motion at a pose from that of its legs, (5), (8); not finite where J is singular."""
+    q, S, L = leg_vectors(robot, pose.R, pose.t)
+    with np.errstate(all="ignore"):
+        twist, regular = solve(pose.J, legs.L_dot)
+        omega = twist[:, None, 3:]
+        S_dot = twist[:, None, :3] + cross(omega, q)
+        s = S / L[..., None]
+        centripetal = np.sum(s * cross(omega, cross(omega, q)), axis=-1)
+        across = (np.sum(S_dot**2, axis=-1) - legs.L_dot**2) / L
+        rate, _ = solve(pose.J, legs.L_ddot - centripetal - across)
+    return _State(pose, *(np.where(regular, x[0], np.nan) for x in (twist, rate)))
+
+
+def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
+    end = newton(robot, L, R, t)
+    return _pose(robot, end.R, end.t, L) if end.found.all() else None
+
+
+def _at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
+    """Poses without rates: each is approached from the one before along a straight line of lengths."""
+    poses = [pose]
+    for i in range(1, len(L)):
+        found = _approach(robot, poses[-1], L[i : i + 1])
         if found is None:
             raise _LostError(i, NO_WAY)
-        pose = found
-        R[i], t[i] = pose.R[0], pose.t[0]
-    return R, t
+        poses.append(found)
+    return _joined(poses)
 
 
 def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
@@ -154,20 +335,14 @@ def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
 def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
     """Return the pose at lengths L if it lies where the tangent at ``pose`` points, with J's sign there."""
     foretold, regular = solve(pose.J, L - pose.L)
-    R, t, _, _, converged = newton(robot, L, pose.R, pose.t)
-    turn = R @ np.swapaxes(pose.R, -1, -2)
-    # Beyond a right angle the sine below no longer tells the angle.
-    if not (converged.all() and regular.all()) or np.trace(turn[0]) < 1.0:
+    found = _found(robot, L, pose.R, pose.t)
+    if found is None or not regular.all() or found.sign != pose.sign:
         return None
-    sine = 0.5 * (turn - np.swapaxes(turn, -1, -2))[0]
-    made = np.array([*(t - pose.t)[0], sine[2, 1], sine[0, 2], sine[1, 0]])
+    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))
     size = characteristic_length(robot)
-    unit = np.repeat([1.0, size], 3)
-    apart = np.linalg.norm((made - foretold[0]) * unit)
-    if apart > _ASTRAY * np.linalg.norm(foretold[0] * unit) + _SAME_POSE * size:
-        return None
-    found = _pose(robot, R, t, L)
-    return found if found.sign == pose.sign else None
+    step = foretold[0] * np.repeat([1.0, size], 3)
+    near = np.linalg.norm(made - step) <= _ASTRAY * np.linalg.norm(step) + _SAME_POSE * size
+    return found if near else None
 
 
 def _pose(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:

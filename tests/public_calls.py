@@ -18,7 +18,7 @@ RECORDS = {
     *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "Passage", "Singularity"),
-    *("PATHS", "PhysicalityWarning", "SingularPoseWarning", "results", "robots"),
+    *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
 
@@ -101,6 +101,7 @@ def calls() -> dict[str, Call]:
         ),
         "condition_number": Call(ss.condition_number, {"H": H}),
         "scaled_condition_number": Call(ss.scaled_condition_number, {"H": H, "length": 1.0}),
+        "up_direction": Call(ss.up_direction, {"robot": robot}),
         "characteristic_length": Call(ss.characteristic_length, {"robot": robot}),
         "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
         "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),

@@ -42,6 +42,7 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
     outside = (home.L < shortest) | (home.L > longest)
     legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
     rows = [
+        ("above", f"{_vector(home.side.direction)}, {home.side.rule}"),
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
     ]

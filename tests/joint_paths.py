@@ -1,0 +1,123 @@
+"""Random smooth paths of random machines for joint-space tests: some cross singular poses, some graze them.
+
+Ground truth is the sign of det J on a fine grid along the path itself, which no test's subject takes part in.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from machines import dasgupta, home_position, machine_size, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.conditioning import characteristic_length
+from stewart_sym.rotation import angular_motion_from_vector, rotation_from_vector
+
+Array = NDArray[np.float64]
+
+GRID = 40_001
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothPath:
+    """Position, m, and rotation vector, rad, side by side: a line and harmonics, over `duration`, s.
+
+    start, change: (6,). sine: (harmonics, 6); each vanishes at both ends.
+    """
+
+    start: Array
+    change: Array
+    sine: Array
+    duration: float
+
+    def __call__(self, time: Array) -> ss.Motion:
+        share = np.asarray(time)[:, None] / self.duration
+        rate = np.pi * np.arange(1, len(self.sine) + 1)
+        angle = share * rate
+        x = self.start + share * self.change + np.sin(angle) @ self.sine
+        x_1 = (self.change + (rate * np.cos(angle)) @ self.sine) / self.duration
+        x_2 = -((rate**2 * np.sin(angle)) @ self.sine) / self.duration**2
+        omega, alpha = angular_motion_from_vector(x[:, 3:], x_1[:, 3:], x_2[:, 3:])
+        return ss.Motion(rotation_from_vector(x[:, 3:]), x[:, :3], omega, x_1[:, :3], alpha, x_2[:, :3])
+
+
+def random_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath]:
+    """A machine and a path: wherever it leads, to the other side of singular poses, or just to them.
+
+    Of the last kind, paths go out and back and are scaled so that they end a little before or behind the
+    first singular pose that a growing path touches.
+    """
+    robot = dasgupta() if rng.uniform() < 0.2 else random_robot(rng, rng.choice(["universal", "spherical"]))
+    kind = rng.choice(["anywhere", "across", "grazing"])
+    if kind == "anywhere":
+        return robot, _draw(rng, robot, rng.uniform(0.1, 0.8), closed=False)
+    while True:
+        path = _draw(rng, robot, rng.uniform(0.3, 1.5), closed=kind == "grazing")
+        if _crosses(robot, path):
+            break
+    return robot, path if kind == "across" else _grazing(rng, robot, path)
+
+
+def _draw(rng: np.random.Generator, robot: ss.Robot, width: float, closed: bool) -> SmoothPath:
+    size = machine_size(robot)
+    spread = width * np.repeat([size, 1.0], 3)
+    home = np.concatenate([home_position(robot.b, size), np.zeros(3)])
+    first, last = home + spread * rng.normal(size=(2, 6)) * [[min(0.3, 0.1 / width)], [0.7]]
+    order = np.arange(1, rng.integers(2, 6))[:, None]
+    sine = rng.normal(size=(len(order), 6)) * spread * rng.uniform(0.0, 0.4) / order
+    if closed:
+        sine[0] += last - first
+    change = np.zeros(6) if closed else last - first
+    return SmoothPath(first, change, sine, float(np.exp(rng.uniform(-1.0, 2.0))))
+
+
+def _grazing(rng: np.random.Generator, robot: ss.Robot, path: SmoothPath) -> SmoothPath:
+    low, high = 0.0, 1.0
+    while high - low > 1e-6:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if _crosses(robot, _scaled(path, middle)) else (middle, high)
+    beyond = float(np.exp(rng.uniform(np.log(1e-3), np.log(0.1))))
+    return _scaled(path, low * (1.0 + rng.choice([-1.0, -1.0, 1.0]) * beyond))
+
+
+def _scaled(path: SmoothPath, scale: float) -> SmoothPath:
+    return SmoothPath(path.start, scale * path.change, scale * path.sine, path.duration)
+
+
+def _crosses(robot: ss.Robot, path: SmoothPath) -> bool:
+    det = scaled_determinant(robot, path(np.linspace(0.0, path.duration, 1001)))
+    return bool(np.any(det * det[0] <= 0.0))
+
+
+def scaled_determinant(robot: ss.Robot, motion: ss.Motion) -> Array:
+    """det of J with angles times the platform's size, no unit: near 0 at a singular pose."""
+    S = motion.t[..., None, :] + robot.p @ np.swapaxes(motion.R, -1, -2) - robot.b
+    s = S / np.linalg.norm(S, axis=-1, keepdims=True)
+    q = robot.p @ np.swapaxes(motion.R, -1, -2)
+    rows = np.concatenate([s, np.cross(q, s) / characteristic_length(robot)], axis=-1)
+    return np.asarray(np.linalg.det(rows))
+
+
+@dataclass(frozen=True)
+class Truth:
+    """First crossing, s, or inf; least |det|, no unit, of the scaled J over the path (0 with a crossing)."""
+
+    crossing: float
+    least: float
+
+
+def truth(robot: ss.Robot, path: SmoothPath) -> Truth:
+    time = np.linspace(0.0, path.duration, GRID)
+    det = scaled_determinant(robot, path(time))
+    turns = np.flatnonzero(det[1:] * det[0] <= 0.0)
+    crossing = float(time[turns[0]]) if turns.size else np.inf
+    return Truth(crossing, 0.0 if turns.size else float(np.abs(det).min()))
+
+
+def legs_along(robot: ss.Robot, path: SmoothPath, samples: int) -> tuple[Array, ss.Motion, tuple[Array, ...]]:
+    """Times, (n,), the true motion there, and L, L_dot, L_ddot, (n, 6) each."""
+    time = np.linspace(0.0, path.duration, samples)
+    motion = path(time)
+    legs = ss.inverse_kinematics(robot, motion)
+    assert legs.L_ddot is not None
+    return time, motion, (legs.L, legs.L_dot, legs.L_ddot)
