@@ -14,7 +14,18 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
-    {"checks", "faults", "publish", "results", "rotation", "search", "tables", "generated"},
+    {
+        "checks",
+        "faults",
+        "logs",
+        "publish",
+        "results",
+        "rotation",
+        "search",
+        "smoothing",
+        "tables",
+        "generated",
+    },
     {"robot", "motion", "native"},
     {
         "robots",
@@ -27,7 +38,7 @@ FLOORS = (
         "damping",
     },
     {"forward", "joint_space", "fidelity", "certificate", "interpolation", "singularity", "units"},
-    {"dynamics", "forces", "passage"},
+    {"dynamics", "forces", "force_noise", "passage"},
     {"closed_form", "bounds"},
     {"equations", "laws"},
     {"simulation", "fixed_step"},
