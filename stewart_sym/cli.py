@@ -729,11 +729,10 @@ def _parser() -> argparse.ArgumentParser:
         "stewart-sym forces hexapod.toml log.csv -o forces.csv --columns time=t,t_x=X --length-unit mm",
         "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
         "(rad) or q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline "
-        "is fitted), "
-        "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally "
-        "L_dot_* and L_ddot_* together. SI units unless said otherwise. Columns that show rounding or noise are "
-        "smoothed, F1_sd to F6_sd are the standard deviations of the forces that this leaves, and a force "
-        "limit within three of them is not decided. Moments M_p are taken about the base points.",
+        "is fitted), F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), "
+        "optionally L_dot_* and L_ddot_* together. SI units by default. Columns that show rounding or noise "
+        "are smoothed, F1_sd to F6_sd are the standard deviations of the forces that this leaves, and a "
+        "force limit within three of them is not decided. Moments M_p are taken about the base points.",
     )
     _robot(verb)
     verb.add_argument(
@@ -1114,7 +1113,7 @@ def _log(verb: argparse.ArgumentParser) -> None:
         "--cutoff",
         type=_positive,
         metavar="HZ",
-        help="smooth to half the amplitude there; default: the likeliest",
+        help="halve the amplitude there; default: the likeliest",
     )
     group.add_argument(
         "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"

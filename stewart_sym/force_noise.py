@@ -1,7 +1,7 @@
 """What noise in a log does to actuator forces: their standard deviation at every instant.
 
-The deviations of the six coordinates and their rates, as smoothing or rounding leave them, are carried through
-kinematics and dynamics one after another, so every formulation and every machine is served.
+The deviations of the six coordinates and their rates, as smoothing or rounding leave them, are carried
+through kinematics and dynamics one after another, so every formulation and every machine is served.
 """
 
 from collections.abc import Iterator
@@ -32,10 +32,10 @@ _CHUNK = 16_384
 def force_deviations(
     robot: Robot, trajectory: Trajectory, formulation: Formulation = "exact", backend: Backend = "c"
 ) -> Array:
-    """Return the standard deviation of each actuator force, N, (n, 6), from the noise of the trajectory's log.
+    """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
 
-    To first order in the noise; 0 for a trajectory without noise, NaN where a force has no answer. Raises
-    ValueError for unknown options.
+    To first order in the noise; 0 for a trajectory without noise, NaN where a pose is unsolvable, infinite
+    where one within the noise is. Raises ValueError for unknown options.
     """
     instance(trajectory, Trajectory, "trajectory")
     F = inverse_dynamics(robot, trajectory.motion, formulation, backend, on_singular="nan").F
@@ -47,7 +47,7 @@ def force_deviations(
         deviations = _deviations(trajectory.noise, trajectory.time[part])
         for other in _displaced(robot, trajectory, part, deviations):
             moved = inverse_dynamics(robot, other, formulation, backend, on_singular="nan").F
-            variance[part] += (moved - F[part]) ** 2
+            variance[part] += np.where(np.isfinite(moved), (moved - F[part]) ** 2, np.inf)
     return np.sqrt(variance)
 
 

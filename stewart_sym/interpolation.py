@@ -77,8 +77,8 @@ def between(trajectory: Trajectory) -> Path:
 def resampled(trajectory: Trajectory, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
-    Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too many
-    instants, and as ``between``.
+    Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
+    many instants, and as ``between``.
     """
     time = trajectory.time
     count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)

@@ -10,11 +10,15 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from itertools import permutations
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .checks import option, shown
+
+if TYPE_CHECKING:
+    import _csv
 
 Array = NDArray[np.float64]
 
@@ -146,7 +150,7 @@ def _plain_table(text: str, lines: int, header: list[str | None], delimiter: str
 
 
 def _table(
-    reader: "csv._reader", header: list[str | None], source: str, decimal: str
+    reader: "_csv.Reader", header: list[str | None], source: str, decimal: str
 ) -> tuple[Array, tuple[int, ...]]:
     """Numbers below the header, (n, columns), and their rows; skipped columns are NaN."""
     # Row after row and as numbers at once: the cells of a long file would take ten times its size.

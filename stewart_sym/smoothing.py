@@ -1,9 +1,9 @@
-"""Smoothing splines of noisy samples: values, rates, second rates and their posterior covariance; NumPy alone.
+"""Smoothing splines of noisy samples: values, rates, second rates and their covariance; NumPy alone.
 
 A spline of degree 5 on even knots minimises squared residuals over the noise's variance plus the squared
 differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal likelihood
-chooses that variance and d, so the spread of the posterior is what noise and unresolved motion leave open. The
-knots are refined until the penalty alone limits the resolution. Long series are smoothed in windows that
+chooses that variance and d, so the spread of the posterior is what noise and unresolved motion leave open.
+The knots are refined until the penalty alone limits the resolution. Long series are smoothed in windows that
 overlap by half, so time and memory grow with their length alone.
 """
 
@@ -77,8 +77,8 @@ def smooth(
     """Smooth columns of samples, zero phase, right up to both ends.
 
     time: increasing, s, (n,), n > 3. values: (n, c). sigma: standard deviation of the noise of each column,
-    (c,) or one for all, > 0; None: as ``noise_level`` and the samples show it. cutoff: frequency, Hz, at which
-    the amplitude is halved; None: the likeliest. With a cut-off and no sigma the noise is that of the
+    (c,) or one for all, > 0; None: as ``noise_level`` and the samples show it. cutoff: frequency, Hz, at
+    which the amplitude is halved; None: the likeliest. With a cut-off and no sigma the noise is that of the
     residuals. A column without noise is rejected: interpolate it.
 
     Raises ValueError naming the argument.
@@ -126,7 +126,7 @@ def stated(sigma: Array) -> Level:
 def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     """Noise of each column of (n, c); 0 where there is none.
 
-    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of white noise where it is larger: high
+    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of white noise where larger: high
     divided differences of a smooth motion shrink with their order, those of white noise do not. A number that
     stays the same over several samples counts as one observation.
     """
@@ -154,20 +154,18 @@ def rounding_step(values: Array) -> float:
     if largest == 0.0:
         return 0.0
     decade = math.floor(math.log10(largest))
-    for digits in range(-1, _EXACT_DIGITS):
-        if _same(np.round(values[:100], digits - decade), values[:100]) and _same(
-            np.round(values, digits - decade), values
-        ):
-            return float(10.0 ** (decade - digits))
     some = values[np.abs(values) > 1e-9 * largest]
     decades = np.floor(np.log10(np.abs(some)))
+    found = [0.0]
+    for digits in range(-1, _EXACT_DIGITS):
+        if _written(values, np.full(len(values), 10.0 ** (digits - decade))):
+            found.append(10.0 ** (decade - digits))
+            break
     for digits in range(1, _EXACT_DIGITS - 1):
-        unit = 10.0 ** (digits - decades)
-        if _same(np.rint(some[:100] * unit[:100]) / unit[:100], some[:100]) and _same(
-            np.rint(some * unit) / unit, some
-        ):
-            return float(np.sqrt(np.mean(unit**-2.0)))
-    return 0.0
+        if _written(some, 10.0 ** (digits - decades)):
+            found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
+            break
+    return max(found)
 
 
 def white_noise(time: Array, values: Array) -> Array:
@@ -179,8 +177,12 @@ def white_noise(time: Array, values: Array) -> Array:
     return np.where(noisy, high, 0.0)
 
 
-def _same(one: Array, other: Array) -> bool:
-    return bool((one == other).all())
+def _written(values: Array, per_step: Array) -> bool:
+    """Whether all numbers are decimal fractions with as many steps in one; a few are tried first."""
+    return all(
+        bool((np.rint(values[part] * per_step[part]) / per_step[part] == values[part]).all())
+        for part in (slice(100), slice(None))
+    )
 
 
 def _difference_level(time: Array, values: Array, order: int) -> Array:
@@ -201,10 +203,11 @@ def _difference_level(time: Array, values: Array, order: int) -> Array:
 
 
 class _Knots(NamedTuple):
-    """Even knots: their distance, s, and the number of intervals between them."""
+    """Even knots: their distance, s, the number of intervals between them, and samples in each on average."""
 
     step: float
     cells: int
+    density: float
 
     def windows(self) -> list[int]:
         """First cell of every window; a single one takes all."""
@@ -216,12 +219,15 @@ class _Knots(NamedTuple):
         return min(self.cells, WINDOW)
 
     def share(self, start: int, places: Array) -> Array:
-        """Weight of the window from cell ``start`` at places in cells of the whole; those of all add up to 1."""
-        half = WINDOW / 2.0
-        rise = np.ones_like(places) if start == 0 else np.clip((places - start) / half, 0.0, 1.0)
+        """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
+
+        It is 0 next to an end that another window overlaps, where the one knows less than the other.
+        """
+        margin = WINDOW / 6.0
         last = start + self.width >= self.cells
-        fall = np.ones_like(places) if last else np.clip((start + WINDOW - places) / half, 0.0, 1.0)
-        return np.asarray(np.minimum(rise, fall))
+        rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
+        fall = np.ones_like(places) if last else (start + self.width - places) / margin - 1.0
+        return np.clip(np.minimum(rise, fall), 0.0, 1.0)
 
 
 def _whole(cells: int) -> int:
@@ -237,7 +243,8 @@ def _knots_of_cutoff(since: Array, cutoff: float) -> _Knots:
             f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
         )
     step = 0.125 / cutoff
-    return _Knots(step, _whole(max(1, math.ceil(since[-1] / step))))
+    cells = since[-1] / step
+    return _Knots(step, _whole(max(1, math.ceil(cells))), len(since) / cells)
 
 
 def _resolve(since: Array, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
@@ -245,7 +252,7 @@ def _resolve(since: Array, values: Array, sigma: Array) -> tuple[_Knots, NDArray
     orders = [order for order in ORDERS if order < len(since)]
     cells = min(_FEWEST_CELLS, len(since))
     while True:
-        knots = _Knots(float(since[-1]) / cells, cells)
+        knots = _Knots(float(since[-1]) / cells, cells, len(since) / cells)
         starts = knots.windows()
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
         cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
@@ -287,13 +294,15 @@ class _Fit(NamedTuple):
 class _Window(NamedTuple):
     """Samples in a window as the spline's coefficients see them.
 
-    cell: interval of each sample; N: its six B-splines; y: values, (m, c); G = B^T B, (p, p).
+    cell: interval of each sample; N: its six B-splines; y: values, (m, c); G = B^T B, (p, p); density: as of
+    the knots.
     """
 
     cell: NDArray[np.int64]
     N: Array
     y: Array
     G: Array
+    density: float
 
     @property
     def size(self) -> int:
@@ -315,14 +324,13 @@ class _Window(NamedTuple):
                 G[at + i, at + j] += sums
                 if i != j:
                     G[at + j, at + i] += sums
-        return cls(cell, N, values[first:end], G)
+        return cls(cell, N, values[first:end], G, knots.density)
 
     def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
         """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
         rough = np.diff(np.eye(self.size), order, axis=0)
-        density = max(1.0, len(self.y)) / self.size
-        P = density / _EDGE ** (2 * order) * rough.T @ rough
-        M = self.G + P + 1e-12 * density * np.eye(self.size)
+        P = self.density / _EDGE ** (2 * order) * rough.T @ rough
+        M = self.G + P + 1e-12 * self.density * np.eye(self.size)
         inverse = np.linalg.inv(np.linalg.cholesky(M))
         rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
         rho = np.clip(rho, 0.0, 1.0)[:, None]
@@ -349,8 +357,8 @@ class _Window(NamedTuple):
         idle = (pull > 10.0 * gamma) & (gamma > _SEEN)
         seen = np.maximum(gamma, _SEEN)
         noise = np.where(idle, (gamma * bent + z) ** 2 / seen, 0.0)
-        # Expected square of the error: that of the noise, and that of smoothing as far as the samples show it.
-        steep = (np.maximum(rho, 1e-300) / seen) ** (2.0 / order) * (pull / A) ** 2 * (pull < 10.0 * gamma)
+        # Expected square of the error: the noise's, and that of smoothing as far as the samples show it.
+        steep = (np.maximum(rho, 1e-300) / seen) ** (2.0 / order) * (pull / A) ** 2 * (pull < 3.0 * gamma)
         square = np.sum(steep * (((gamma * bent + z) / seen) ** 2 - sigma**2 / seen), axis=0)
         prior = np.sum(steep * sigma**2 / np.maximum(pull, 1e-300), axis=0)
         bias = np.clip(square / np.maximum(prior, 1e-300), 0.0, 1.0)
@@ -395,7 +403,7 @@ def _smoothed(
         bases = [_dense(cell, _b_splines(u, DEGREE, rate), knots) for rate in range(3)]
         share = knots.share(start, grid[inside])
         centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, knots.width)
-        blend = knots.share(start, start + centres)
+        blend = knots.share(start, (start + centres).astype(np.float64))
         for order in np.unique(orders):
             own = np.flatnonzero(orders == order)
             fit = window._replace(y=window.y[:, own]).likeliest(int(order), sigma[own], weight)
@@ -409,7 +417,7 @@ def _smoothed(
         for rate in range(3):
             N = _b_splines(u, DEGREE, rate) / knots.step**rate
             found[rate, part] = _along(N, cell, coefficients)
-    return Smooth(*found, sigma, time[0] + knots.step * grid, covariance)
+    return Smooth(found[0], found[1], found[2], sigma, time[0] + knots.step * grid, covariance)
 
 
 def _places(since: Array, step: float, start: int, cells: int) -> tuple[NDArray[np.int64], Array]:

@@ -4,11 +4,11 @@ Stands above ``Motion``, which it makes, and below the studies and the command l
 forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
 """
 
+import dataclasses
 import math
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-import dataclasses
 from dataclasses import dataclass, fields
 from types import MappingProxyType
 from typing import NamedTuple
@@ -505,8 +505,8 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
         (L, L_dot, L_ddot), noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
     _warn_of_units(log, np.stack([L, L_dot, L_ddot]))
-    loads = (log.written.get(name) for name in _LOADS)
-    return JointTrajectory(log.time, L, L_dot, L_ddot, *loads, log.source, log.rows, noise)
+    F_ext, M_ext = (log.written.get(name) for name in _LOADS)
+    return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
 
 
 def _pose_trajectory(log: _Log) -> Trajectory:

@@ -115,7 +115,7 @@ def exceeded(
         ("length_limits", low - L, L, low, "m"),
     ):
         lines += [
-            _worst(f"{name} exceeded", leg, excess[:, leg], time, values, None, limit, unit)
+            _worst(f"{name} exceeded", int(leg), excess[:, leg], time, values, None, limit, unit)
             for leg in np.flatnonzero((excess > 0.0).any(axis=0))
         ]
     return lines
@@ -127,7 +127,10 @@ def length_doubt(robot: Robot, lengths: Array) -> str | None:
     typical = float(np.median(np.abs(lengths)))
     if typical <= _FAR * size:
         return None
-    return f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: are they in another unit (--length-unit mm)?"
+    return (
+        f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: "
+        "are they in another unit (--length-unit mm)?"
+    )
 
 
 _FAR = 20.0
@@ -135,13 +138,11 @@ WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 
 
 def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[str]:
-    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` for each leg's force_limit; forces and deviations (n, 6)."""
+    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` for each leg's force_limit; F, F_sd: N, (n, 6)."""
     spread = np.zeros_like(F) if F_sd is None else SURE * F_sd
-    sure = (np.abs(F) - spread > robot.force_limit).any(axis=0)
-    open_ = (np.abs(F) + spread > robot.force_limit).any(axis=0)
-    return [
-        EXCEEDED if yes else NOT_DECIDED if maybe else WITHIN for yes, maybe in zip(sure, open_, strict=True)
-    ]
+    sure = np.any(np.abs(F) - spread > robot.force_limit, axis=0)
+    maybe = np.any(np.abs(F) + spread > robot.force_limit, axis=0)
+    return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(6)]
 
 
 def _worst(
@@ -150,10 +151,12 @@ def _worst(
     over = excess > 0.0
     i = int(np.nanargmax(excess if sd is None or over.any() else excess + SURE * sd[:, leg]))
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    text = f"{what} by leg {leg + 1}: {values[i, leg]:.6g}{spread} {unit} at {time[i]:g} s, limit {limit[leg]:g} {unit}"
+    value = f"{values[i, leg]:.6g}{spread} {unit} at {time[i]:g} s"
+    text = f"{what} by leg {leg + 1}: {value}, limit {limit[leg]:g} {unit}"
     if not over.any():
         return text
-    return f"{text}; beyond it for {_weights(time)[over].sum():.3g} s, at {np.count_nonzero(over)} of {len(time)} instants"
+    span = _weights(time)[over].sum()
+    return f"{text}; beyond it for {span:.3g} s, at {np.count_nonzero(over)} of {len(time)} instants"
 
 
 def _weights(time: Array) -> Array:
@@ -163,21 +166,27 @@ def _weights(time: Array) -> Array:
 
 def _peaks(F: Array) -> NDArray[np.int64]:
     """Index of each leg's largest force, (6,)."""
-    return np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0)
+    return np.asarray(np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0))
+
+
+def peak_noise(F: Array, F_sd: Array) -> Array:
+    """Share of each leg's peak force, (6,), by which noise may hide a larger one, at any instant."""
+    peak = np.nan_to_num(np.abs(F)).max(axis=0)
+    possible = np.nan_to_num(np.abs(F) + SURE * F_sd).max(axis=0)
+    return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
 def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
     """One line about the leg whose peak is least sure, if that is less sure than the share."""
-    i, legs = _peaks(F), np.arange(6)
-    ratio = SURE * F_sd[i, legs] / np.maximum(np.abs(F[i, legs]), np.finfo(float).tiny)
+    ratio = peak_noise(F, F_sd)
     leg = int(np.argmax(ratio))
     if not ratio[leg] > share:
         return []
-    count = np.count_nonzero(ratio > share)
+    i = int(np.argmax(np.nan_to_num(np.abs(F) + SURE * F_sd)[:, leg]))
     return [
-        f"noise in the log makes {ratio[leg]:.2g} of leg {leg + 1}'s peak force, {F[i[leg], leg]:.6g} +- "
-        f"{F_sd[i[leg], leg]:.3g} N at {time[i[leg]]:g} s, more than {share:g} ({SURE:g} deviations); "
-        f"so for {count} of 6 legs"
+        f"noise in the log leaves {ratio[leg]:.2g} of leg {leg + 1}'s peak force open, more than {share:g} "
+        f"({SURE:g} deviations): {F[i, leg]:.6g} +- {F_sd[i, leg]:.3g} N at {time[i]:g} s; "
+        f"so for {np.count_nonzero(ratio > share)} of 6 legs"
     ]
 
 
