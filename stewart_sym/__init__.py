@@ -28,14 +28,16 @@ from .equations import (
 )
 from .excitation import Excitation, FourierPath, choose_excitation
 from .faults import SingularPoseWarning
+from .force_noise import force_deviations
 from .forces import ForceKernel, prepare
 from .forward import PlatformPose, forward_acceleration, forward_kinematics, forward_velocity
 from .identifiable import BaseParameters, base_parameters
 from .identification import Estimate, Experiment, identify, simulated_experiment
-from .interpolation import between
+from .interpolation import between, resampled
 from .joint_space import motion_from_lengths
 from .kinematics import inverse_kinematics, wrench_matrix, wrench_matrix_rate
 from .laws import ComputedTorque, LegSprings
+from .logs import LogFormat
 from .motion import Motion
 from .mounting import AssemblyModeWarning, up_direction
 from .parameters import Parameters, inertial_parameters, regressor
@@ -53,7 +55,8 @@ from .robot import PhysicalityWarning, Robot
 from .simulation import Simulation, Stop, Thresholds, Trace, simulate
 from .singularity import Singularity, singularity
 from .smooth_motion import PoseNoise, estimated_noise
-from .trajectory import PATHS, StraightLinePath
+from .smoothing import LogWarning, Smooth, smooth
+from .trajectory import PATHS, Smoothing, StraightLinePath
 from .units import Units
 
 __all__ = [
@@ -76,6 +79,8 @@ __all__ = [
     "LegExtreme",
     "LegSprings",
     "Linearisation",
+    "LogFormat",
+    "LogWarning",
     "Motion",
     "Parameters",
     "Passage",
@@ -87,6 +92,8 @@ __all__ = [
     "Simulation",
     "SingularPoseWarning",
     "Singularity",
+    "Smooth",
+    "Smoothing",
     "Stop",
     "StraightLinePath",
     "Thresholds",
@@ -104,6 +111,7 @@ __all__ = [
     "equations_of_motion",
     "estimated_noise",
     "force_derivatives",
+    "force_deviations",
     "force_pole",
     "forces_with_bounds",
     "forward_acceleration",
@@ -121,6 +129,7 @@ __all__ = [
     "motion_from_lengths",
     "prepare",
     "regressor",
+    "resampled",
     "results",
     "robots",
     "scaled_condition_number",
@@ -128,6 +137,7 @@ __all__ = [
     "simulated_experiment",
     "singularities_along",
     "singularity",
+    "smooth",
     "up_direction",
     "wrench_matrix",
     "wrench_matrix_rate",

@@ -111,15 +111,16 @@ def _forces(arguments: argparse.Namespace) -> int:
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
     robot = Robot.from_toml(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
-        trajectory = _trajectory(robot, arguments.trajectory, arguments.start, progress)
+        trajectory = _trajectory(robot, arguments.trajectory, arguments, progress)
         progress(f"computing {len(trajectory.time)} instants")
-        columns, exceeded = track(
+        found = track(
             robot,
             trajectory,
             arguments.formulation,
             arguments.backend,
             arguments.reactions,
             arguments.allow_singular,
+            arguments.noise_share,
         )
         if len(trajectory.time) > 1:
             progress("looking for singular poses")
@@ -127,9 +128,11 @@ def _forces(arguments: argparse.Namespace) -> int:
             if crossed is not None:
                 warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
         progress("writing")
-        stream.writelines(csv_lines(columns))
-    for line in exceeded:
+        stream.writelines(csv_lines(found.columns))
+    for line in found.doubts:
         warnings.warn(line, stacklevel=2)
+    if str(arguments.output) != "-":
+        print(f"{found.summary}\nWritten to {arguments.output}")
     return 0
 
 
@@ -155,7 +158,7 @@ def _singularities(arguments: argparse.Namespace) -> int:
         else:
             if not Path(name).exists():
                 raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
-            trajectory = _trajectory(robot, Path(name), arguments.start, progress)
+            trajectory = _trajectory(robot, Path(name), arguments, progress)
             path, times, name = between(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
@@ -476,22 +479,36 @@ def _chart(arguments: argparse.Namespace) -> int:
 
 
 def _trajectory(
-    robot: "Robot", source: Path, start: list[float] | None, progress: Callable[[str], None]
+    robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Callable[[str], None]
 ) -> "Trajectory":
-    """Poses over time from a CSV file of poses or of leg lengths; ``start`` as of the option."""
+    """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
+    from .interpolation import resampled
     from .joint_space import on_platform
+    from .logs import LogFormat
     from .rotation import rotation_from_rpy
-    from .trajectory import JointTrajectory, read_any_csv
+    from .studies.track import length_doubt
+    from .trajectory import JointTrajectory, Smoothing, read_any_csv
 
     progress("reading the trajectory")
-    trajectory = read_any_csv(source)
-    if isinstance(trajectory, JointTrajectory):
-        progress(f"finding {len(trajectory.time)} poses")
+    names = ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
+    form = LogFormat(arguments.columns, **{name: getattr(arguments, name) for name in names})
+    smoothing = Smoothing(
+        arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
+    )
+    log = read_any_csv(source, form, smoothing)
+    start = arguments.start
+    doubt = length_doubt(robot, log.L if isinstance(log, JointTrajectory) else log.motion.t)
+    if doubt is not None:
+        warnings.warn(f"{source}: {doubt}", stacklevel=2)
+    if isinstance(log, JointTrajectory):
+        progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        return on_platform(robot, trajectory, guess)
-    if start is not None:
+        trajectory = on_platform(robot, log, guess)
+    elif start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-    return trajectory
+    else:
+        trajectory = log
+    return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
 
 
 def _measured(arguments: argparse.Namespace) -> "tuple[dict[str, str], Estimate]":
@@ -733,11 +750,13 @@ def _parser() -> argparse.ArgumentParser:
         "forces",
         _forces,
         "actuator forces along a trajectory",
-        "stewart-sym forces hexapod.toml trajectory.csv -o forces.csv",
+        "stewart-sym forces hexapod.toml log.csv -o forces.csv --columns time=t,t_x=X --length-unit mm",
         "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
-        "(rad); optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
-        "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally "
-        "L_dot_* and L_ddot_* together. SI units. Moments M_p are taken about the base points.",
+        "(rad) or q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline "
+        "is fitted), F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), "
+        "optionally L_dot_* and L_ddot_* together. SI units by default. Columns that show rounding or noise "
+        "are smoothed, F1_sd to F6_sd are the standard deviations of the forces that this leaves, and a "
+        "force limit within three of them is not decided. Moments M_p are taken about the base points.",
     )
     _robot(verb)
     verb.add_argument(
@@ -753,6 +772,14 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help="write nan and a status for poses without an answer instead of refusing the trajectory",
     )
+    verb.add_argument(
+        "--noise-share",
+        type=_positive,
+        default=0.02,
+        metavar="SHARE",
+        help="of a leg's peak force that noise may make (three deviations) without a warning; default: 0.02",
+    )
+    _log(verb)
 
     verb = _verb(
         verbs,
@@ -769,6 +796,7 @@ def _parser() -> argparse.ArgumentParser:
     _output(verb, "DIR", "folder to write to", Path("singularities"))
     _formulation(verb)
     _start(verb)
+    _log(verb)
     verb.add_argument(
         "--no-pictures",
         dest="pictures",
@@ -1095,6 +1123,61 @@ def _start(verb: argparse.ArgumentParser) -> None:
         metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
         help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
     )
+
+
+def _log(verb: argparse.ArgumentParser) -> None:
+    """Options of how a trajectory's file is read."""
+    group = verb.add_argument_group("the trajectory's file")
+    group.add_argument(
+        "--columns",
+        type=_names,
+        default={},
+        metavar="NAME=HEADER,...",
+        help="which header stands for time, t_x, ...; all other columns are skipped",
+    )
+    for name, choices in (
+        ("length-unit", ("m", "cm", "mm", "in")),
+        ("angle-unit", ("rad", "deg")),
+        ("time-unit", ("s", "ms", "us")),
+    ):
+        group.add_argument(f"--{name}", choices=choices, default=choices[0], help=f"default: {choices[0]}")
+    group.add_argument("--delimiter", choices=("comma", "semicolon", "tab"), help="default: detected")
+    group.add_argument("--decimal", choices=("point", "comma"), help="default: detected")
+    group.add_argument(
+        "--euler-order",
+        choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
+        default="zyx",
+        help="of the rotations multiplied; default: zyx, R = Rz Ry Rx",
+    )
+    group.add_argument("--rate", type=_positive, metavar="HZ", help="resample; default: the log's own times")
+    group.add_argument(
+        "--noise-position",
+        type=_positive,
+        metavar="M",
+        help="deviation of positions or lengths, m; default: found",
+    )
+    group.add_argument(
+        "--noise-angle", type=_positive, metavar="RAD", help="deviation of angles, rad; default: found"
+    )
+    group.add_argument(
+        "--cutoff",
+        type=_positive,
+        metavar="HZ",
+        help="halve the amplitude there; default: the likeliest",
+    )
+    group.add_argument(
+        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
+    )
+
+
+def _names(text: str) -> dict[str, str]:
+    pairs = [pair.partition("=") for pair in text.split(",")]
+    names = {name.strip(): given.strip() for name, _, given in pairs}
+    if not all(sign and name.strip() and given.strip() for name, sign, given in pairs) or len(names) < len(
+        pairs
+    ):
+        raise argparse.ArgumentTypeError(f"expected NAME=HEADER,NAME=HEADER,..., got {text!r}")
+    return names
 
 
 def _formulation(verb: argparse.ArgumentParser) -> None:

@@ -21,7 +21,7 @@ from .rotation import (
     vector_rate,
     vector_second_rate,
 )
-from .trajectory import Trajectory
+from .trajectory import MOST_STEPS, Trajectory
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
@@ -62,9 +62,7 @@ def between(trajectory: Trajectory) -> Path:
             raise ValueError(
                 f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
             )
-        i = np.minimum(np.searchsorted(time, when, side="right") - 1, len(step) - 1)
-        h = step[i][..., None]
-        share = (when - time[i])[..., None] / h
+        i, share, h = _steps(time, when)
         t, v, a = _values(places[:, i], share, h)
         phi, phi_dot, phi_ddot = _values(angles[:, i], share, h)
         omega, alpha = angular_motion_from_vector(phi, phi_dot, phi_ddot)
@@ -76,6 +74,35 @@ def between(trajectory: Trajectory) -> Path:
         return Motion(R, t, omega, v, alpha, a, **loads)
 
     return at
+
+
+def resampled(trajectory: Trajectory, rate: float) -> Trajectory:
+    """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
+
+    Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
+    many instants, and as ``between``.
+    """
+    time = trajectory.time
+    count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)
+    if not 0.0 < rate or not count < MOST_STEPS:
+        raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
+    path = between(trajectory)
+    when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
+    i, share, h = _steps(time, when)
+    rows = tuple(np.array(trajectory.rows)[i].tolist())
+    noise = trajectory.noise
+    if noise is not None:
+        start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
+        c = _quintic(np.diff(time), tuple(start), tuple(end))
+        noise = noise._replace(coordinates=np.stack(_values(c[:, i], share, h)))
+    return Trajectory(when, path(when), trajectory.source, rows, noise)
+
+
+def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array, Array]:
+    """Step in which each time lies, the share of it that has passed, and its length, s, (..., 1)."""
+    i = np.minimum(np.searchsorted(time, when, side="right") - 1, len(time) - 2)
+    h = np.diff(time)[i][..., None]
+    return i, (when - time[i])[..., None] / h, h
 
 
 Ends = tuple[Array, Array, Array]

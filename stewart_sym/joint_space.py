@@ -155,7 +155,7 @@ def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = Non
     except _LostError as error:
         row = joints.rows[error.sample]
         raise ValueError(f"{joints.source}: row {row}: {error.reason}") from None
-    return Trajectory(joints.time, motion, joints.source, joints.rows)
+    return Trajectory(joints.time, motion, joints.source, joints.rows, joints.noise)
 
 
 def _checked_times(time: ArrayLike, count: int) -> Array:

@@ -6,6 +6,8 @@ the robot file's U U^T and a triangular L with a positive diagonal, it is possib
 are (Rucker and Wensing 2022).
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Sequence
 from functools import partial

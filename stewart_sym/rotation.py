@@ -36,6 +36,19 @@ def rotation_from_rpy(theta: ArrayLike) -> Array:
     return R
 
 
+def rotation_about_axes(theta: ArrayLike, order: str) -> Array:
+    """Return the product of the turns about the axes of ``order``: "zyx" for Rz Ry Rx, (38).
+
+    theta: (theta_x, theta_y, theta_z), rad, (..., 3), whatever the order.  Result: (..., 3, 3).
+    """
+    theta = _angles(theta, "theta")
+    R = np.eye(3)
+    for axis in order:
+        i = "xyz".index(axis)
+        R = R @ rotation_from_rpy(theta * np.eye(3)[i])
+    return np.asarray(R)
+
+
 def rpy_from_rotation(R: ArrayLike) -> Array:
     """Return angles with R = Rz(theta_z) Ry(theta_y) Rx(theta_x) and |theta_y| <= pi/2; the inverse of (38).
 

@@ -4,6 +4,8 @@ The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Diffe
 of the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient moves.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -6,11 +6,10 @@ forces or backends; SciPy is needed only to differentiate a trajectory that come
 
 from __future__ import annotations
 
-import array
-import csv
-import io
+import dataclasses
 import math
 import os
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from types import MappingProxyType
@@ -19,10 +18,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import real_array, shown
+from .checks import finite_array, real_array, shown
 from .extras import needed_for
+from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
-from .rotation import rpy_from_rotation
+from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
+from .smoothing import Level, LogWarning, noise_level, rounding_steps, smoothed, stated
 from .tables import file_name, number, read_text
 
 Array = NDArray[np.float64]
@@ -31,7 +32,7 @@ Vector = tuple[float, float, float]
 # Times that differ by rounding only are the same time: share of tau_f.
 _ROUNDING = 1e-12
 # Ten million instants take up a gigabyte as motions do.
-_MOST_STEPS = 10_000_000
+MOST_STEPS = 10_000_000
 # Of a CSV file; more than two million rows with everything in them.
 _MOST_BYTES = 1 << 30
 
@@ -113,9 +114,9 @@ class StraightLinePath:
         dtau = number(dtau, "dtau")
         if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
             raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
-        if self.tau_f > _MOST_STEPS * dtau:
+        if self.tau_f > MOST_STEPS * dtau:
             raise ValueError(
-                f"dtau: expected at most {_MOST_STEPS:,} steps, so {self.tau_f / _MOST_STEPS:g} s or more, "
+                f"dtau: expected at most {MOST_STEPS:,} steps, so {self.tau_f / MOST_STEPS:g} s or more, "
                 f"got {dtau:g}"
             )
         steps = round(self.tau_f / dtau)
@@ -250,30 +251,80 @@ PATHS: Mapping[str, PaperPath] = MappingProxyType(
 # Trajectories from CSV
 
 _POSE = ("t", "theta")
+_QUATERNION = ("t", "q")
 _DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
 _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
 _MIN_SPLINE_POINTS = 4
+_ANGLES = ("theta", "theta_dot", "theta_ddot")
+_PLAIN = LogFormat()
+
+
+@dataclass(frozen=True)
+class Smoothing:
+    """What is known of a log's noise, and what is done about it.
+
+    position, angle: standard deviation of each coordinate, m and rad; leg lengths count as positions. None:
+    as the decimals and the scatter of the numbers show. cutoff: frequency, Hz, at which the amplitude is
+    halved; None: the likeliest. on: False interpolates whatever the noise.
+
+    Raises ValueError naming the argument.
+    """
+
+    position: float | None = None
+    angle: float | None = None
+    cutoff: float | None = None
+    on: bool = True
+
+    def __post_init__(self) -> None:
+        """Check the numbers."""
+        for name in ("position", "angle", "cutoff"):
+            if getattr(self, name) is not None and number(getattr(self, name), name) <= 0.0:
+                raise ValueError(f"{name}: expected a number > 0, got {getattr(self, name):g}")
+
+    def stated(self, name: str) -> float | None:
+        """What is stated of ``t``, ``theta`` or ``L``."""
+        return self.angle if name == "theta" else self.position
+
+
+_AS_SHOWN = Smoothing()
+
+
+class Uncertainty(NamedTuple):
+    """What the noise of a log leaves open about six coordinates: t and theta, or leg lengths.
+
+    coordinates: values, rates and second rates, (3, n, 6). grid: times, s, (g,), at which covariance,
+    (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
+    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths.
+    """
+
+    coordinates: Array
+    grid: Array
+    covariance: Array
+    sigma: Array
+    in_joints: bool = False
 
 
 class Trajectory(NamedTuple):
     """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
 
-    source: the file it comes from. rows: where in it the instants stand; the header is row 1.
+    source: the file it comes from. rows: where in it the instants stand; the header is row 1. noise: None for
+    a log without.
     """
 
     time: Array
     motion: Motion
     source: str
     rows: tuple[int, ...]
+    noise: Uncertainty | None = None
 
 
 class JointTrajectory(NamedTuple):
     """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
 
     L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. source, rows: as in ``Trajectory``.
+    N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``.
     """
 
     time: Array
@@ -284,37 +335,68 @@ class JointTrajectory(NamedTuple):
     M_ext: Array | None
     source: str
     rows: tuple[int, ...]
+    noise: Uncertainty | None = None
 
 
-def read_csv(path: str | os.PathLike[str]) -> Trajectory:
+def read_csv(
+    path: str | os.PathLike[str], form: LogFormat = _PLAIN, smoothing: Smoothing = _AS_SHOWN
+) -> Trajectory:
     """Read a trajectory of poses: a header line that names the columns, then one row per instant.
 
     Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
-    (38)); optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and ``theta_ddot_*``; optionally ``F_ext_*``
-    (N) and ``M_ext_*`` (N m), platform frame.  Derivatives that are not given are those of an interpolating
-    spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+    (38)) or a quaternion ``q_w q_x q_y q_z``; optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and
+    ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
+    columns that show rounding or noise are smoothed, which a ``LogWarning`` tells, and all others
+    interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+
+    form: names, units and marks of the file. smoothing: what is known of the noise.
 
     Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
-    ``ImportError`` when a spline is needed and SciPy is missing.
+    ``ImportError`` when an interpolating spline is needed and SciPy is missing.
     """
-    found = read_any_csv(path)
+    found = read_any_csv(path, form, smoothing)
     if isinstance(found, JointTrajectory):
         raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
     return found
 
 
-def read_any_csv(path: str | os.PathLike[str]) -> Trajectory | JointTrajectory:
+def read_any_csv(
+    path: str | os.PathLike[str], form: LogFormat = _PLAIN, smoothing: Smoothing = _AS_SHOWN
+) -> Trajectory | JointTrajectory:
     """Read a trajectory of poses, as ``read_csv``, or of leg lengths: the header tells which it is.
 
     Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
-    else those of a spline; optionally loads.  Raises as ``read_csv``.
+    else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
     """
     source = file_name(path)
-    columns, rows = _columns(read_text(source, "trajectory", _MOST_BYTES), source)
-    loads = {name: _stack(columns, name) for name in _LOADS if f"{name}_x" in columns}
-    if "L_1" in columns:
-        return _joint_trajectory(columns, loads, source, rows)
-    return _pose_trajectory(columns, loads, source, rows)
+    text = read_text(source, "trajectory", _MOST_BYTES)
+    columns, rows = read_columns(text, source, _check_header, form)
+    names = {name.rpartition("_")[0] for name in columns} - {""}
+    log = _Log(
+        source, rows, columns["time"], {name: _stack(columns, name) for name in names}, form, smoothing
+    )
+    return _joint_trajectory(log) if "L" in names else _pose_trajectory(log)
+
+
+def from_poses(
+    time: ArrayLike,
+    t: ArrayLike,
+    theta: ArrayLike,
+    smoothing: Smoothing = _AS_SHOWN,
+    source: str = "poses",
+) -> Trajectory:
+    """Return the trajectory of poses over time, differentiated as those of ``read_csv``.
+
+    time: increasing, s, (n,). t: m, theta: angles of (38), rad, (n, 3). source: name in warnings and errors.
+    """
+    when = real_array(time, "time")
+    if when.ndim != 1 or not len(when) or not (np.diff(when) > 0.0).all():
+        raise ValueError(f"time: expected increasing times (n,), got shape {when.shape}")
+    poses = {"t": finite_array(t, (3,), "t"), "theta": finite_array(theta, (3,), "theta")}
+    for name, values in poses.items():
+        if values.shape != (len(when), 3):
+            raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
+    return _pose_trajectory(_Log(source, tuple(range(len(when))), when, poses, smoothing=smoothing))
 
 
 def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
@@ -327,48 +409,136 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
     wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
 
     def check(header: list[str], source: str) -> None:
-        _check_names(
-            header, [*wanted, *(name for name in header if ";" not in name and "\t" not in name)], source
-        )
+        _check_names(header, [*wanted, *header], source)
         for column in wanted:
             if column not in header:
                 raise ValueError(f"{source}: missing column {column}")
 
-    columns, _ = _columns(read_text(source, "forces", _MOST_BYTES), source, check)
+    columns, _ = read_columns(read_text(source, "forces", _MOST_BYTES), source, check, _PLAIN)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 
-def _joint_trajectory(
-    columns: Mapping[str, Array], loads: Mapping[str, Array], source: str, rows: tuple[int, ...]
-) -> JointTrajectory:
-    time, L = columns["time"], _stack(columns, "L")
+@dataclass(frozen=True, eq=False)
+class _Log:
+    """A trajectory as read: vectors by name, (n, 3), (n, 4) or (n, 6), as written."""
+
+    source: str
+    rows: tuple[int, ...]
+    time: Array
+    written: Mapping[str, Array]
+    form: LogFormat = dataclasses.field(default_factory=LogFormat)
+    smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
+
+    def scale(self, name: str) -> float:
+        """SI units in the unit in which vectors of that name are written."""
+        if name in ("q", *_LOADS):
+            return 1.0
+        return ANGLE_UNITS[self.form.angle_unit] if name in _ANGLES else LENGTH_UNITS[self.form.length_unit]
+
+    def vector(self, name: str) -> Array:
+        """A vector in SI units."""
+        return self.written[name] * self.scale(name)
+
+    def steps(self, name: str) -> Array:
+        """Steps to which the components are rounded, SI units; those that stay the same have the finest."""
+        values = self.written[name]
+        steps = rounding_steps(values)
+        moving = np.ptp(values, axis=0) > 0.0
+        finest = steps[moving].min(initial=math.inf)
+        return np.full(values.shape[1], finest if math.isfinite(finest) else 0.0) * self.scale(name)
+
+    def angles(self) -> tuple[Array, Array]:
+        """Angles of (38), unwrapped, rad, (n, 3), and the steps to which they are rounded, (3,)."""
+        if "q" in self.written:
+            norms = np.linalg.norm(self.written["q"], axis=-1)
+            if (norms == 0.0).any():
+                row = self.rows[int(np.argmin(norms))]
+                raise ValueError(f"{self.source}: row {row}: q: expected a quaternion, got length 0")
+            theta = rpy_from_rotation(rotation_from_quaternion(self.written["q"]))
+            # The vector of a small rotation is twice that of its quaternion.
+            step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
+        else:
+            theta, step = self.vector("theta"), self.steps("theta")
+            if self.form.euler_order != "zyx":
+                theta, step = (
+                    rpy_from_rotation(rotation_about_axes(theta, self.form.euler_order)),
+                    step.max() + 0 * step,
+                )
+        return np.unwrap(theta, axis=0), step
+
+
+# Tilt and turn beyond which no platform goes, rad; accelerations that none has, m/s^2; and the step of a log
+# of so slow a motion that time must be in another unit, s.
+_MOST_TILT, _MOST_TURN = math.pi, 2.0 * math.pi
+_MOST_ACCELERATION, _LEAST_ACCELERATION, _LONG_STEP = 1e5, 1e-4, 0.5
+
+
+def _warn_of_units(log: _Log, coordinates: Array) -> None:
+    """Warn of angles and times, (3, n, 6), that no machine makes."""
+    in_joints = "L" in log.written
+    if "theta" in log.written:
+        spans = np.ptp(log.vector("theta"), axis=0) / (_MOST_TILT, _MOST_TILT, _MOST_TURN)
+        axis = int(np.argmax(spans))
+        if spans[axis] > 1.0 + 1e-9:
+            span = np.ptp(log.vector("theta")[:, axis])
+            text = f"theta_{'xyz'[axis]} over {span:.4g} rad: are angles in degrees (--angle-unit deg)?"
+            warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=5)
+    largest = float(np.abs(coordinates[2, :, : 6 if in_joints else 3]).max())
+    step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
+    moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
+    if largest > _MOST_ACCELERATION or (moves and step >= _LONG_STEP and largest < _LEAST_ACCELERATION):
+        text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2"
+        hint = "are time or lengths in another unit (--time-unit ms, --length-unit mm)?"
+        warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=5)
+
+
+def _joint_trajectory(log: _Log) -> JointTrajectory:
+    L = log.vector("L")
     if np.any(L <= 0.0):
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
-        raise ValueError(f"{source}: row {rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}")
-    if "L_dot_1" in columns:
-        L_dot, L_ddot = (_stack(columns, name) for name in _LENGTH_DERIVATIVES)
+        raise ValueError(
+            f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
+        )
+    if "L_dot" in log.written:
+        L_dot, L_ddot = (log.vector(name) for name in _LENGTH_DERIVATIVES)
+        noise = _as_given(
+            log, np.stack([L, L_dot, L_ddot]), [log.steps(name) for name in ("L", "L_dot", "L_ddot")]
+        )
     else:
-        L_dot, L_ddot = _differentiate(time, L, source)
-    return JointTrajectory(time, L, L_dot, L_ddot, loads.get("F_ext"), loads.get("M_ext"), source, rows)
+        (L, L_dot, L_ddot), noise = _differentiate(log, L, log.steps("L"))
+    noise = None if noise is None else noise._replace(in_joints=True)
+    _warn_of_units(log, np.stack([L, L_dot, L_ddot]))
+    F_ext, M_ext = (log.written.get(name) for name in _LOADS)
+    return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
 
 
-def _pose_trajectory(
-    columns: Mapping[str, Array], loads: Mapping[str, Array], source: str, rows: tuple[int, ...]
-) -> Trajectory:
-    time = columns["time"]
-    pose = {name: _stack(columns, name) for name in _POSE}
-    if "v_x" in columns:
-        derivatives = {name: _stack(columns, name) for name in _DERIVATIVES}
+def _pose_trajectory(log: _Log) -> Trajectory:
+    theta, step = log.angles()
+    steps = np.concatenate([log.steps("t"), step])
+    pose = np.hstack([log.vector("t"), theta])
+    if "v" in log.written:
+        v, theta_dot, a, theta_ddot = (log.vector(name) for name in _DERIVATIVES)
+        found = np.stack([pose, np.hstack([v, theta_dot]), np.hstack([a, theta_ddot])])
+        rates = [
+            np.concatenate([log.steps(one), log.steps(other)])
+            for one, other in (_DERIVATIVES[:2], _DERIVATIVES[2:])
+        ]
+        noise = _as_given(log, found, [steps, *rates])
     else:
-        v, a = _differentiate(time, pose["t"], source)
-        theta_dot, theta_ddot = _differentiate(time, np.unwrap(pose["theta"], axis=0), source)
-        derivatives = {"v": v, "theta_dot": theta_dot, "a": a, "theta_ddot": theta_ddot}
-    numbers = {**pose, **derivatives, **loads}
+        found, noise = _differentiate(log, pose, steps)
+    _warn_of_units(log, found)
+    numbers = _numbers(found) | {name: log.written[name] for name in _LOADS if name in log.written}
     try:
         motion = Motion.from_rpy(**numbers)
     except ValueError as error:
-        raise ValueError(f"{source}: {_first_bad_row(numbers, rows)}{error}") from None
-    return Trajectory(time, motion, source, rows)
+        raise ValueError(f"{log.source}: {_first_bad_row(numbers, log.rows)}{error}") from None
+    return Trajectory(log.time, motion, log.source, log.rows, noise)
+
+
+def _numbers(coordinates: Array) -> dict[str, Array]:
+    """Arguments of ``Motion.from_rpy`` from coordinates and rates, (3, ..., 6)."""
+    names = ("t", "theta", *_DERIVATIVES)
+    return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
 def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
@@ -381,66 +551,13 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
     return ""
 
 
-def _columns(
-    text: str, source: str, check_header: Callable[[list[str], str], None] | None = None
-) -> tuple[dict[str, Array], tuple[int, ...]]:
-    """Return the checked columns of a CSV text by name, and the rows where their numbers stand.
-
-    check_header: refuses a header, given the name of the file; None for that of a trajectory.
-    """
-    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
-    header: list[str] | None = None
-    # Row after row and as numbers at once: the cells of a long file would take ten times its size.
-    numbers, rows = array.array("d"), array.array("q")
-    try:
-        for cells in reader:
-            if not any(cell.strip() for cell in cells):
-                continue
-            if header is None:
-                header = [cell.strip() for cell in cells]
-                (check_header or _check_header)(header, source)
-                continue
-            rows.append(reader.line_num)
-            numbers.extend(_row(cells, header, f"{source}: row {reader.line_num}: "))
-    except csv.Error as error:
-        raise ValueError(f"{source}: row {reader.line_num}: not valid CSV: {error}") from None
-    if header is None:
-        raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-    if not rows:
-        raise ValueError(f"{source}: expected rows of numbers below the header, got none")
-    table = np.array(numbers).reshape(len(rows), len(header))
-    columns = dict(zip(header, table.T, strict=True))
-    late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
-    if late.size:
-        i = int(late[0])
-        before, after = columns["time"][i], columns["time"][i + 1]
-        raise ValueError(
-            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after:g} after {before:g}"
-        )
-    return columns, tuple(rows)
-
-
-def _row(cells: list[str], header: list[str], where: str) -> list[float]:
-    if len(cells) != len(header):
-        raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}")
-    return [_cell(cell.strip(), where + name) for cell, name in zip(cells, header, strict=True)]
-
-
-def _cell(text: str, where: str) -> float:
-    try:
-        found = float(text) if "_" not in text else math.nan
-    except ValueError:
-        found = math.nan
-    if not math.isfinite(found):
-        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}")
-    return found
-
-
 def _components(*names: str) -> list[str]:
     return [
         f"{name}_{part}"
         for name in names
-        for part in ("123456" if name in (*_LENGTHS, *_LENGTH_DERIVATIVES) else "xyz")
+        for part in (
+            "123456" if name in (*_LENGTHS, *_LENGTH_DERIVATIVES) else "wxyz" if name == "q" else "xyz"
+        )
     ]
 
 
@@ -449,7 +566,10 @@ def _check_header(header: list[str], source: str) -> None:
     of_pose = _components(*_POSE, *_DERIVATIVES)
     # Poses are what a header without any of the two is taken to lack.
     joints = any(c in in_joints for c in header) and not any(c in of_pose for c in header)
-    position, derivatives = (_LENGTHS, _LENGTH_DERIVATIVES) if joints else (_POSE, _DERIVATIVES)
+    position: tuple[str, ...] = _QUATERNION if "q_w" in header else _POSE
+    derivatives: tuple[str, ...] = () if "q_w" in header else _DERIVATIVES
+    if joints:
+        position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
     _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
@@ -470,9 +590,6 @@ def _check_names(header: list[str], known: list[str], source: str) -> None:
     """Refuse columns that are not known or given twice."""
     for column in header:
         if column not in known:
-            for other, name in ((";", "semicolons"), ("\t", "tabs")):
-                if other in column:
-                    raise ValueError(f"{source}: expected commas between the columns, got {name}")
             raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
         if header.count(column) > 1:
             name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
@@ -504,7 +621,61 @@ def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
     return motion
 
 
-def _differentiate(time: Array, values: Array, source: str) -> tuple[Array, Array]:
+def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
+    """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise."""
+    level = _level(log, values, steps)
+    noisy = level.sigma > 0.0
+    if log.smoothing.cutoff is not None:
+        noisy[:] = True
+    if len(log.time) < _MIN_SPLINE_POINTS or not log.smoothing.on:
+        noisy[:] = False
+    found = np.empty((3, *values.shape))
+    if not noisy.all():
+        found[0][:, ~noisy] = values[:, ~noisy]
+        found[1][:, ~noisy], found[2][:, ~noisy] = _interpolated(log.time, values[:, ~noisy], log.source)
+    if not noisy.any():
+        return found, None
+    level = Level(level.sigma[noisy], level.least[noisy])
+    smooth = smoothed(log.time, values[:, noisy], level if level.sigma.all() else None, log.smoothing.cutoff)
+    found[..., noisy] = [smooth.values, smooth.rates, smooth.second_rates]
+    covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
+    covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
+    _tell_noise(log, sigma, "L" in log.written, "smoothed")
+    return found, Uncertainty(found, smooth.grid, covariance, sigma)
+
+
+def _level(log: _Log, values: Array, steps: Array) -> Level:
+    """Noise of six coordinates as stated or as the numbers show it."""
+    names = ("L", "L") if "L" in log.written else _POSE
+    shown_noise = noise_level(log.time, values, steps)
+    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    if log.smoothing.cutoff is not None:
+        return stated(known)
+    return Level(
+        np.where(known > 0.0, known, shown_noise.sigma), np.where(known > 0.0, known, shown_noise.least)
+    )
+
+
+def _as_given(log: _Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
+    """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
+    names = ("L", "L") if "L" in log.written else _POSE
+    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    sigma = np.array(steps) / math.sqrt(12.0)
+    sigma[0] = np.where(known > 0.0, known, sigma[0])
+    if not sigma.any() or not log.smoothing.on:
+        return None
+    covariance = np.zeros((2, 6, 6))
+    covariance[:, :, [0, 2, 5]] = sigma.T**2
+    return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
+
+
+def _tell_noise(log: _Log, sigma: Array, in_joints: bool, what: str) -> None:
+    parts = [(sigma, "m")] if in_joints else [(sigma[:3], "m"), (sigma[3:], "rad")]
+    text = " and ".join(f"{part.max():.2g} {unit}" for part, unit in parts if part.any())
+    warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=6)
+
+
+def _interpolated(time: Array, values: Array, source: str) -> tuple[Array, Array]:
     """Return first and second derivatives of the interpolating spline at its own points."""
     since = time - time[0]
     spline = _spline(since, values, source)

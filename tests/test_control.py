@@ -226,7 +226,7 @@ def test_control_takes_a_robot_and_warns_of_its_limits(
         "control.txt",
         "path_II.csv",
     }
-    assert "weak: Path II, controller exact: force_limit exceeded first at 0 s" in capsys.readouterr().err
+    assert "weak: Path II, controller exact: force_limit exceeded by leg" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,116 @@
+"""What noise in a log does to actuator forces: their standard deviation at every instant.
+
+The deviations of the six coordinates and their rates, as smoothing or rounding leave them, are carried
+through kinematics and dynamics one after another, so every formulation and every machine is served.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import instance
+from .dynamics import Backend, Formulation, inverse_dynamics
+from .forward import forward_acceleration, forward_velocity, jacobian, solve
+from .motion import Motion
+from .robot import Robot
+from .rotation import (
+    angular_acceleration_from_rpy,
+    angular_velocity_from_rpy,
+    orthonormal,
+    rotation_from_rpy,
+    rotation_from_vector,
+)
+from .trajectory import Trajectory, Uncertainty
+
+Array = NDArray[np.float64]
+
+# Instants at a time: their eighteen deviations fit into memory whatever the length of the log.
+_CHUNK = 16_384
+
+
+def force_deviations(
+    robot: Robot, trajectory: Trajectory, formulation: Formulation = "exact", backend: Backend = "c"
+) -> Array:
+    """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
+
+    To first order in the noise; 0 for a trajectory without noise, NaN where a pose is unsolvable, infinite
+    where one within the noise is. Raises ValueError for unknown options.
+    """
+    instance(trajectory, Trajectory, "trajectory")
+    F = inverse_dynamics(robot, trajectory.motion, formulation, backend, on_singular="nan").F
+    variance = np.where(np.isfinite(F), 0.0, np.nan)
+    if trajectory.noise is None:
+        return variance
+    for start in range(0, len(F), _CHUNK):
+        part = slice(start, start + _CHUNK)
+        deviations = _deviations(trajectory.noise, trajectory.time[part])
+        for other in _displaced(robot, trajectory, part, deviations):
+            moved = inverse_dynamics(robot, other, formulation, backend, on_singular="nan").F
+            variance[part] += np.where(np.isfinite(moved), (moved - F[part]) ** 2, np.inf)
+    return np.sqrt(variance)
+
+
+def _deviations(noise: Uncertainty, time: Array) -> Array:
+    """Lower Cholesky factors of the covariances of value, rate and second rate, (n, 6, 3, 3)."""
+    flat = noise.covariance.reshape(len(noise.grid), -1)
+    at = np.clip(np.searchsorted(noise.grid, time, side="right") - 1, 0, len(noise.grid) - 2)
+    share = np.clip((time - noise.grid[at]) / (noise.grid[at + 1] - noise.grid[at]), 0.0, 1.0)[:, None]
+    c = np.moveaxis((flat[at] + share * (flat[at + 1] - flat[at])).reshape(len(time), 6, 6), -1, 0)
+    L = np.zeros((len(time), 6, 3, 3))
+    L[..., 0, 0] = np.sqrt(np.maximum(c[0], 0.0))
+    L[..., 1, 0] = _quotient(c[1], L[..., 0, 0])
+    L[..., 1, 1] = np.sqrt(np.maximum(c[2] - L[..., 1, 0] ** 2, 0.0))
+    L[..., 2, 0] = _quotient(c[3], L[..., 0, 0])
+    L[..., 2, 1] = _quotient(c[4] - L[..., 2, 0] * L[..., 1, 0], L[..., 1, 1])
+    L[..., 2, 2] = np.sqrt(np.maximum(c[5] - L[..., 2, 0] ** 2 - L[..., 2, 1] ** 2, 0.0))
+    return L
+
+
+def _quotient(x: Array, y: Array) -> Array:
+    return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
+
+
+def _displaced(robot: Robot, trajectory: Trajectory, part: slice, L: Array) -> Iterator[Motion]:
+    """Motions displaced by each column of the factors that is not 0 throughout."""
+    assert trajectory.noise is not None
+    motion = trajectory.motion[part]
+    coordinates = trajectory.noise.coordinates[:, part]
+    J = jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    for i in range(6):
+        for k in range(3):
+            if not L[:, i, :, k].any():
+                continue
+            moved = coordinates.copy()
+            moved[:, :, i] += L[:, i, :, k].T
+            if J is not None:
+                yield _on_legs(robot, motion, J, moved - coordinates, moved)
+            elif i < 3:
+                yield _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
+            else:
+                yield _turned(motion, *moved[..., 3:])
+
+
+def _turned(motion: Motion, theta: Array, theta_dot: Array, theta_ddot: Array) -> Motion:
+    return _moved(
+        motion,
+        R=rotation_from_rpy(theta),
+        omega=angular_velocity_from_rpy(theta, theta_dot),
+        alpha=angular_acceleration_from_rpy(theta, theta_dot, theta_ddot),
+    )
+
+
+def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) -> Motion:
+    """The motion whose leg lengths are shifted, (3, n, 6); the pose to first order."""
+    step, _ = solve(J, shift[0])
+    R, t = orthonormal(rotation_from_vector(step[:, 3:]) @ motion.R), motion.t + step[:, :3]
+    v, omega = forward_velocity(robot, R, t, legs[1], on_failure="nan")
+    a, alpha = forward_acceleration(robot, R, t, v, omega, legs[2], on_failure="nan")
+    return _moved(motion, R=R, t=t, v=v, omega=omega, a=a, alpha=alpha)
+
+
+def _moved(motion: Motion, **changes: Array) -> Motion:
+    names = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    return Motion.unchecked(**{name: changes.get(name, getattr(motion, name)) for name in names})

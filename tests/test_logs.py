@@ -1,0 +1,185 @@
+"""Logs as other programs write them: names, units, marks, Euler orders; doubtful units are warned of."""
+
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.cli import main
+from stewart_sym.logs import EULER_ORDERS, LogFormat
+from stewart_sym.rotation import quaternion_from_rotation, rotation_from_rpy
+from stewart_sym.studies.track import length_doubt
+from stewart_sym.trajectory import Trajectory, read_csv
+
+Array = NDArray[np.float64]
+NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
+
+
+def poses(count: int = 41) -> Array:
+    """Times, s, and poses, m and rad, of a smooth motion of the paper's machine, (n, 7)."""
+    time = np.linspace(0.0, 2.0, count)
+    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
+    return np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(angle)])
+
+
+def write(path: Path, names: list[str], table: Array, delimiter: str = ",", decimal: str = ".") -> Path:
+    rows = [delimiter.join(f"{x:.17g}".replace(".", decimal) for x in row) for row in table]
+    path.write_text("\n".join([delimiter.join(names), *rows]) + "\n", encoding="utf-8")
+    return path
+
+
+def same(one: Trajectory, other: Trajectory, tolerance: float = 1e-6) -> None:
+    np.testing.assert_allclose(one.time, other.time, rtol=1e-13)
+    for name in ("R", "t", "omega", "v", "alpha", "a"):
+        np.testing.assert_allclose(getattr(one.motion, name), getattr(other.motion, name), atol=tolerance)
+
+
+@pytest.mark.parametrize(
+    ("delimiter", "decimal"), [(",", "."), (";", "."), (";", ","), ("\t", ","), ("\t", ".")]
+)
+def test_delimiter_and_decimal_comma_are_detected(tmp_path: Path, delimiter: str, decimal: str) -> None:
+    plain = read_csv(write(tmp_path / "plain.csv", NAMES, poses()))
+    odd = write(tmp_path / "odd.csv", NAMES, poses(), delimiter, decimal)
+    same(read_csv(odd), plain, 0.0)
+    marks = {",": "comma", ";": "semicolon", "\t": "tab"}[delimiter], {".": "point", ",": "comma"}[decimal]
+    same(read_csv(odd, LogFormat(delimiter=marks[0], decimal=marks[1])), plain, 0.0)
+
+
+def test_names_are_mapped_and_other_columns_skipped(tmp_path: Path) -> None:
+    plain = read_csv(write(tmp_path / "plain.csv", NAMES, poses()))
+    given = ["Time [ms]", "X", "Y", "Z", "roll", "pitch", "yaw"]
+    lines = write(tmp_path / "own.csv", given, poses()).read_text().splitlines()
+    path = tmp_path / "more.csv"
+    path.write_text("\n".join([lines[0] + ",mode", *(f"{line},auto" for line in lines[1:])]))
+    form = LogFormat(dict(zip(NAMES, given, strict=True)))
+    same(read_csv(path, form), plain, 0.0)
+    with pytest.raises(
+        ValueError, match=r"more.csv: expected a column 'Roll' for theta_x, got Time \[ms\], X"
+    ):
+        read_csv(path, LogFormat({"theta_x": "Roll"}))
+
+
+def test_units_are_converted(tmp_path: Path) -> None:
+    table = poses()
+    plain = read_csv(write(tmp_path / "plain.csv", NAMES, table))
+    scaled = table / np.array([1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3])
+    form = LogFormat(length_unit="mm", angle_unit="deg", time_unit="ms")
+    same(read_csv(write(tmp_path / "mm.csv", NAMES, scaled), form), plain)
+
+
+@pytest.mark.parametrize("order", EULER_ORDERS)
+def test_euler_orders_multiply_the_turns_in_that_order(tmp_path: Path, order: str) -> None:
+    table = poses()
+    single = [rotation_from_rpy(table[:, 4 + i, None] * np.eye(3)[i]) for i in range(3)]
+    a, b, c = (single["xyz".index(axis)] for axis in order)
+    found = read_csv(write(tmp_path / "e.csv", NAMES, table), LogFormat(euler_order=order))
+    np.testing.assert_allclose(found.motion.R, a @ b @ c, atol=1e-14)
+
+
+def test_quaternions_are_poses(tmp_path: Path) -> None:
+    table = poses()
+    plain = read_csv(write(tmp_path / "plain.csv", NAMES, table))
+    e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
+    names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
+    path = write(tmp_path / "q.csv", names, np.hstack([table[:, :4], -2.0 * e]))
+    same(read_csv(path), plain)
+    write(path, names, np.hstack([table[:, :4], 0.0 * e]))
+    with pytest.raises(ValueError, match=r"q.csv: row 2: q: expected a quaternion, got length 0"):
+        read_csv(path)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda table: table * [1e3, *[1.0] * 6], "--time-unit ms"),
+        (lambda table: table * [*[1.0] * 4, *[50 * 180.0 / np.pi] * 3], "--angle-unit deg"),
+        (lambda table: table * [1e-6, *[1.0] * 6], "--time-unit"),
+    ],
+)
+def test_units_that_no_machine_has_are_warned_of(
+    tmp_path: Path, change: Callable[[Array], Array], words: str
+) -> None:
+    with pytest.warns(ss.LogWarning, match=words):
+        read_csv(write(tmp_path / "odd.csv", NAMES, change(poses())))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        read_csv(write(tmp_path / "good.csv", NAMES, poses()))
+
+
+def test_millimetres_are_told_by_the_machines_size() -> None:
+    robot, t = dasgupta(), poses()[:, 1:4]
+    assert length_doubt(robot, t) is None
+    assert "--length-unit mm" in str(length_doubt(robot, 1e3 * t))
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    text = (Path(ss.__file__).parent / "robots" / "dasgupta1998.toml").read_text(encoding="utf-8")
+    path = tmp_path / "robot.toml"
+    path.write_text(
+        text.replace("[leg_defaults.lower]", "[leg_defaults]\nforce_limit = LIMIT\n[leg_defaults.lower]")
+    )
+    return path
+
+
+def limited(robot: Path, limit: float) -> None:
+    text = robot.read_text(encoding="utf-8")
+    robot.write_text(text.replace("force_limit = LIMIT", f"force_limit = {limit!r}"), encoding="utf-8")
+
+
+def test_forces_reads_a_foreign_log_and_sums_up(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e5)
+    table = np.round(poses(400) / [1e-3, 1e-3, 1e-3, 1e-3, *[np.pi / 180.0] * 3], 2)
+    log = write(tmp_path / "log.csv", ["t", "X", "Y", "Z", "A", "B", "C"], table, ";", ",")
+    columns = "time=t,t_x=X,t_y=Y,t_z=Z,theta_x=A,theta_y=B,theta_z=C"
+    units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms", "--rate", "50"]
+    out = tmp_path / "f.csv"
+    assert main(["forces", str(robot), str(log), "-o", str(out), "--columns", columns, *units]) == 0
+    told = capsys.readouterr()
+    assert "smoothed" in told.err
+    assert "101 instants, 0 to 2 s" in told.out
+    assert "100000 kept" in told.out
+    header = out.read_text().splitlines()[0].split(",")
+    assert header[7:13] == [f"F{leg}_sd" for leg in range(1, 7)]
+
+
+def test_a_limit_within_the_noise_is_not_decided(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = poses(400)
+    exact = ss.inverse_dynamics(dasgupta(), read_csv(write(tmp_path / "c.csv", NAMES, table)).motion).F
+    limited(robot, float(np.abs(exact).max()))
+    log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
+    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
+    assert "force_limit not decided at this noise by leg" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--columns", "time"], "expected NAME=HEADER"),
+        (["--length-unit", "mile"], "invalid choice"),
+        (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
+        (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
+        (["--noise-angle", "0"], "expected a number > 0"),
+    ],
+)
+def test_bad_options_are_one_line(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: list[str], words: str
+) -> None:
+    limited(robot, 1e5)
+    log = write(tmp_path / "log.csv", NAMES, poses())
+    try:
+        code = main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv"), *options])
+    except SystemExit as done:
+        code = int(str(done.code))
+    assert code == 2
+    assert words in capsys.readouterr().err.splitlines()[-1]
+    assert not (tmp_path / "f.csv").exists()
