@@ -55,7 +55,9 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
 
+#if !defined(STEWART_CUBE)
 #define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */

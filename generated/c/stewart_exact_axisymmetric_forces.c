@@ -65,7 +65,9 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
 
+#if !defined(STEWART_CUBE)
 #define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 
 #if defined(STEWART_SCALED)

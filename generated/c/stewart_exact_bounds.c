@@ -73,7 +73,9 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
 
+#if !defined(STEWART_CUBE)
 #define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 /* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
  * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
