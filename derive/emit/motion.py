@@ -84,7 +84,7 @@ def source(
     pieces = [
         *_SHARED.items(),
         ("singular_status", singular.FUNCTION),
-        ("pose_status", _POSE_STATUS),
+        ("columns_status", _COLUMNS_STATUS),
         *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
@@ -520,9 +520,9 @@ static void column_rows(
 }
 """What kernels and functions share: name -> text."""
 
-_POSE_STATUS = """\
+_COLUMNS_STATUS = """\
 /* Status of a pose by its H and the product of the pivots of H. */
-static int pose_status(
+static int columns_status(
     const stewart_@NAME@_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
     const leg_judgement *judged, stewart_real pivots)
 {
@@ -779,7 +779,7 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }

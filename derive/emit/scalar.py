@@ -639,6 +639,9 @@ STEWART_APART static int pose_status(
             model, &model->leg[i], //M
             &legs[i], //B
             at, pose, &reach[i], &arm[i]);
+        if (!(length[i] <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
         arm[i] = STEWART_OVER_LENGTH(arm[i]);
         for (j = 0; j < 6; ++j) {
             H[j][i] = A[j][i];

@@ -1057,6 +1057,8 @@ static stewart_real solve(stewart_real A[6][13], stewart_real x[6], stewart_real
     return pivots;
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -1128,6 +1130,7 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 /* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
  * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,

@@ -156,6 +156,8 @@ static void column_rows(
     }
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -227,9 +229,10 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 /* Status of a pose by its H and the product of the pivots of H. */
-static int pose_status(
+static int columns_status(
     const stewart_exact_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
     const leg_judgement *judged, stewart_real pivots)
 {
@@ -2542,7 +2545,7 @@ int stewart_exact_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }
