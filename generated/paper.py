@@ -45,24 +45,24 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (142, 97, 2, 2),
-        "platform": (99, 96, 0, 0),
+        "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
         "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1100, 847, 18, 12),
+        "total": (1100, 844, 18, 12),
     },
     "frictionless": {
         "leg": (123, 85, 2, 2),
-        "platform": (96, 93, 0, 0),
+        "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
         "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (983, 754, 18, 12),
+        "total": (983, 751, 18, 12),
     },
 }
-MODEL_NUMBERS = 221
+MODEL_NUMBERS = 218
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

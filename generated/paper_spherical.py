@@ -45,24 +45,24 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (129, 91, 1, 1),
-        "platform": (96, 93, 0, 0),
+        "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
         "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1019, 808, 12, 6),
+        "total": (1019, 805, 12, 6),
     },
     "frictionless": {
         "leg": (88, 68, 1, 1),
-        "platform": (96, 93, 0, 0),
+        "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
         "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (773, 652, 12, 6),
+        "total": (773, 649, 12, 6),
     },
 }
-MODEL_NUMBERS = 252
+MODEL_NUMBERS = 249
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

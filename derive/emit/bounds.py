@@ -14,7 +14,7 @@ import sympy as sp
 from .. import notation as n
 from ..adjoint import Adjoint, adjoint
 from ..block import Output, Quantity
-from ..prepared import ADDED, B, arm_c, c_tip, q_1, t_1
+from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
 from . import singular
@@ -112,7 +112,7 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        self.leg = rounded(kernel.leg, R | constants | component_errors((B, t_1, q_1)))
+        self.leg = rounded(kernel.leg, R | constants | component_errors((B, q_1)))
 
     def structs(self) -> dict[str, list[str]]:
         """Members of the structs."""
@@ -159,7 +159,7 @@ class _Blocks:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
         weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
-        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1, q_1)}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
         return self._with_errors(self.shared, found, component_errors(_LEGS_SLOPES.values()), {}, [])
@@ -202,7 +202,7 @@ class _Blocks:
 _Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
 _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
-_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1, q_1)}
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
 
 
@@ -661,7 +661,7 @@ static stewart_real largest(const stewart_real *values, int count, stewart_real 
     return found;
 }
 
-/* S = S_1 - r is known to within rounding of its largest term, `reach`. */
+/* S = q + t - b is known to within rounding of its largest term, `reach`. */
 static int leg_status(stewart_real L, stewart_real k3, stewart_real reach)
 {
     if (!(L <= STEWART_MAX)) {
@@ -680,7 +680,7 @@ static void leg_of_pose(
 {
 @BODY@
     {
-        const stewart_real terms[9] = {q_x, q_y, q_z, t_1_x, t_1_y, t_1_z, r_x, r_y, r_z};
+        const stewart_real terms[9] = {q_x, q_y, q_z, t_x, t_y, t_z, b_x, b_y, b_z};
         const stewart_real arms[3] = {arm_x, arm_y, arm_z};
         out->L = L;
         out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);

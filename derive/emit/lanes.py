@@ -12,7 +12,7 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Quantity
 from ..operations import force_operations
-from ..prepared import ADDED, arm_c, q_1, r, t_1
+from ..prepared import ADDED, arm_c, q_1
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
@@ -390,10 +390,8 @@ def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     inputs: tuple[Quantity, ...] = (n.t, n.b)
-    if kernel.about_tip and kernel.constants is None:
-        inputs = (t_1, r)
-    elif kernel.about_tip:
-        inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
+    if kernel.constants is not None:
+        inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
     terms = (*exprs[n.q], *(symbol for quantity in inputs for symbol in quantity.symbols))
     return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 

@@ -10,7 +10,6 @@ from collections.abc import Collection
 from .. import notation as n
 from ..block import Block, Operations
 from ..motion import F_LEG, SumKernel
-from ..prepared import t_1
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
@@ -198,7 +197,7 @@ def _pose_body(kernel: SumKernel) -> list[str]:
 
 def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     """Loads of what all legs share, and of what differs from leg to leg."""
-    used = names_used(block) | set(t_1.names) | {f"r_{axis}" for axis in "xyz"}
+    used = names_used(block) | {*n.t.names, *n.b.names}
     outside: list[str] = []
     inside: list[str] = []
     for q in block.inputs:
@@ -216,8 +215,7 @@ def _leg_body(kernel: SumKernel, model: ForceKernel) -> list[str]:
     block = kernel.leg
     kept = tuple(o for o in block.outputs if o.quantity not in (*kernel.summed, *JUDGED))
     length, sine = judged(block)
-    terms = [f"STEWART_FABS({name})" for q in (n.S_1, t_1) for name in q.names]
-    terms += [f"STEWART_FABS(r_{axis})" for axis in "xyz"]
+    terms = [f"STEWART_FABS({name})" for q in (n.q, n.t, n.b) for name in q.names]
     return [
         *_leg_loads(block, model)[1],
         *step_lines(block.steps, " " * 8),
