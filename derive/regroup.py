@@ -232,9 +232,7 @@ def _leg_moments(with_force: bool) -> Block:
     outputs = [(n.H_moment, cross(arm, n.H_force.value))]
     if with_force:
         outputs.append((p.arm_c, cross(arm, n.c_force.value)))
-    return build.block(
-        "moments_of", "moments of one leg", (n.q, p.q_1, n.H_force, n.c_force), outputs
-    )
+    return build.block("moments_of", "moments of one leg", (n.q, p.q_1, n.H_force, n.c_force), outputs)
 
 
 @cache
@@ -255,9 +253,7 @@ def _whole(kernel: ForceKernel) -> ForceKernel:
         before, inputs=(*before.inputs, n.p_1), outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols))
     )
     leg = _joined(kernel.leg, kernel.moments)
-    return replace(
-        kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False
-    )
+    return replace(kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False)
 
 
 def _joined(
@@ -278,7 +274,9 @@ def _joined(
     given = [q for q in second.inputs if q not in read]
     named = {step.name for step in steps}
     needed = [q for q in (*first.inputs, *given, *inputs) if not named.intersection(q.names)]
-    return replace(first, inputs=tuple(dict.fromkeys(needed)), steps=steps, outputs=(*outputs, *second.outputs))
+    return replace(
+        first, inputs=tuple(dict.fromkeys(needed)), steps=steps, outputs=(*outputs, *second.outputs)
+    )
 
 
 # ---------------------------------------------------------------- pose and platform

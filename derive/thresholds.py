@@ -32,7 +32,11 @@ THRESHOLDS = (
     ),
     Threshold("POLE", "pole", "sine below 4096 rounding units", 136, "6.5e-11"),
     Threshold(
-        "SINGULAR", "singular", "spectral radius of |1/H| times the error bounds of H above 1/2", 152, "9.9e-08"
+        "SINGULAR",
+        "singular",
+        "spectral radius of |1/H| times the error bounds of H above 1/2",
+        152,
+        "9.9e-08",
     ),
 )
 

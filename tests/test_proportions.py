@@ -20,9 +20,7 @@ def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
     motion = random_motion(rng, robot)
     small = 10 ** rng.uniform(-5, 0)
     load = None if motion.M_ext is None else small * motion.M_ext
-    robot = dataclasses.replace(
-        robot, p=small * robot.p, R_0=small * robot.R_0, I_p=small**2 * robot.I_p
-    )
+    robot = dataclasses.replace(robot, p=small * robot.p, R_0=small * robot.R_0, I_p=small**2 * robot.I_p)
     motion = dataclasses.replace(motion, M_ext=load)
     if rng.uniform() < 0.5:
         leg, longer = rng.integers(6), 10 ** rng.uniform(0, 4)

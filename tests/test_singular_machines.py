@@ -29,7 +29,6 @@ def _joined(points: Array, legs: list[int]) -> Array:
     return np.array([points[legs[0] if i in legs else i] for i in range(6)])
 
 
-
 FAMILIES: dict[str, Callable[[np.random.Generator, Array, Array], Points]] = {
     "base points on a line": lambda rng, b, p: (_line(rng), p),
     "platform points on a line": lambda rng, b, p: (b, _line(rng)),

@@ -44,7 +44,14 @@ def source(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     prepared = blocks.prepare_leg, blocks.prepare_platform
     parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + singular.MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
+        _TOP.replace("@VERSION@", version)
+        + ARITHMETIC
+        + _MACROS
+        + singular.MACROS
+        + "\n"
+        + SWITCH
+        + "\n"
+        + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
         *(

@@ -28,6 +28,9 @@ def filled(text: str, parts: dict[str, list[str]]) -> str:
     return text
 
 
+EMPTY = "    int none; /* C has no structure without members */"
+
+
 def entries(quantities: Iterable[Quantity]) -> list[str]:
     """``h[0]``, ``h[1]``, ``h[2]``, ``g_k``: the stored numbers of the quantities, in order."""
     return [q.name + (f"[{i}]" if q.shape else "") for q in quantities for i in range(size(q))]

@@ -15,6 +15,7 @@ from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix, wrap
 from .lane_text import (
+    EMPTY,
     JUDGED,
     LANES,
     MACROS,
@@ -145,10 +146,10 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     text = text.replace("@FORCE_ARGUMENT@", ", force" if forced else "")
     text = text.replace("@FORCE_LANES@", ", const stewart_real *STEWART_RESTRICT force" if forced else "")
     parts = {
-        "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
+        "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given] or [EMPTY],
         "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
-        "@POSE_BODY@": _pose_body(kernel),
-        "@OUTSIDE@": _leg_loads(kernel.leg, model)[0],
+        "@POSE_BODY@": [*([] if given else ["    (void)out;"]), *_pose_body(kernel)],
+        "@OUTSIDE@": [*([] if given else ["    (void)pose;"]), *_leg_loads(kernel.leg, model)[0]],
         "@LEG_BODY@": _leg_body(kernel, model),
         "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
         "@SPREAD@": _SPREAD_FORCE if forced else [],

@@ -287,9 +287,7 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
     has_force = n.c_force in exprs
     right = [(i, q, j) for q, i in ((n.c_force, 0), (n.c_moment, 3)) if q in exprs for j in range(3)]
     call = [f"    {moments}{'force, ' if has_force else ''}column, pose, A);"]
-    add = [
-        wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right
-    ]
+    add = [wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right]
     body = [
         *_leg_loads(kernel, block.inputs, names_used(block)),
         "    stewart_real q[3];",
@@ -299,7 +297,10 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
         *_judged_sine(exprs, "STEWART_POLE_SINE" if at_pole == _AT_POLE else "STEWART_NEAR_POLE", at_pole),
         *(wrap(f"    A[{i}][column] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.H_force])),
         *(wrap(f"    q[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.q])),
-        *(wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs.get(n.c_force, ()))),
+        *(
+            wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8)
+            for i, e in enumerate(exprs.get(n.c_force, ()))
+        ),
         *(["    if (column == 0) {", *(f"    {line}" for line in call), "    }"] if add else []),
         *add,
         *(["    if (column != 0) {", *(f"    {line}" for line in call), "    }"] if add else call),

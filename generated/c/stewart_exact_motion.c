@@ -256,6 +256,7 @@ static int columns_status(
 /* ---- equations ---- */
 
 typedef struct {
+    int none; /* C has no structure without members */
 } equations_pose;
 
 typedef struct {
@@ -272,6 +273,7 @@ static void equations_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
 {
+    (void)out;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
@@ -388,6 +390,7 @@ STEWART_APART static void equations_of_legs(
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
+    (void)pose;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];

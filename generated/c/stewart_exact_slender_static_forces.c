@@ -96,7 +96,7 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-
+    int none; /* C has no structure without members */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -782,6 +782,7 @@ static void shared_of_block(
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    (void)out;
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
             R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
