@@ -38,17 +38,20 @@ static bool operator>(Real a, Real b) { return a.value > b.value; }
 static bool operator<=(Real a, Real b) { return a.value <= b.value; }
 static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
 /* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
-struct Threshold {};
+struct Threshold { operator Real() const { return Real(1.8e-15); } };
 static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
 static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
 static Threshold operator*(Real, Threshold t) { return t; }
 static Real operator/(Threshold, Threshold) { return Real(1e-130); }
+static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_REAL Real
 #define STEWART_SQRT(v) root(v)
 #define STEWART_FABS(v) Real(std::fabs((v).value))
 #define STEWART_EPSILON Threshold()
 #define STEWART_MAX Real(1e308)
 #define STEWART_SHORTEST Threshold()
+#define STEWART_SUSPECT Threshold()
+#define STEWART_CUBE(v) Threshold()
 @INCLUDES@
 int main() {
     static stewart_robot robot;

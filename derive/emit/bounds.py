@@ -14,16 +14,17 @@ import sympy as sp
 from .. import notation as n
 from ..adjoint import Adjoint, adjoint
 from ..block import Output, Quantity
-from ..prepared import ADDED, B, t_1
+from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_text import JUDGED, dims, entries, filled, loads, names_used, stores
+from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_text import JUDGED, dims, entries, filled, loads, names_used, raw_member, stores
 
 _SQRT = "STEWART_SQRT"
-_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment)
+_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 
 
 def header(kernel: ForceKernel, version: str) -> str:
@@ -32,7 +33,7 @@ def header(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     parts = {
         "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
-        "@PLATFORM@": _members(blocks.prepare_platform, kernel.platform_constants(), comment=True),
+        "@PLATFORM@": _members(blocks.prepare_platform, _platform(kernel), comment=True),
     }
     text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
     return filled(text, parts).replace("@NAME@", name)
@@ -43,7 +44,14 @@ def source(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     prepared = blocks.prepare_leg, blocks.prepare_platform
     parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
+        _TOP.replace("@VERSION@", version)
+        + ARITHMETIC
+        + _MACROS
+        + singular.MACROS
+        + "\n"
+        + SWITCH
+        + "\n"
+        + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
         *(
@@ -53,10 +61,14 @@ def source(kernel: ForceKernel, version: str) -> str:
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
         UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
+        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model").replace(
+            "STEWART_OVER_LENGTH(largest)", "(largest * model->per_length)"
+        ),
         filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
         _function(_LEG, _values(blocks.leg, blocks.pose_owner)),
         _SOLVE,
+        singular.FUNCTION,
         _BOUND,
         _CONDITION,
         _function(_SHARED_ERRORS, *blocks.shared_errors()),
@@ -71,13 +83,18 @@ def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
     blocks = _Blocks(kernel)
     leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
-    return 6 * leg + _numbers(blocks.prepare_platform, kernel.platform_constants()) + 2
+    return 6 * leg + _numbers(blocks.prepare_platform, _platform(kernel)) + 3
 
 
 def python_module(kernel: ForceKernel, version: str) -> str:
     """``<kernel>_bounds.py``: what Python must know of the C's layout."""
     name = kernel.formulation.kernel_name
     return _PYTHON.format(name=name, version=version, numbers=model_numbers(kernel))
+
+
+def _platform(kernel: ForceKernel) -> tuple[Quantity, ...]:
+    """Constants of the platform, p_1 among them."""
+    return kernel.whole().platform_constants() if kernel.about_tip else kernel.platform_constants()
 
 
 # ---------------------------------------------------------------- the blocks
@@ -87,8 +104,9 @@ class _Blocks:
     """The kernel's blocks with their errors: exact are the robot's and the motion's numbers but R."""
 
     def __init__(self, kernel: ForceKernel) -> None:
-        if not kernel.about_base_point:
-            raise ValueError("kernel: expected one with moments about base point 1")
+        if not kernel.about_tip:
+            raise ValueError("kernel: expected one with moments about platform point 1")
+        kernel = kernel.whole()
         self.kernel = kernel
         # R stands for the rotation nearest to it; one bound for all its entries.
         R = dict.fromkeys(n.R.names, error_symbol(n.R.name))
@@ -101,7 +119,7 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        self.leg = rounded(kernel.leg, R | constants | component_errors((B, t_1)))
+        self.leg = rounded(kernel.leg, R | constants | component_errors((B, q_1)))
 
     def structs(self) -> dict[str, list[str]]:
         """Members of the structs."""
@@ -129,6 +147,7 @@ class _Blocks:
             n.D: D,
             n.c_force: -force,
             n.c_moment: -moment,
+            arm_c: -moment,
             n.H_force: x * force,
             n.H_moment: x * moment,
         }
@@ -146,8 +165,8 @@ class _Blocks:
     def shared_errors(self) -> tuple[list[str], list[str]]:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
-        weights = {n.c_force: -_Y_FORCE.value, n.c_moment: -_Y_MOMENT.value}
-        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1)}
+        weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
         return self._with_errors(self.shared, found, component_errors(_LEGS_SLOPES.values()), {}, [])
@@ -190,7 +209,7 @@ class _Blocks:
 _Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
 _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
-_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1)}
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
 
 
@@ -302,7 +321,7 @@ def _inputs(block: RoundedBlock, owner: Callable[[Quantity], str], ready: Contai
 
 
 def _loads(block: RoundedBlock, quantity: Quantity, owner: str, used: Container[str]) -> list[str]:
-    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
+    member = raw_member(quantity, owner)
     values, errors = [], []
     for i, name in enumerate(quantity.names):
         index = f"[{i}]" if quantity.shape else ""
@@ -424,6 +443,7 @@ typedef struct {
     stewart_@NAME@_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
     stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 } stewart_@NAME@_bounds_model;
 
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
@@ -474,6 +494,12 @@ _TOP = """\
 """
 
 _MACROS = """
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
 /* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
@@ -547,15 +573,16 @@ typedef struct {
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D;
+    stewart_real D, L, reach, arm;
 @TERMS@
     int status;
 } leg_terms;
 
-/* The platform's equations H x = c, moments about base point 1; c_own: what the sums in c round away. */
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round away. */
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
+    stewart_real L[6], reach[6], arm[6]; /* of the legs */
 } platform_equations;
 
 /* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
@@ -612,6 +639,7 @@ int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bou
 #if defined(STEWART_SCALED)
     made.per_length = 1 / unit_of_length(&made);
 #endif
+    made.least = least_pivots(&made);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -630,18 +658,24 @@ static void shared_of_pose(
 """
 
 _LEG = """\
-/* S = S_1 - r is known to within rounding of its largest term. */
-static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
+/* Largest size of some numbers, or `least`. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
-    stewart_real reach = 0;
+    stewart_real found = least;
     int i;
-    for (i = 0; i < 9; ++i) {
-        reach = STEWART_FABS(terms[i]) > reach ? STEWART_FABS(terms[i]) : reach;
+    for (i = 0; i < count; ++i) {
+        found = STEWART_FABS(values[i]) > found ? STEWART_FABS(values[i]) : found;
     }
+    return found;
+}
+
+/* S = q + t - b is known to within rounding of its largest term, `reach`. */
+static int leg_status(stewart_real L, stewart_real k3, stewart_real reach)
+{
     if (!(L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach && L > STEWART_SHORTEST)) {
+    if (!(L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
     return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
@@ -654,41 +688,36 @@ static void leg_of_pose(
 {
 @BODY@
     {
-        const stewart_real reach[9] = {q_x, q_y, q_z, t_1_x, t_1_y, t_1_z, r_x, r_y, r_z};
-        out->status = leg_status(L, k3, reach);
+        const stewart_real terms[9] = {q_x, q_y, q_z, t_x, t_y, t_z, b_x, b_y, b_z};
+        const stewart_real arms[3] = {arm_x, arm_y, arm_z};
+        out->L = L;
+        out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+        out->arm = largest(arms, 3, 0);
+        out->status = leg_status(L, k3, out->reach);
     }
 }
 """
 
 _SOLVE = """\
 /* Solves the augmented rows [H | c | 1] by elimination with partial pivoting, (36); column 6 becomes x, those
- * after it the inverse Y of H. `moment` is the size of the moment rows; a pivot that is rounding error beside
- * its row means that H is singular. */
-static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], stewart_real Y[6][6])
+ * after it the inverse Y of H. Returns the product of the pivots. */
+static stewart_real solve(stewart_real A[6][13], stewart_real x[6], stewart_real Y[6][6])
 {
-    stewart_real scale[6], inverse[6];
+    stewart_real inverse[6], pivots = 1;
     int i, j, k;
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? 1 : moment;
-    }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
                 pivot = i;
             }
         }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
         for (j = 0; j < 13; ++j) {
             const stewart_real moved = A[k][j];
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
+        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
         inverse[k] = 1 / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -709,7 +738,7 @@ static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], 
             Y[i][j] = A[i][j + 7];
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
 """
 
@@ -820,9 +849,9 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from base point 1 to the reference point, t away, and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
 static stewart_real reciprocal_condition(
-    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real t[3], stewart_real length)
+    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
     stewart_real A[6][6], B[6][6];
     int i, j;
@@ -830,8 +859,8 @@ static stewart_real reciprocal_condition(
         const int next = (j + 1) % 3, last = (j + 2) % 3;
         for (i = 0; i < 6; ++i) {
             A[j][i] = H[j][i];
-            A[j + 3][i] = (H[j + 3][i] - (t[next] * H[last][i] - t[last] * H[next][i])) / length;
-            B[i][j] = Y[i][j] + (Y[i][3 + next] * t[last] - Y[i][3 + last] * t[next]);
+            A[j + 3][i] = (H[j + 3][i] + (q[next] * H[last][i] - q[last] * H[next][i])) / length;
+            B[i][j] = Y[i][j] - (Y[i][3 + next] * q[last] - Y[i][3 + last] * q[next]);
             B[i][j + 3] = Y[i][j + 3] * length;
         }
     }
@@ -849,7 +878,7 @@ static int equations_of_pose(
     int i, j;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
-        out->c[j + 3] = shared->c_moment[j];
+        out->c[j + 3] = shared->c_tip[j];
         out->c_own[j] = 0;
         out->c_own[j + 3] = 0;
     }
@@ -859,27 +888,35 @@ static int equations_of_pose(
             return leg.status;
         }
         D[i] = leg.D;
+        out->L[i] = leg.L;
+        out->reach[i] = leg.reach;
+        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
             out->H[j + 3][i] = leg.H_moment[j];
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
             add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+            add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
         }
     }
     return STEWART_OK;
 }
 
-/* Largest size of a moment entry of H. */
-static stewart_real moment_size(stewart_real H[6][6])
+/* Status of the platform's equations by the product of their pivots. */
+static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real worst = 0;
-    int i, j;
-    for (i = 3; i < 6; ++i) {
+    stewart_real H[6][6];
+    int i, j, close = 0;
+    for (i = 0; i < 6; ++i) {
+        close = of->L[i] > STEWART_SHORT_SHARE * of->reach[i] ? close : 1;
         for (j = 0; j < 6; ++j) {
-            worst = STEWART_FABS(H[i][j]) > worst ? STEWART_FABS(H[i][j]) : worst;
+            H[i][j] = of->H[i][j];
         }
     }
-    return worst;
+    if (close == 0 && STEWART_FABS(pivots) > least) {
+        return STEWART_OK;
+    }
+    return singular_status(H, of->L, of->reach, of->arm);
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
@@ -909,7 +946,7 @@ static void bound_of_pose(
     shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
-        of->c_err[j + 3] = shared.c_moment_err[j];
+        of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -921,7 +958,7 @@ static void bound_of_pose(
             of->H_err[j][i] = leg.H_force_err[j];
             of->H_err[j + 3][i] = leg.H_moment_err[j];
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + leg.arm_c_err[j];
         }
     }
     shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
@@ -958,7 +995,7 @@ static int forces_of_pose(
         }
         A[i][6] = unit[i] * equations.c[i];
     }
-    status = solve(A, model->per_length * moment_size(equations.H), x, Y);
+    status = pose_status(&equations, solve(A, x, Y), model->least);
     if (status != STEWART_OK) {
         return status;
     }
@@ -975,7 +1012,7 @@ static int forces_of_pose(
         bound_of_pose(model, at, x, Y, F, &equations, bound);
     }
     if (rcond) {
-        *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
+        *rcond = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
     }
     return STEWART_OK;
 }

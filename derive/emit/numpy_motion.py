@@ -66,8 +66,6 @@ def _index(key: tuple[int, ...]) -> str:
 
 
 def _of_leg(quantity: Quantity, key: tuple[int, ...], _: str) -> str:
-    if quantity == n.b_1:
-        return f"robot.b[0{_index(key)}]"
     if quantity in n.LEG:
         return f"robot.{quantity.name}[:{_index(key)}]" if key else f"robot.{quantity.name}"
     return f"robot.{quantity.name}[{key[0]}]"
@@ -76,8 +74,6 @@ def _of_leg(quantity: Quantity, key: tuple[int, ...], _: str) -> str:
 def _of_platform(quantity: Quantity, key: tuple[int, ...], name: str) -> str:
     if quantity in ADDED:
         return f'added["{name}"]'
-    if quantity == n.b_1:
-        return f"robot.b[0{_index(key)}]"
     return f"robot.{quantity.name}[{', '.join(map(str, key))}]" if key else f"robot.{quantity.name}"
 
 
@@ -156,7 +152,7 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many
+from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many, singular_status
 
 INDEFINITE = 6
 
@@ -213,8 +209,10 @@ def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
 def joint_inertia(robot: Any, motion: Any) -> dict[str, Array]:
     """H^-1 M H^-T, inertia (..., 6, 6), and status (...)."""
     found = equations(robot, motion)
-    half, fault = eliminate_many(found["H"], found["M"])
-    whole, _ = eliminate_many(found["H"], half.swapaxes(-1, -2))
+    H = found["H"]
+    half, pivots = eliminate_many(H, found["M"])
+    fault = _singular_status(robot, motion, H, pivots)
+    whole, _ = eliminate_many(H, half.swapaxes(-1, -2))
     status = np.where(found["status"] == OK, fault, found["status"])
     return _good({"inertia": 0.5 * (whole + whole.swapaxes(-1, -2))}, status)
 
@@ -224,7 +222,9 @@ def derivatives(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     total, leg, status = _sums("derivatives", robot, motion, F)
     pose, twist = _slopes(total)
     right = np.concatenate([pose, twist, _inertia(total)], axis=-1)
-    x, fault = eliminate_many(_columns(leg, "H"), right)
+    H = _columns(leg, "H")
+    x, pivots = eliminate_many(H, right)
+    fault = _singular_status(robot, motion, H, pivots)
     names = ("by_pose", "by_twist", "by_acceleration")
     found = dict(zip(names, np.split(x, 3, axis=-1), strict=True))
     return _good(found, np.where(status == OK, fault, status))
@@ -267,7 +267,7 @@ def _sums(
             for name, value in of_leg(leg, platform, pose, motion, F).items()
         }
         total = {name: np.broadcast_to(pose[name], shape[:-1]) + _six(parts[name]) for name in _SUMMED[what]}
-        return total, parts, _leg_status(leg, pose, parts)
+        return total, parts, _leg_status(leg, motion, parts)
 
 
 def _six(parts: Array) -> Array:
@@ -277,16 +277,26 @@ def _six(parts: Array) -> Array:
     return total
 
 
-def _leg_status(leg: dict[str, Array], pose: dict[str, Array], parts: dict[str, Array]) -> Array:
+def _leg_status(leg: dict[str, Array], motion: Any, parts: dict[str, Array]) -> Array:
     """The first leg's fault of each pose: not finite, too short, along its universal axis."""
-    terms = [parts[f"S_1_{axis}"] for axis in "xyz"]
-    terms += [pose[f"t_1_{axis}"][..., None] for axis in "xyz"] + [leg[f"r_{axis}"] for axis in "xyz"]
+    terms = [parts[f"q_{axis}"] for axis in "xyz"] + [motion.t[..., i, None] for i in range(3)]
+    terms += [leg[f"b_{axis}"] for axis in "xyz"]
     L, reach = parts["L"], np.abs(np.broadcast_arrays(*terms)).max(axis=0)
     fault = np.where(parts["k3"] > POLE_SINE, OK, POLE)
     fault = np.where(L > np.maximum(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)
     return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]
+
+
+def _singular_status(robot: Any, motion: Any, H: Array, pivots: Array) -> Array:
+    """Whether H is singular to rounding, from the robot's and the motion's numbers."""
+    with np.errstate(all="ignore"):
+        q = np.einsum("...ij,lj->...li", motion.R, robot.p)
+        terms = np.broadcast_arrays(q, motion.t[..., None, :], robot.b)
+        L = np.sqrt(np.sum((q + motion.t[..., None, :] - robot.b) ** 2, axis=-1))
+        arm = np.abs(q).max(axis=-1)
+        return singular_status(H, pivots, L, np.abs(terms).max(axis=(0, -1)), arm)
 
 
 def _matrix(total: dict[str, Array], name: str, symmetric: bool = False) -> Array:

@@ -31,7 +31,7 @@
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -51,12 +51,31 @@
  * points: the pole of the universal joint. */
 #define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
 /* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
  * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
+#if !defined(STEWART_SUSPECT)
+#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#endif
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+
+#if !defined(STEWART_CUBE)
+#define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 /* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
  * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
@@ -137,25 +156,28 @@ typedef struct {
 /* What a pose has for all legs. */
 typedef struct {
     stewart_real B[9], B_err[9];
-    stewart_real t_1[3], t_1_err[3];
     stewart_real c_force[3], c_force_err[3];
     stewart_real c_moment[3], c_moment_err[3];
+    stewart_real c_tip[3], c_tip_err[3];
+    stewart_real q_1[3], q_1_err[3];
 } shared_terms;
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D;
+    stewart_real D, L, reach, arm;
     stewart_real H_force[3], H_force_err[3];
     stewart_real H_moment[3], H_moment_err[3];
     stewart_real c_force[3], c_force_err[3];
     stewart_real c_moment[3], c_moment_err[3];
+    stewart_real arm_c[3], arm_c_err[3];
     int status;
 } leg_terms;
 
-/* The platform's equations H x = c, moments about base point 1; c_own: what the sums in c round away. */
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round away. */
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
+    stewart_real L[6], reach[6], arm[6]; /* of the legs */
 } platform_equations;
 
 /* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
@@ -168,7 +190,7 @@ typedef struct {
 typedef struct {
     stewart_real R_legs[9], R_legs_err[9];
     stewart_real B_legs[9], B_legs_err[9];
-    stewart_real t_1_legs[3], t_1_legs_err[3];
+    stewart_real q_1_legs[3], q_1_legs_err[3];
 } slopes_of_legs;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -189,8 +211,6 @@ static void prepare_leg(
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real p_y_max = STEWART_FABS(p_y), p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x), k_y_max = STEWART_FABS(k_y),
@@ -331,13 +351,6 @@ static void prepare_leg(
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
-    /* base point from base point 1, base frame */
-    const stewart_real r_x = b_x - b_1_x;
-    const stewart_real r_x_err = STEWART_UNIT*STEWART_FABS(r_x);
-    const stewart_real r_y = b_y - b_1_y;
-    const stewart_real r_y_err = STEWART_UNIT*STEWART_FABS(r_y);
-    const stewart_real r_z = b_z - b_1_z;
-    const stewart_real r_z_err = STEWART_UNIT*STEWART_FABS(r_z);
     /* its first moment, platform frame */
     const stewart_real h_add_z = m_u*p_z;
     const stewart_real h_add_z_err = STEWART_UNIT*STEWART_FABS(h_add_z);
@@ -357,6 +370,9 @@ static void prepare_leg(
     const stewart_real J_add_zz = m_u*(c13 + c15);
     const stewart_real J_add_zz_err = c13_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max
         + c15_max) + STEWART_FABS(J_add_zz));
+    out->b[0] = b_x;
+    out->b[1] = b_y;
+    out->b[2] = b_z;
     out->p[0] = p_x;
     out->p[1] = p_y;
     out->p[2] = p_z;
@@ -412,12 +428,6 @@ static void prepare_leg(
     out->g_x_k_err[2] = g_x_k_z_err;
     out->C_us = C_us;
     out->C_us_err = C_us_err;
-    out->r[0] = r_x;
-    out->r_err[0] = r_x_err;
-    out->r[1] = r_y;
-    out->r_err[1] = r_y_err;
-    out->r[2] = r_z;
-    out->r_err[2] = r_z_err;
     sum->M_add = m_u;
     sum->M_add_err = REAL(0);
     sum->h_add[0] = c11;
@@ -451,8 +461,6 @@ static void prepare_platform(
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
         I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real M_add_err = sum->M_add_err;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
@@ -465,6 +473,8 @@ static void prepare_platform(
         J_add_yz_err = sum->J_add_err[4], J_add_zz_err = sum->J_add_err[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real C_add_err = sum->C_add_err;
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1],
+        p_1_z = robot->leg[0].p[2];
     const stewart_real M_max = STEWART_FABS(M);
     const stewart_real R_0_y_max = STEWART_FABS(R_0_y), R_0_z_max = STEWART_FABS(R_0_z);
     const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx), I_p_xy_max = STEWART_FABS(I_p_xy),
@@ -557,9 +567,9 @@ static void prepare_platform(
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
-    out->b_1[0] = b_1_x;
-    out->b_1[1] = b_1_y;
-    out->b_1[2] = b_1_z;
+    out->p_1[0] = p_1_x;
+    out->p_1[1] = p_1_y;
+    out->p_1[2] = p_1_z;
 }
 
 #if defined(STEWART_SCALED)
@@ -583,6 +593,20 @@ static stewart_real unit_of_length(const stewart_exact_bounds_model *model)
     return unit;
 }
 #endif
+
+/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
+static stewart_real least_pivots(const stewart_exact_bounds_model *model)
+{
+    stewart_real largest = REAL(0);
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 1; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j] - model->leg[0].p[j]), largest);
+        }
+    }
+    largest = (largest * model->per_length);
+    return STEWART_SUSPECT * STEWART_CUBE(largest);
+}
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
 {
@@ -638,6 +662,7 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
 #if defined(STEWART_SCALED)
     made.per_length = 1 / unit_of_length(&made);
 #endif
+    made.least = least_pivots(&made);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -664,8 +689,7 @@ static void shared_of_pose(
         dJ_P_z = platform->dJ_P[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
+    const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -712,24 +736,26 @@ static void shared_of_pose(
         - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
     const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    /* reference point from base point 1, base frame */
-    const stewart_real t_1_x = t_x - b_1_x;
-    const stewart_real t_1_y = t_y - b_1_y;
-    const stewart_real t_1_z = t_z - b_1_z;
-    /* (33) the platform's part of c, force and moment */
-    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
         - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
         - B_zy*h_base_y - B_zz*h_base_z;
-    /* part of c, moment rows, base frame */
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        + load_z*t_1_y - C_P*omega_x - fall_y*h_base_z - load_y*t_1_z;
+        - C_P*omega_x - fall_y*h_base_z;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        + load_x*t_1_z - C_P*omega_y - fall_z*h_base_x - load_z*t_1_x;
+        - C_P*omega_y - fall_z*h_base_x;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        + load_y*t_1_x - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
+        - C_P*omega_z - fall_x*h_base_y;
+    /* (1) platform point 1 from the reference point, base frame */
+    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
+    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
+    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    /* the platform's part of c, moment rows, about platform point 1 */
+    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -739,29 +765,38 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->t_1[0] = t_1_x;
-    out->t_1[1] = t_1_y;
-    out->t_1[2] = t_1_z;
-    out->c_force[0] = load_x;
-    out->c_force[1] = load_y;
-    out->c_force[2] = load_z;
+    out->c_force[0] = c_force_x;
+    out->c_force[1] = c_force_y;
+    out->c_force[2] = c_force_z;
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
+    out->c_tip[0] = c_tip_x;
+    out->c_tip[1] = c_tip_y;
+    out->c_tip[2] = c_tip_z;
+    out->q_1[0] = q_1_x;
+    out->q_1[1] = q_1_y;
+    out->q_1[2] = q_1_z;
 }
 
-/* S = S_1 - r is known to within rounding of its largest term. */
-static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
+/* Largest size of some numbers, or `least`. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
-    stewart_real reach = 0;
+    stewart_real found = least;
     int i;
-    for (i = 0; i < 9; ++i) {
-        reach = STEWART_FABS(terms[i]) > reach ? STEWART_FABS(terms[i]) : reach;
+    for (i = 0; i < count; ++i) {
+        found = STEWART_FABS(values[i]) > found ? STEWART_FABS(values[i]) : found;
     }
+    return found;
+}
+
+/* S = q + t - b is known to within rounding of its largest term, `reach`. */
+static int leg_status(stewart_real L, stewart_real k3, stewart_real reach)
+{
     if (!(L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach && L > STEWART_SHORTEST)) {
+    if (!(L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
     return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
@@ -772,6 +807,7 @@ static void leg_of_pose(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, leg_terms *out)
 {
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real C_p = leg->C_p;
@@ -789,6 +825,7 @@ static void leg_of_pose(
     const stewart_real C_us = leg->C_us;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -796,20 +833,19 @@ static void leg_of_pose(
         B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_z = q_z + t_1_z;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_z = t_z - b_z;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
-    const stewart_real S_y = S_1_y - r_y;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_x = q_x + t_b_x;
+    const stewart_real S_y = q_y + t_b_y;
+    const stewart_real S_z = q_z + t_b_z;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -901,61 +937,75 @@ static void leg_of_pose(
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
         - k3_h*phi_ddot;
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
+    const stewart_real c1 = C_s*phi_dot;
+    const stewart_real c2 = C_s*theta_dot;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_z = s_z;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_z = -K_z;
+    /* platform point from platform point 1 */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
+    const stewart_real c_moment_x = c1*k_x + c2*y_x;
+    const stewart_real c_moment_y = c1*k_y + c2*y_y;
+    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
     out->D = D;
-    out->H_force[0] = s_x;
-    out->H_force[1] = s_y;
-    out->H_force[2] = s_z;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment[2] = H_moment_z;
-    out->c_force[0] = -K_x;
-    out->c_force[1] = -K_y;
-    out->c_force[2] = -K_z;
+    out->H_force[0] = H_force_x;
+    out->H_force[1] = H_force_y;
+    out->H_force[2] = H_force_z;
+    out->c_force[0] = c_force_x;
+    out->c_force[1] = c_force_y;
+    out->c_force[2] = c_force_z;
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
+    out->H_moment[0] = H_moment_x;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment[2] = H_moment_z;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c[2] = arm_c_z;
     {
-        const stewart_real reach[9] = {q_x, q_y, q_z, t_1_x, t_1_y, t_1_z, r_x, r_y, r_z};
-        out->status = leg_status(L, k3, reach);
+        const stewart_real terms[9] = {q_x, q_y, q_z, t_x, t_y, t_z, b_x, b_y, b_z};
+        const stewart_real arms[3] = {arm_x, arm_y, arm_z};
+        out->L = L;
+        out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+        out->arm = largest(arms, 3, 0);
+        out->status = leg_status(L, k3, out->reach);
     }
 }
 
 /* Solves the augmented rows [H | c | 1] by elimination with partial pivoting, (36); column 6 becomes x, those
- * after it the inverse Y of H. `moment` is the size of the moment rows; a pivot that is rounding error beside
- * its row means that H is singular. */
-static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], stewart_real Y[6][6])
+ * after it the inverse Y of H. Returns the product of the pivots. */
+static stewart_real solve(stewart_real A[6][13], stewart_real x[6], stewart_real Y[6][6])
 {
-    stewart_real scale[6], inverse[6];
+    stewart_real inverse[6], pivots = 1;
     int i, j, k;
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? 1 : moment;
-    }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
                 pivot = i;
             }
         }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
         for (j = 0; j < 13; ++j) {
             const stewart_real moved = A[k][j];
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
+        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
         inverse[k] = 1 / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -976,8 +1026,83 @@ static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], 
             Y[i][j] = A[i][j + 7];
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
+
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
+ * the arms of the moments.
+ *
+ * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
+ * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
+ * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
+ * for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+{
+    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        size = STEWART_LARGER(arm[i], size);
+        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
+        v[i] = REAL(1);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            force = force + error[k] * v[k];
+            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+        }
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
+            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            largest = STEWART_LARGER(grown[i], largest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+#endif
 
 /* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
  * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,
@@ -1048,9 +1173,9 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from base point 1 to the reference point, t away, and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
 static stewart_real reciprocal_condition(
-    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real t[3], stewart_real length)
+    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
     stewart_real A[6][6], B[6][6];
     int i, j;
@@ -1058,8 +1183,8 @@ static stewart_real reciprocal_condition(
         const int next = (j + 1) % 3, last = (j + 2) % 3;
         for (i = 0; i < 6; ++i) {
             A[j][i] = H[j][i];
-            A[j + 3][i] = (H[j + 3][i] - (t[next] * H[last][i] - t[last] * H[next][i])) / length;
-            B[i][j] = Y[i][j] + (Y[i][3 + next] * t[last] - Y[i][3 + last] * t[next]);
+            A[j + 3][i] = (H[j + 3][i] + (q[next] * H[last][i] - q[last] * H[next][i])) / length;
+            B[i][j] = Y[i][j] - (Y[i][3 + next] * q[last] - Y[i][3 + last] * q[next]);
             B[i][j + 3] = Y[i][j + 3] * length;
         }
     }
@@ -1098,8 +1223,7 @@ static void shared_errors(
     const stewart_real C_P = platform->C_P;
     const stewart_real C_P_err = platform->C_P_err;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
+    const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
         R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
         R_yy_max = STEWART_FABS(R_yy) + R_err, R_yz_max = STEWART_FABS(R_yz) + R_err,
@@ -1124,6 +1248,8 @@ static void shared_errors(
         dJ_P_y_max = STEWART_FABS(dJ_P_y) + dJ_P_y_err,
         dJ_P_z_max = STEWART_FABS(dJ_P_z) + dJ_P_z_err;
     const stewart_real C_P_max = STEWART_FABS(C_P) + C_P_err;
+    const stewart_real p_1_x_max = STEWART_FABS(p_1_x), p_1_y_max = STEWART_FABS(p_1_y),
+        p_1_z_max = STEWART_FABS(p_1_z);
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xx_own = STEWART_UNIT*STEWART_FABS(omega_xx);
@@ -1305,87 +1431,101 @@ static void shared_errors(
         + J_P_yz_max*alpha_P_y_err + J_P_zz_err*alpha_P_z_max + J_P_zz_max*alpha_P_z_err
         + P_xy_err*dJ_P_z_max + P_xy_max*dJ_P_z_err + M_P_load_z_own;
     const stewart_real M_P_load_z_max = STEWART_FABS(M_P_load_z) + M_P_load_z_err;
-    /* reference point from base point 1, base frame */
-    const stewart_real t_1_x = t_x - b_1_x;
-    const stewart_real t_1_x_own = STEWART_UNIT*STEWART_FABS(t_1_x);
-    const stewart_real t_1_x_err = t_1_x_own;
-    const stewart_real t_1_x_max = STEWART_FABS(t_1_x) + t_1_x_err;
-    const stewart_real t_1_y = t_y - b_1_y;
-    const stewart_real t_1_y_own = STEWART_UNIT*STEWART_FABS(t_1_y);
-    const stewart_real t_1_y_err = t_1_y_own;
-    const stewart_real t_1_y_max = STEWART_FABS(t_1_y) + t_1_y_err;
-    const stewart_real t_1_z = t_z - b_1_z;
-    const stewart_real t_1_z_own = STEWART_UNIT*STEWART_FABS(t_1_z);
-    const stewart_real t_1_z_err = t_1_z_own;
-    const stewart_real t_1_z_max = STEWART_FABS(t_1_z) + t_1_z_err;
-    /* (33) the platform's part of c, force and moment */
-    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_x_own = STEWART_UNIT*(REAL(6)*B_xx_max*h_base_x_max
+    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(6)*B_xx_max*h_base_x_max
         + REAL(6)*B_xy_max*h_base_y_max + REAL(6)*B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max
         + REAL(6)*F_ext_y_max*R_xy_max + REAL(6)*F_ext_z_max*R_xz_max + REAL(6)*M_P_max*fall_x_max
-        + STEWART_FABS(load_x));
-    const stewart_real load_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
+        + STEWART_FABS(c_force_x));
+    const stewart_real c_force_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
         + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max
-        + M_P_max*fall_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_x_own;
-    const stewart_real load_x_max = STEWART_FABS(load_x) + load_x_err;
-    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+        + M_P_max*fall_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
+    const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
         - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_y_own = STEWART_UNIT*(REAL(6)*B_yx_max*h_base_x_max
+    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(6)*B_yx_max*h_base_x_max
         + REAL(6)*B_yy_max*h_base_y_max + REAL(6)*B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max
         + REAL(6)*F_ext_y_max*R_yy_max + REAL(6)*F_ext_z_max*R_yz_max + REAL(6)*M_P_max*fall_y_max
-        + STEWART_FABS(load_y));
-    const stewart_real load_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
+        + STEWART_FABS(c_force_y));
+    const stewart_real c_force_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
         + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max
-        + M_P_max*fall_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_y_own;
-    const stewart_real load_y_max = STEWART_FABS(load_y) + load_y_err;
-    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+        + M_P_max*fall_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
+    const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
         - B_zy*h_base_y - B_zz*h_base_z;
-    const stewart_real load_z_own = STEWART_UNIT*(REAL(6)*B_zx_max*h_base_x_max
+    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(6)*B_zx_max*h_base_x_max
         + REAL(6)*B_zy_max*h_base_y_max + REAL(6)*B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max
         + REAL(6)*F_ext_y_max*R_zy_max + REAL(6)*F_ext_z_max*R_zz_max + REAL(6)*M_P_max*fall_z_max
-        + STEWART_FABS(load_z));
-    const stewart_real load_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
+        + STEWART_FABS(c_force_z));
+    const stewart_real c_force_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
         + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max
-        + M_P_max*fall_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_z_own;
-    const stewart_real load_z_max = STEWART_FABS(load_z) + load_z_err;
-    /* part of c, moment rows, base frame */
+        + M_P_max*fall_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
+    const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        + load_z*t_1_y - C_P*omega_x - fall_y*h_base_z - load_y*t_1_z;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_x_max
-        + REAL(7)*M_P_load_x_max*R_xx_max + REAL(7)*M_P_load_y_max*R_xy_max
-        + REAL(7)*M_P_load_z_max*R_xz_max + REAL(7)*fall_y_max*h_base_z_max
-        + REAL(7)*fall_z_max*h_base_y_max + REAL(7)*load_y_max*t_1_z_max + REAL(7)*load_z_max*t_1_y_max
-        + STEWART_FABS(c_moment_x));
+        - C_P*omega_x - fall_y*h_base_z;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(5)*C_P_max*omega_x_max
+        + REAL(5)*M_P_load_x_max*R_xx_max + REAL(5)*M_P_load_y_max*R_xy_max
+        + REAL(5)*M_P_load_z_max*R_xz_max + REAL(5)*fall_y_max*h_base_z_max
+        + REAL(5)*fall_z_max*h_base_y_max + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max
         + M_P_load_y_err*R_xy_max + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_y_err*h_base_z_max + fall_y_max*h_base_z_err + fall_z_err*h_base_y_max
-        + fall_z_max*h_base_y_err + load_y_err*t_1_z_max + load_y_max*t_1_z_err + load_z_err*t_1_y_max
-        + load_z_max*t_1_y_err + c_moment_x_own;
+        + fall_z_max*h_base_y_err + c_moment_x_own;
+    const stewart_real c_moment_x_max = STEWART_FABS(c_moment_x) + c_moment_x_err;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        + load_x*t_1_z - C_P*omega_y - fall_z*h_base_x - load_z*t_1_x;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_y_max
-        + REAL(7)*M_P_load_x_max*R_yx_max + REAL(7)*M_P_load_y_max*R_yy_max
-        + REAL(7)*M_P_load_z_max*R_yz_max + REAL(7)*fall_x_max*h_base_z_max
-        + REAL(7)*fall_z_max*h_base_x_max + REAL(7)*load_x_max*t_1_z_max + REAL(7)*load_z_max*t_1_x_max
-        + STEWART_FABS(c_moment_y));
+        - C_P*omega_y - fall_z*h_base_x;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(5)*C_P_max*omega_y_max
+        + REAL(5)*M_P_load_x_max*R_yx_max + REAL(5)*M_P_load_y_max*R_yy_max
+        + REAL(5)*M_P_load_z_max*R_yz_max + REAL(5)*fall_x_max*h_base_z_max
+        + REAL(5)*fall_z_max*h_base_x_max + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max
         + M_P_load_y_err*R_yy_max + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_x_err*h_base_z_max + fall_x_max*h_base_z_err + fall_z_err*h_base_x_max
-        + fall_z_max*h_base_x_err + load_x_err*t_1_z_max + load_x_max*t_1_z_err + load_z_err*t_1_x_max
-        + load_z_max*t_1_x_err + c_moment_y_own;
+        + fall_z_max*h_base_x_err + c_moment_y_own;
+    const stewart_real c_moment_y_max = STEWART_FABS(c_moment_y) + c_moment_y_err;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        + load_y*t_1_x - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_z_max
-        + REAL(7)*M_P_load_x_max*R_zx_max + REAL(7)*M_P_load_y_max*R_zy_max
-        + REAL(7)*M_P_load_z_max*R_zz_max + REAL(7)*fall_x_max*h_base_y_max
-        + REAL(7)*fall_y_max*h_base_x_max + REAL(7)*load_x_max*t_1_y_max + REAL(7)*load_y_max*t_1_x_max
-        + STEWART_FABS(c_moment_z));
+        - C_P*omega_z - fall_x*h_base_y;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(5)*C_P_max*omega_z_max
+        + REAL(5)*M_P_load_x_max*R_zx_max + REAL(5)*M_P_load_y_max*R_zy_max
+        + REAL(5)*M_P_load_z_max*R_zz_max + REAL(5)*fall_x_max*h_base_y_max
+        + REAL(5)*fall_y_max*h_base_x_max + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max
         + M_P_load_y_err*R_zy_max + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_x_err*h_base_y_max + fall_x_max*h_base_y_err + fall_y_err*h_base_x_max
-        + fall_y_max*h_base_x_err + load_x_err*t_1_y_max + load_x_max*t_1_y_err + load_y_err*t_1_x_max
-        + load_y_max*t_1_x_err + c_moment_z_own;
+        + fall_y_max*h_base_x_err + c_moment_z_own;
+    const stewart_real c_moment_z_max = STEWART_FABS(c_moment_z) + c_moment_z_err;
+    /* (1) platform point 1 from the reference point, base frame */
+    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
+    const stewart_real q_1_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max
+        + REAL(2)*R_xz_max*p_1_z_max + STEWART_FABS(q_1_x));
+    const stewart_real q_1_x_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_x_own;
+    const stewart_real q_1_x_max = STEWART_FABS(q_1_x) + q_1_x_err;
+    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
+    const stewart_real q_1_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max
+        + REAL(2)*R_yz_max*p_1_z_max + STEWART_FABS(q_1_y));
+    const stewart_real q_1_y_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_y_own;
+    const stewart_real q_1_y_max = STEWART_FABS(q_1_y) + q_1_y_err;
+    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    const stewart_real q_1_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max
+        + REAL(2)*R_zz_max*p_1_z_max + STEWART_FABS(q_1_z));
+    const stewart_real q_1_z_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_z_own;
+    const stewart_real q_1_z_max = STEWART_FABS(q_1_z) + q_1_z_err;
+    /* the platform's part of c, moment rows, about platform point 1 */
+    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+    const stewart_real c_tip_x_own = STEWART_UNIT*(REAL(2)*c_force_y_max*q_1_z_max
+        + REAL(2)*c_force_z_max*q_1_y_max + c_moment_x_max + STEWART_FABS(c_tip_x));
+    const stewart_real c_tip_x_err = c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err
+        + c_force_z_err*q_1_y_max + c_force_z_max*q_1_y_err + c_moment_x_err + c_tip_x_own;
+    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+    const stewart_real c_tip_y_own = STEWART_UNIT*(REAL(2)*c_force_x_max*q_1_z_max
+        + REAL(2)*c_force_z_max*q_1_x_max + c_moment_y_max + STEWART_FABS(c_tip_y));
+    const stewart_real c_tip_y_err = c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err
+        + c_force_z_err*q_1_x_max + c_force_z_max*q_1_x_err + c_moment_y_err + c_tip_y_own;
+    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    const stewart_real c_tip_z_own = STEWART_UNIT*(REAL(2)*c_force_x_max*q_1_y_max
+        + REAL(2)*c_force_y_max*q_1_x_max + c_moment_z_max + STEWART_FABS(c_tip_z));
+    const stewart_real c_tip_z_err = c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err
+        + c_force_y_err*q_1_x_max + c_force_y_max*q_1_x_err + c_moment_z_err + c_tip_z_own;
     out->B[0] = B_xx;
     out->B_err[0] = B_xx_err;
     out->B[1] = B_xy;
@@ -1404,24 +1544,30 @@ static void shared_errors(
     out->B_err[7] = B_zy_err;
     out->B[8] = B_zz;
     out->B_err[8] = B_zz_err;
-    out->t_1[0] = t_1_x;
-    out->t_1_err[0] = t_1_x_err;
-    out->t_1[1] = t_1_y;
-    out->t_1_err[1] = t_1_y_err;
-    out->t_1[2] = t_1_z;
-    out->t_1_err[2] = t_1_z_err;
-    out->c_force[0] = load_x;
-    out->c_force_err[0] = load_x_err;
-    out->c_force[1] = load_y;
-    out->c_force_err[1] = load_y_err;
-    out->c_force[2] = load_z;
-    out->c_force_err[2] = load_z_err;
+    out->c_force[0] = c_force_x;
+    out->c_force_err[0] = c_force_x_err;
+    out->c_force[1] = c_force_y;
+    out->c_force_err[1] = c_force_y_err;
+    out->c_force[2] = c_force_z;
+    out->c_force_err[2] = c_force_z_err;
     out->c_moment[0] = c_moment_x;
     out->c_moment_err[0] = c_moment_x_err;
     out->c_moment[1] = c_moment_y;
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
+    out->c_tip[0] = c_tip_x;
+    out->c_tip_err[0] = c_tip_x_err;
+    out->c_tip[1] = c_tip_y;
+    out->c_tip_err[1] = c_tip_y_err;
+    out->c_tip[2] = c_tip_z;
+    out->c_tip_err[2] = c_tip_z_err;
+    out->q_1[0] = q_1_x;
+    out->q_1_err[0] = q_1_x_err;
+    out->q_1[1] = q_1_y;
+    out->q_1_err[1] = q_1_y_err;
+    out->q_1[2] = q_1_z;
+    out->q_1_err[2] = q_1_z_err;
     for (i = 0; slopes && i < 6; ++i) {
         const force_row *row = &rows[i];
         const slopes_of_legs *of_legs = &slopes[i];
@@ -1447,10 +1593,10 @@ static void shared_errors(
             B_legs_yy_err = of_legs->B_legs_err[4], B_legs_yz_err = of_legs->B_legs_err[5],
             B_legs_zx_err = of_legs->B_legs_err[6], B_legs_zy_err = of_legs->B_legs_err[7],
             B_legs_zz_err = of_legs->B_legs_err[8];
-        const stewart_real t_1_legs_x = of_legs->t_1_legs[0], t_1_legs_y = of_legs->t_1_legs[1],
-            t_1_legs_z = of_legs->t_1_legs[2];
-        const stewart_real t_1_legs_x_err = of_legs->t_1_legs_err[0],
-            t_1_legs_y_err = of_legs->t_1_legs_err[1], t_1_legs_z_err = of_legs->t_1_legs_err[2];
+        const stewart_real q_1_legs_x = of_legs->q_1_legs[0], q_1_legs_y = of_legs->q_1_legs[1],
+            q_1_legs_z = of_legs->q_1_legs[2];
+        const stewart_real q_1_legs_x_err = of_legs->q_1_legs_err[0],
+            q_1_legs_y_err = of_legs->q_1_legs_err[1], q_1_legs_z_err = of_legs->q_1_legs_err[2];
         const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x),
             Y_force_y_max = STEWART_FABS(Y_force_y), Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
@@ -1464,39 +1610,39 @@ static void shared_errors(
             R_legs_zx_max = STEWART_FABS(R_legs_zx) + R_legs_zx_err,
             R_legs_zy_max = STEWART_FABS(R_legs_zy) + R_legs_zy_err,
             R_legs_zz_max = STEWART_FABS(R_legs_zz) + R_legs_zz_err;
-        const stewart_real t_1_legs_x_max = STEWART_FABS(t_1_legs_x) + t_1_legs_x_err,
-            t_1_legs_y_max = STEWART_FABS(t_1_legs_y) + t_1_legs_y_err,
-            t_1_legs_z_max = STEWART_FABS(t_1_legs_z) + t_1_legs_z_err;
-        const stewart_real load_z_bar = Y_moment_y*t_1_x - Y_force_z - Y_moment_x*t_1_y;
-        const stewart_real load_z_bar_err = Y_moment_x_max*t_1_y_err + Y_moment_y_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*t_1_y_max + REAL(2)*Y_moment_y_max*t_1_x_max
-            + STEWART_FABS(load_z_bar));
-        const stewart_real load_z_bar_max = STEWART_FABS(load_z_bar) + load_z_bar_err;
-        const stewart_real load_y_bar = Y_moment_x*t_1_z - Y_force_y - Y_moment_z*t_1_x;
-        const stewart_real load_y_bar_err = Y_moment_x_max*t_1_z_err + Y_moment_z_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_x_max
-            + STEWART_FABS(load_y_bar));
-        const stewart_real load_y_bar_max = STEWART_FABS(load_y_bar) + load_y_bar_err;
-        const stewart_real load_x_bar = Y_moment_z*t_1_y - Y_force_x - Y_moment_y*t_1_z;
-        const stewart_real load_x_bar_err = Y_moment_y_max*t_1_z_err + Y_moment_z_max*t_1_y_err
-            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_y_max
-            + STEWART_FABS(load_x_bar));
-        const stewart_real load_x_bar_max = STEWART_FABS(load_x_bar) + load_x_bar_err;
-        const stewart_real t_1_z_bar = Y_moment_x*load_y + t_1_legs_z - Y_moment_y*load_x;
-        const stewart_real t_1_z_bar_err = Y_moment_x_max*load_y_err + Y_moment_y_max*load_x_err
-            + t_1_legs_z_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_y_max
-            + REAL(2)*Y_moment_y_max*load_x_max + t_1_legs_z_max + STEWART_FABS(t_1_z_bar));
-        const stewart_real t_1_z_bar_max = STEWART_FABS(t_1_z_bar) + t_1_z_bar_err;
-        const stewart_real t_1_y_bar = Y_moment_z*load_x + t_1_legs_y - Y_moment_x*load_z;
-        const stewart_real t_1_y_bar_err = Y_moment_x_max*load_z_err + Y_moment_z_max*load_x_err
-            + t_1_legs_y_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_z_max
-            + REAL(2)*Y_moment_z_max*load_x_max + t_1_legs_y_max + STEWART_FABS(t_1_y_bar));
-        const stewart_real t_1_y_bar_max = STEWART_FABS(t_1_y_bar) + t_1_y_bar_err;
-        const stewart_real t_1_x_bar = Y_moment_y*load_z + t_1_legs_x - Y_moment_z*load_y;
-        const stewart_real t_1_x_bar_err = Y_moment_y_max*load_z_err + Y_moment_z_max*load_y_err
-            + t_1_legs_x_err + STEWART_UNIT*(REAL(2)*Y_moment_y_max*load_z_max
-            + REAL(2)*Y_moment_z_max*load_y_max + t_1_legs_x_max + STEWART_FABS(t_1_x_bar));
-        const stewart_real t_1_x_bar_max = STEWART_FABS(t_1_x_bar) + t_1_x_bar_err;
+        const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err,
+            q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err,
+            q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
+        const stewart_real q_1_z_bar = Y_moment_y*c_force_x + q_1_legs_z - Y_moment_x*c_force_y;
+        const stewart_real q_1_z_bar_err = Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err
+            + q_1_legs_z_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_y_max
+            + REAL(2)*Y_moment_y_max*c_force_x_max + q_1_legs_z_max + STEWART_FABS(q_1_z_bar));
+        const stewart_real q_1_z_bar_max = STEWART_FABS(q_1_z_bar) + q_1_z_bar_err;
+        const stewart_real q_1_y_bar = Y_moment_x*c_force_z + q_1_legs_y - Y_moment_z*c_force_x;
+        const stewart_real q_1_y_bar_err = Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err
+            + q_1_legs_y_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_z_max
+            + REAL(2)*Y_moment_z_max*c_force_x_max + q_1_legs_y_max + STEWART_FABS(q_1_y_bar));
+        const stewart_real q_1_y_bar_max = STEWART_FABS(q_1_y_bar) + q_1_y_bar_err;
+        const stewart_real q_1_x_bar = Y_moment_z*c_force_y + q_1_legs_x - Y_moment_y*c_force_z;
+        const stewart_real q_1_x_bar_err = Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err
+            + q_1_legs_x_err + STEWART_UNIT*(REAL(2)*Y_moment_y_max*c_force_z_max
+            + REAL(2)*Y_moment_z_max*c_force_y_max + q_1_legs_x_max + STEWART_FABS(q_1_x_bar));
+        const stewart_real q_1_x_bar_max = STEWART_FABS(q_1_x_bar) + q_1_x_bar_err;
+        const stewart_real c_force_z_bar = Y_moment_x*q_1_y - Y_force_z - Y_moment_y*q_1_x;
+        const stewart_real c_force_z_bar_err = Y_moment_x_max*q_1_y_err + Y_moment_y_max*q_1_x_err
+            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*q_1_y_max + REAL(2)*Y_moment_y_max*q_1_x_max
+            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+        const stewart_real c_force_y_bar = Y_moment_z*q_1_x - Y_force_y - Y_moment_x*q_1_z;
+        const stewart_real c_force_y_bar_err = Y_moment_x_max*q_1_z_err + Y_moment_z_max*q_1_x_err
+            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*q_1_z_max + REAL(2)*Y_moment_z_max*q_1_x_max
+            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+        const stewart_real c_force_x_bar = Y_moment_y*q_1_z - Y_force_x - Y_moment_z*q_1_y;
+        const stewart_real c_force_x_bar_err = Y_moment_y_max*q_1_z_err + Y_moment_z_max*q_1_y_err
+            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*q_1_z_max + REAL(2)*Y_moment_z_max*q_1_y_max
+            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
         const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
             + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max
@@ -1605,86 +1751,95 @@ static void shared_errors(
             + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max
             + REAL(2)*P_xz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_x_bar));
         const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
-        const stewart_real fall_z_bar = M_P*load_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
-        const stewart_real fall_z_bar_err = M_P_err*load_z_bar_max + M_P_max*load_z_bar_err
+        const stewart_real fall_z_bar = M_P*c_force_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
+        const stewart_real fall_z_bar_err = M_P_err*c_force_z_bar_max + M_P_max*c_force_z_bar_err
             + Y_moment_x_max*h_base_y_err + Y_moment_y_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_z_bar_max + REAL(2)*Y_moment_x_max*h_base_y_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_z_bar_max + REAL(2)*Y_moment_x_max*h_base_y_max
             + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
         const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
-        const stewart_real fall_y_bar = M_P*load_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
-        const stewart_real fall_y_bar_err = M_P_err*load_y_bar_max + M_P_max*load_y_bar_err
+        const stewart_real fall_y_bar = M_P*c_force_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
+        const stewart_real fall_y_bar_err = M_P_err*c_force_y_bar_max + M_P_max*c_force_y_bar_err
             + Y_moment_x_max*h_base_z_err + Y_moment_z_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
             + REAL(2)*Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
         const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
-        const stewart_real fall_x_bar = M_P*load_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
-        const stewart_real fall_x_bar_err = M_P_err*load_x_bar_max + M_P_max*load_x_bar_err
+        const stewart_real fall_x_bar = M_P*c_force_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
+        const stewart_real fall_x_bar_err = M_P_err*c_force_x_bar_max + M_P_max*c_force_x_bar_err
             + Y_moment_y_max*h_base_z_err + Y_moment_z_max*h_base_y_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_x_bar_max + REAL(2)*Y_moment_y_max*h_base_z_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_x_bar_max + REAL(2)*Y_moment_y_max*h_base_z_max
             + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
         const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
-        const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*load_x_bar - B_yz*load_y_bar
-            - B_zz*load_z_bar - Y_moment_y*fall_x;
-        const stewart_real h_base_z_bar_err = B_xz_err*load_x_bar_max + B_xz_max*load_x_bar_err
-            + B_yz_err*load_y_bar_max + B_yz_max*load_y_bar_err + B_zz_err*load_z_bar_max
-            + B_zz_max*load_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xz_max*load_x_bar_max + REAL(4)*B_yz_max*load_y_bar_max
-            + REAL(4)*B_zz_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max
+        const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*c_force_x_bar - B_yz*c_force_y_bar
+            - B_zz*c_force_z_bar - Y_moment_y*fall_x;
+        const stewart_real h_base_z_bar_err = B_xz_err*c_force_x_bar_max + B_xz_max*c_force_x_bar_err
+            + B_yz_err*c_force_y_bar_max + B_yz_max*c_force_y_bar_err + B_zz_err*c_force_z_bar_max
+            + B_zz_max*c_force_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
+            + STEWART_UNIT*(REAL(4)*B_xz_max*c_force_x_bar_max + REAL(4)*B_yz_max*c_force_y_bar_max
+            + REAL(4)*B_zz_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max
             + REAL(4)*Y_moment_y_max*fall_x_max + STEWART_FABS(h_base_z_bar));
         const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
-        const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*load_x_bar - B_yy*load_y_bar
-            - B_zy*load_z_bar - Y_moment_x*fall_z;
-        const stewart_real h_base_y_bar_err = B_xy_err*load_x_bar_max + B_xy_max*load_x_bar_err
-            + B_yy_err*load_y_bar_max + B_yy_max*load_y_bar_err + B_zy_err*load_z_bar_max
-            + B_zy_max*load_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xy_max*load_x_bar_max + REAL(4)*B_yy_max*load_y_bar_max
-            + REAL(4)*B_zy_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_z_max
+        const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*c_force_x_bar - B_yy*c_force_y_bar
+            - B_zy*c_force_z_bar - Y_moment_x*fall_z;
+        const stewart_real h_base_y_bar_err = B_xy_err*c_force_x_bar_max + B_xy_max*c_force_x_bar_err
+            + B_yy_err*c_force_y_bar_max + B_yy_max*c_force_y_bar_err + B_zy_err*c_force_z_bar_max
+            + B_zy_max*c_force_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
+            + STEWART_UNIT*(REAL(4)*B_xy_max*c_force_x_bar_max + REAL(4)*B_yy_max*c_force_y_bar_max
+            + REAL(4)*B_zy_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_z_max
             + REAL(4)*Y_moment_z_max*fall_x_max + STEWART_FABS(h_base_y_bar));
         const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
-        const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*load_x_bar - B_yx*load_y_bar
-            - B_zx*load_z_bar - Y_moment_z*fall_y;
-        const stewart_real h_base_x_bar_err = B_xx_err*load_x_bar_max + B_xx_max*load_x_bar_err
-            + B_yx_err*load_y_bar_max + B_yx_max*load_y_bar_err + B_zx_err*load_z_bar_max
-            + B_zx_max*load_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
-            + STEWART_UNIT*(REAL(4)*B_xx_max*load_x_bar_max + REAL(4)*B_yx_max*load_y_bar_max
-            + REAL(4)*B_zx_max*load_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max
+        const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*c_force_x_bar - B_yx*c_force_y_bar
+            - B_zx*c_force_z_bar - Y_moment_z*fall_y;
+        const stewart_real h_base_x_bar_err = B_xx_err*c_force_x_bar_max + B_xx_max*c_force_x_bar_err
+            + B_yx_err*c_force_y_bar_max + B_yx_max*c_force_y_bar_err + B_zx_err*c_force_z_bar_max
+            + B_zx_max*c_force_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
+            + STEWART_UNIT*(REAL(4)*B_xx_max*c_force_x_bar_max + REAL(4)*B_yx_max*c_force_y_bar_max
+            + REAL(4)*B_zx_max*c_force_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max
             + REAL(4)*Y_moment_z_max*fall_y_max + STEWART_FABS(h_base_x_bar));
         const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
-        const stewart_real B_zz_bar = B_legs_zz - h_base_z*load_z_bar;
-        const stewart_real B_zz_bar_err = B_legs_zz_err + h_base_z_err*load_z_bar_max
-            + h_base_z_max*load_z_bar_err + STEWART_UNIT*(h_base_z_max*load_z_bar_max + STEWART_FABS(B_zz_bar));
+        const stewart_real B_zz_bar = B_legs_zz - c_force_z_bar*h_base_z;
+        const stewart_real B_zz_bar_err = B_legs_zz_err + c_force_z_bar_err*h_base_z_max
+            + c_force_z_bar_max*h_base_z_err + STEWART_UNIT*(c_force_z_bar_max*h_base_z_max
+            + STEWART_FABS(B_zz_bar));
         const stewart_real B_zz_bar_max = STEWART_FABS(B_zz_bar) + B_zz_bar_err;
-        const stewart_real B_zy_bar = B_legs_zy - h_base_y*load_z_bar;
-        const stewart_real B_zy_bar_err = B_legs_zy_err + h_base_y_err*load_z_bar_max
-            + h_base_y_max*load_z_bar_err + STEWART_UNIT*(h_base_y_max*load_z_bar_max + STEWART_FABS(B_zy_bar));
+        const stewart_real B_zy_bar = B_legs_zy - c_force_z_bar*h_base_y;
+        const stewart_real B_zy_bar_err = B_legs_zy_err + c_force_z_bar_err*h_base_y_max
+            + c_force_z_bar_max*h_base_y_err + STEWART_UNIT*(c_force_z_bar_max*h_base_y_max
+            + STEWART_FABS(B_zy_bar));
         const stewart_real B_zy_bar_max = STEWART_FABS(B_zy_bar) + B_zy_bar_err;
-        const stewart_real B_zx_bar = B_legs_zx - h_base_x*load_z_bar;
-        const stewart_real B_zx_bar_err = B_legs_zx_err + h_base_x_err*load_z_bar_max
-            + h_base_x_max*load_z_bar_err + STEWART_UNIT*(h_base_x_max*load_z_bar_max + STEWART_FABS(B_zx_bar));
+        const stewart_real B_zx_bar = B_legs_zx - c_force_z_bar*h_base_x;
+        const stewart_real B_zx_bar_err = B_legs_zx_err + c_force_z_bar_err*h_base_x_max
+            + c_force_z_bar_max*h_base_x_err + STEWART_UNIT*(c_force_z_bar_max*h_base_x_max
+            + STEWART_FABS(B_zx_bar));
         const stewart_real B_zx_bar_max = STEWART_FABS(B_zx_bar) + B_zx_bar_err;
-        const stewart_real B_yz_bar = B_legs_yz - h_base_z*load_y_bar;
-        const stewart_real B_yz_bar_err = B_legs_yz_err + h_base_z_err*load_y_bar_max
-            + h_base_z_max*load_y_bar_err + STEWART_UNIT*(h_base_z_max*load_y_bar_max + STEWART_FABS(B_yz_bar));
+        const stewart_real B_yz_bar = B_legs_yz - c_force_y_bar*h_base_z;
+        const stewart_real B_yz_bar_err = B_legs_yz_err + c_force_y_bar_err*h_base_z_max
+            + c_force_y_bar_max*h_base_z_err + STEWART_UNIT*(c_force_y_bar_max*h_base_z_max
+            + STEWART_FABS(B_yz_bar));
         const stewart_real B_yz_bar_max = STEWART_FABS(B_yz_bar) + B_yz_bar_err;
-        const stewart_real B_yy_bar = B_legs_yy - h_base_y*load_y_bar;
-        const stewart_real B_yy_bar_err = B_legs_yy_err + h_base_y_err*load_y_bar_max
-            + h_base_y_max*load_y_bar_err + STEWART_UNIT*(h_base_y_max*load_y_bar_max + STEWART_FABS(B_yy_bar));
+        const stewart_real B_yy_bar = B_legs_yy - c_force_y_bar*h_base_y;
+        const stewart_real B_yy_bar_err = B_legs_yy_err + c_force_y_bar_err*h_base_y_max
+            + c_force_y_bar_max*h_base_y_err + STEWART_UNIT*(c_force_y_bar_max*h_base_y_max
+            + STEWART_FABS(B_yy_bar));
         const stewart_real B_yy_bar_max = STEWART_FABS(B_yy_bar) + B_yy_bar_err;
-        const stewart_real B_yx_bar = B_legs_yx - h_base_x*load_y_bar;
-        const stewart_real B_yx_bar_err = B_legs_yx_err + h_base_x_err*load_y_bar_max
-            + h_base_x_max*load_y_bar_err + STEWART_UNIT*(h_base_x_max*load_y_bar_max + STEWART_FABS(B_yx_bar));
+        const stewart_real B_yx_bar = B_legs_yx - c_force_y_bar*h_base_x;
+        const stewart_real B_yx_bar_err = B_legs_yx_err + c_force_y_bar_err*h_base_x_max
+            + c_force_y_bar_max*h_base_x_err + STEWART_UNIT*(c_force_y_bar_max*h_base_x_max
+            + STEWART_FABS(B_yx_bar));
         const stewart_real B_yx_bar_max = STEWART_FABS(B_yx_bar) + B_yx_bar_err;
-        const stewart_real B_xz_bar = B_legs_xz - h_base_z*load_x_bar;
-        const stewart_real B_xz_bar_err = B_legs_xz_err + h_base_z_err*load_x_bar_max
-            + h_base_z_max*load_x_bar_err + STEWART_UNIT*(h_base_z_max*load_x_bar_max + STEWART_FABS(B_xz_bar));
+        const stewart_real B_xz_bar = B_legs_xz - c_force_x_bar*h_base_z;
+        const stewart_real B_xz_bar_err = B_legs_xz_err + c_force_x_bar_err*h_base_z_max
+            + c_force_x_bar_max*h_base_z_err + STEWART_UNIT*(c_force_x_bar_max*h_base_z_max
+            + STEWART_FABS(B_xz_bar));
         const stewart_real B_xz_bar_max = STEWART_FABS(B_xz_bar) + B_xz_bar_err;
-        const stewart_real B_xy_bar = B_legs_xy - h_base_y*load_x_bar;
-        const stewart_real B_xy_bar_err = B_legs_xy_err + h_base_y_err*load_x_bar_max
-            + h_base_y_max*load_x_bar_err + STEWART_UNIT*(h_base_y_max*load_x_bar_max + STEWART_FABS(B_xy_bar));
+        const stewart_real B_xy_bar = B_legs_xy - c_force_x_bar*h_base_y;
+        const stewart_real B_xy_bar_err = B_legs_xy_err + c_force_x_bar_err*h_base_y_max
+            + c_force_x_bar_max*h_base_y_err + STEWART_UNIT*(c_force_x_bar_max*h_base_y_max
+            + STEWART_FABS(B_xy_bar));
         const stewart_real B_xy_bar_max = STEWART_FABS(B_xy_bar) + B_xy_bar_err;
-        const stewart_real B_xx_bar = B_legs_xx - h_base_x*load_x_bar;
-        const stewart_real B_xx_bar_err = B_legs_xx_err + h_base_x_err*load_x_bar_max
-            + h_base_x_max*load_x_bar_err + STEWART_UNIT*(h_base_x_max*load_x_bar_max + STEWART_FABS(B_xx_bar));
+        const stewart_real B_xx_bar = B_legs_xx - c_force_x_bar*h_base_x;
+        const stewart_real B_xx_bar_err = B_legs_xx_err + c_force_x_bar_err*h_base_x_max
+            + c_force_x_bar_max*h_base_x_err + STEWART_UNIT*(c_force_x_bar_max*h_base_x_max
+            + STEWART_FABS(B_xx_bar));
         const stewart_real B_xx_bar_max = STEWART_FABS(B_xx_bar) + B_xx_bar_err;
         const stewart_real omega_zz_bar = -B_xx_bar - B_yy_bar;
         const stewart_real omega_zz_bar_err = B_xx_bar_err + B_yy_bar_err
@@ -1710,92 +1865,93 @@ static void shared_errors(
         const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err
             + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
         const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
-        const stewart_real R_xx_bar = F_ext_x*load_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x
-            + h_P_x*h_base_x_bar + omega_P_x_bar*omega_x - M_P_load_x*Y_moment_x;
-        const stewart_real R_xx_bar_err = F_ext_x_max*load_x_bar_err + M_P_load_x_err*Y_moment_x_max
+        const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x
+            + h_P_x*h_base_x_bar + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
+        const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
             + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max
-            + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_x_bar_max + REAL(5)*M_P_load_x_max*Y_moment_x_max
-            + REAL(4)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max + REAL(5)*h_P_x_max*h_base_x_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_x_max + STEWART_FABS(R_xx_bar));
+            + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max + REAL(6)*M_P_load_x_max*Y_moment_x_max
+            + REAL(5)*R_legs_xx_max + REAL(6)*alpha_P_x_bar_max*alpha_x_max + REAL(6)*h_P_x_max*h_base_x_bar_max
+            + REAL(6)*omega_P_x_bar_max*omega_x_max + REAL(6)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
         const stewart_real R_xx_bar_max = STEWART_FABS(R_xx_bar) + R_xx_bar_err;
-        const stewart_real R_xy_bar = F_ext_y*load_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
-            + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x - M_P_load_y*Y_moment_x;
-        const stewart_real R_xy_bar_err = F_ext_y_max*load_x_bar_err + M_P_load_y_err*Y_moment_x_max
+        const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
+            + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
+        const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
             + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max
-            + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_x_bar_max + REAL(5)*M_P_load_y_max*Y_moment_x_max
-            + REAL(4)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max + REAL(5)*h_P_y_max*h_base_x_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_x_max + STEWART_FABS(R_xy_bar));
+            + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max + REAL(6)*M_P_load_y_max*Y_moment_x_max
+            + REAL(5)*R_legs_xy_max + REAL(6)*alpha_P_y_bar_max*alpha_x_max + REAL(6)*h_P_y_max*h_base_x_bar_max
+            + REAL(6)*omega_P_y_bar_max*omega_x_max + REAL(6)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
         const stewart_real R_xy_bar_max = STEWART_FABS(R_xy_bar) + R_xy_bar_err;
-        const stewart_real R_xz_bar = F_ext_z*load_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
-            + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x - M_P_load_z*Y_moment_x;
-        const stewart_real R_xz_bar_err = F_ext_z_max*load_x_bar_err + M_P_load_z_err*Y_moment_x_max
+        const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
+            + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
+        const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
             + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max
-            + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_x_bar_max + REAL(5)*M_P_load_z_max*Y_moment_x_max
-            + REAL(4)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max + REAL(5)*h_P_z_max*h_base_x_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_x_max + STEWART_FABS(R_xz_bar));
+            + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max + REAL(6)*M_P_load_z_max*Y_moment_x_max
+            + REAL(5)*R_legs_xz_max + REAL(6)*alpha_P_z_bar_max*alpha_x_max + REAL(6)*h_P_z_max*h_base_x_bar_max
+            + REAL(6)*omega_P_z_bar_max*omega_x_max + REAL(6)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
         const stewart_real R_xz_bar_max = STEWART_FABS(R_xz_bar) + R_xz_bar_err;
-        const stewart_real R_yx_bar = F_ext_x*load_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
-            + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y - M_P_load_x*Y_moment_y;
-        const stewart_real R_yx_bar_err = F_ext_x_max*load_y_bar_err + M_P_load_x_err*Y_moment_y_max
+        const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
+            + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
+        const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
             + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max
-            + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_y_bar_max + REAL(5)*M_P_load_x_max*Y_moment_y_max
-            + REAL(4)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max + REAL(5)*h_P_x_max*h_base_y_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_y_max + STEWART_FABS(R_yx_bar));
+            + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max + REAL(6)*M_P_load_x_max*Y_moment_y_max
+            + REAL(5)*R_legs_yx_max + REAL(6)*alpha_P_x_bar_max*alpha_y_max + REAL(6)*h_P_x_max*h_base_y_bar_max
+            + REAL(6)*omega_P_x_bar_max*omega_y_max + REAL(6)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
         const stewart_real R_yx_bar_max = STEWART_FABS(R_yx_bar) + R_yx_bar_err;
-        const stewart_real R_yy_bar = F_ext_y*load_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
-            + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y - M_P_load_y*Y_moment_y;
-        const stewart_real R_yy_bar_err = F_ext_y_max*load_y_bar_err + M_P_load_y_err*Y_moment_y_max
+        const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
+            + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
+        const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
             + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max
-            + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_y_bar_max + REAL(5)*M_P_load_y_max*Y_moment_y_max
-            + REAL(4)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max + REAL(5)*h_P_y_max*h_base_y_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_y_max + STEWART_FABS(R_yy_bar));
+            + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max + REAL(6)*M_P_load_y_max*Y_moment_y_max
+            + REAL(5)*R_legs_yy_max + REAL(6)*alpha_P_y_bar_max*alpha_y_max + REAL(6)*h_P_y_max*h_base_y_bar_max
+            + REAL(6)*omega_P_y_bar_max*omega_y_max + REAL(6)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
         const stewart_real R_yy_bar_max = STEWART_FABS(R_yy_bar) + R_yy_bar_err;
-        const stewart_real R_yz_bar = F_ext_z*load_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
-            + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y - M_P_load_z*Y_moment_y;
-        const stewart_real R_yz_bar_err = F_ext_z_max*load_y_bar_err + M_P_load_z_err*Y_moment_y_max
+        const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
+            + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
+        const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
             + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max
-            + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_y_bar_max + REAL(5)*M_P_load_z_max*Y_moment_y_max
-            + REAL(4)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max + REAL(5)*h_P_z_max*h_base_y_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_y_max + STEWART_FABS(R_yz_bar));
+            + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max + REAL(6)*M_P_load_z_max*Y_moment_y_max
+            + REAL(5)*R_legs_yz_max + REAL(6)*alpha_P_z_bar_max*alpha_y_max + REAL(6)*h_P_z_max*h_base_y_bar_max
+            + REAL(6)*omega_P_z_bar_max*omega_y_max + REAL(6)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
         const stewart_real R_yz_bar_max = STEWART_FABS(R_yz_bar) + R_yz_bar_err;
-        const stewart_real R_zx_bar = F_ext_x*load_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
-            + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z - M_P_load_x*Y_moment_z;
-        const stewart_real R_zx_bar_err = F_ext_x_max*load_z_bar_err + M_P_load_x_err*Y_moment_z_max
+        const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
+            + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
+        const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
             + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max
-            + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_z_bar_max + REAL(5)*M_P_load_x_max*Y_moment_z_max
-            + REAL(4)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max + REAL(5)*h_P_x_max*h_base_z_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_z_max + STEWART_FABS(R_zx_bar));
+            + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max + REAL(6)*M_P_load_x_max*Y_moment_z_max
+            + REAL(5)*R_legs_zx_max + REAL(6)*alpha_P_x_bar_max*alpha_z_max + REAL(6)*h_P_x_max*h_base_z_bar_max
+            + REAL(6)*omega_P_x_bar_max*omega_z_max + REAL(6)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
         const stewart_real R_zx_bar_max = STEWART_FABS(R_zx_bar) + R_zx_bar_err;
-        const stewart_real R_zy_bar = F_ext_y*load_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
-            + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z - M_P_load_y*Y_moment_z;
-        const stewart_real R_zy_bar_err = F_ext_y_max*load_z_bar_err + M_P_load_y_err*Y_moment_z_max
+        const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
+            + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
+        const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
             + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max
-            + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_z_bar_max + REAL(5)*M_P_load_y_max*Y_moment_z_max
-            + REAL(4)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max + REAL(5)*h_P_y_max*h_base_z_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_z_max + STEWART_FABS(R_zy_bar));
+            + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max + REAL(6)*M_P_load_y_max*Y_moment_z_max
+            + REAL(5)*R_legs_zy_max + REAL(6)*alpha_P_y_bar_max*alpha_z_max + REAL(6)*h_P_y_max*h_base_z_bar_max
+            + REAL(6)*omega_P_y_bar_max*omega_z_max + REAL(6)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
         const stewart_real R_zy_bar_max = STEWART_FABS(R_zy_bar) + R_zy_bar_err;
-        const stewart_real R_zz_bar = F_ext_z*load_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
-            + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z - M_P_load_z*Y_moment_z;
-        const stewart_real R_zz_bar_err = F_ext_z_max*load_z_bar_err + M_P_load_z_err*Y_moment_z_max
+        const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
+            + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
+        const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
             + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max
-            + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_z_bar_max + REAL(5)*M_P_load_z_max*Y_moment_z_max
-            + REAL(4)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max + REAL(5)*h_P_z_max*h_base_z_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_z_max + STEWART_FABS(R_zz_bar));
+            + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max + REAL(6)*M_P_load_z_max*Y_moment_z_max
+            + REAL(5)*R_legs_zz_max + REAL(6)*alpha_P_z_bar_max*alpha_z_max + REAL(6)*h_P_z_max*h_base_z_bar_max
+            + REAL(6)*omega_P_z_bar_max*omega_z_max + REAL(6)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
         const stewart_real R_zz_bar_max = STEWART_FABS(R_zz_bar) + R_zz_bar_err;
-        const stewart_real M_P_bar = fall_x*load_x_bar + fall_y*load_y_bar + fall_z*load_z_bar;
-        const stewart_real M_P_bar_err = fall_x_err*load_x_bar_max + fall_x_max*load_x_bar_err
-            + fall_y_err*load_y_bar_max + fall_y_max*load_y_bar_err + fall_z_err*load_z_bar_max
-            + fall_z_max*load_z_bar_err + STEWART_UNIT*(REAL(2)*fall_x_max*load_x_bar_max
-            + REAL(2)*fall_y_max*load_y_bar_max + REAL(2)*fall_z_max*load_z_bar_max + STEWART_FABS(M_P_bar));
+        const stewart_real M_P_bar = c_force_x_bar*fall_x + c_force_y_bar*fall_y + c_force_z_bar*fall_z;
+        const stewart_real M_P_bar_err = c_force_x_bar_err*fall_x_max + c_force_x_bar_max*fall_x_err
+            + c_force_y_bar_err*fall_y_max + c_force_y_bar_max*fall_y_err + c_force_z_bar_err*fall_z_max
+            + c_force_z_bar_max*fall_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*fall_x_max
+            + REAL(2)*c_force_y_bar_max*fall_y_max + REAL(2)*c_force_z_bar_max*fall_z_max
+            + STEWART_FABS(M_P_bar));
         const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
         const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
         const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
@@ -1891,10 +2047,11 @@ static void shared_errors(
             + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own + P_xy_bar_max*P_xy_own
             + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own + P_yy_bar_max*P_yy_own
             + P_zz_bar_max*P_zz_own + M_P_load_x_bar_max*M_P_load_x_own + M_P_load_y_bar_max*M_P_load_y_own
-            + M_P_load_z_bar_max*M_P_load_z_own + t_1_x_bar_max*t_1_x_own + t_1_y_bar_max*t_1_y_own
-            + t_1_z_bar_max*t_1_z_own + load_x_bar_max*load_x_own + load_y_bar_max*load_y_own
-            + load_z_bar_max*load_z_own + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own
-            + Y_moment_z_max*c_moment_z_own;
+            + M_P_load_z_bar_max*M_P_load_z_own + c_force_x_bar_max*c_force_x_own
+            + c_force_y_bar_max*c_force_y_own + c_force_z_bar_max*c_force_z_own
+            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + q_1_x_bar_max*q_1_x_own + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own
+            + Y_moment_x_max*c_tip_x_own + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
     }
 }
 
@@ -1906,6 +2063,7 @@ static void leg_errors(
     slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
 {
     int i;
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real k_x_err = leg->k_err[0], k_y_err = leg->k_err[1], k_z_err = leg->k_err[2];
@@ -1937,6 +2095,7 @@ static void leg_errors(
     const stewart_real C_us_err = leg->C_us_err;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -1948,11 +2107,9 @@ static void leg_errors(
         B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6], B_zy_err = shared->B_err[7],
         B_zz_err = shared->B_err[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real t_1_x_err = shared->t_1_err[0], t_1_y_err = shared->t_1_err[1],
-        t_1_z_err = shared->t_1_err[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
-    const stewart_real r_x_err = leg->r_err[0], r_y_err = leg->r_err[1], r_z_err = leg->r_err[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
+    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
+        q_1_z_err = shared->q_1_err[2];
     const stewart_real p_x_max = STEWART_FABS(p_x), p_y_max = STEWART_FABS(p_y),
         p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err, k_y_max = STEWART_FABS(k_y) + k_y_err,
@@ -1991,8 +2148,6 @@ static void leg_errors(
         B_zy_max = STEWART_FABS(B_zy) + B_zy_err, B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
     const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
         g_z_max = STEWART_FABS(g_z);
-    const stewart_real r_x_max = STEWART_FABS(r_x) + r_x_err, r_y_max = STEWART_FABS(r_y) + r_y_err,
-        r_z_max = STEWART_FABS(r_z) + r_z_err;
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
@@ -2009,31 +2164,28 @@ static void leg_errors(
         + REAL(2)*R_zz_max*p_z_max + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_x_own = STEWART_UNIT*STEWART_FABS(S_1_x);
-    const stewart_real S_1_x_err = q_x_err + t_1_x_err + S_1_x_own;
-    const stewart_real S_1_x_max = STEWART_FABS(S_1_x) + S_1_x_err;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_y_own = STEWART_UNIT*STEWART_FABS(S_1_y);
-    const stewart_real S_1_y_err = q_y_err + t_1_y_err + S_1_y_own;
-    const stewart_real S_1_y_max = STEWART_FABS(S_1_y) + S_1_y_err;
-    const stewart_real S_1_z = q_z + t_1_z;
-    const stewart_real S_1_z_own = STEWART_UNIT*STEWART_FABS(S_1_z);
-    const stewart_real S_1_z_err = q_z_err + t_1_z_err + S_1_z_own;
-    const stewart_real S_1_z_max = STEWART_FABS(S_1_z) + S_1_z_err;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_x_own = STEWART_UNIT*STEWART_FABS(t_b_x);
+    const stewart_real t_b_x_err = t_b_x_own;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_y_own = STEWART_UNIT*STEWART_FABS(t_b_y);
+    const stewart_real t_b_y_err = t_b_y_own;
+    const stewart_real t_b_z = t_z - b_z;
+    const stewart_real t_b_z_own = STEWART_UNIT*STEWART_FABS(t_b_z);
+    const stewart_real t_b_z_err = t_b_z_own;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
+    const stewart_real S_x = q_x + t_b_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
-    const stewart_real S_x_err = S_1_x_err + r_x_err + S_x_own;
+    const stewart_real S_x_err = q_x_err + t_b_x_err + S_x_own;
     const stewart_real S_x_max = STEWART_FABS(S_x) + S_x_err;
-    const stewart_real S_y = S_1_y - r_y;
+    const stewart_real S_y = q_y + t_b_y;
     const stewart_real S_y_own = STEWART_UNIT*STEWART_FABS(S_y);
-    const stewart_real S_y_err = S_1_y_err + r_y_err + S_y_own;
+    const stewart_real S_y_err = q_y_err + t_b_y_err + S_y_own;
     const stewart_real S_y_max = STEWART_FABS(S_y) + S_y_err;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_z = q_z + t_b_z;
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
-    const stewart_real S_z_err = S_1_z_err + r_z_err + S_z_own;
+    const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
@@ -2388,85 +2540,137 @@ static void leg_errors(
     const stewart_real K_x_own = STEWART_UNIT*(Q_k_max*k_x_max + Q_y_max*y_x_max + STEWART_FABS(K_x));
     const stewart_real K_x_err = Q_k_err*k_x_max + Q_k_max*k_x_err + Q_y_err*y_x_max + Q_y_max*y_x_err
         + K_x_own;
-    const stewart_real K_x_max = STEWART_FABS(K_x) + K_x_err;
     const stewart_real K_y = Q_k*k_y + Q_y*y_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_k_max*k_y_max + Q_y_max*y_y_max + STEWART_FABS(K_y));
     const stewart_real K_y_err = Q_k_err*k_y_max + Q_k_max*k_y_err + Q_y_err*y_y_max + Q_y_max*y_y_err
         + K_y_own;
-    const stewart_real K_y_max = STEWART_FABS(K_y) + K_y_err;
     const stewart_real K_z = Q_k*k_z + Q_y*y_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_k_max*k_z_max + Q_y_max*y_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err
         + K_z_own;
-    const stewart_real K_z_max = STEWART_FABS(K_z) + K_z_err;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
         - k3_h*phi_ddot;
     const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(5)*M_phi_L_max*phi_dot2_max
         + REAL(5)*Q_k_max*k1_max + REAL(5)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max
         + REAL(5)*k3_h_max*phi_ddot_max + STEWART_FABS(D));
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_x_own = STEWART_UNIT*(r_y_max*s_z_max + r_z_max*s_y_max
-        + STEWART_FABS(H_moment_x));
-    const stewart_real H_moment_x_err = r_y_err*s_z_max + r_y_max*s_z_err + r_z_err*s_y_max
-        + r_z_max*s_y_err + H_moment_x_own;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_y_own = STEWART_UNIT*(r_x_max*s_z_max + r_z_max*s_x_max
-        + STEWART_FABS(H_moment_y));
-    const stewart_real H_moment_y_err = r_x_err*s_z_max + r_x_max*s_z_err + r_z_err*s_x_max
-        + r_z_max*s_x_err + H_moment_y_own;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
-    const stewart_real H_moment_z_own = STEWART_UNIT*(r_x_max*s_y_max + r_y_max*s_x_max
-        + STEWART_FABS(H_moment_z));
-    const stewart_real H_moment_z_err = r_x_err*s_y_max + r_x_max*s_y_err + r_y_err*s_x_max
-        + r_y_max*s_x_err + H_moment_z_own;
+    const stewart_real c1 = C_s*phi_dot;
+    const stewart_real c1_own = STEWART_UNIT*STEWART_FABS(c1);
+    const stewart_real c1_err = C_s_max*phi_dot_err + c1_own;
+    const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
+    const stewart_real c2 = C_s*theta_dot;
+    const stewart_real c2_own = STEWART_UNIT*STEWART_FABS(c2);
+    const stewart_real c2_err = C_s_max*theta_dot_err + c2_own;
+    const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_x_err = s_x_err;
+    const stewart_real H_force_x_max = STEWART_FABS(H_force_x) + H_force_x_err;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_y_err = s_y_err;
+    const stewart_real H_force_y_max = STEWART_FABS(H_force_y) + H_force_y_err;
+    const stewart_real H_force_z = s_z;
+    const stewart_real H_force_z_err = s_z_err;
+    const stewart_real H_force_z_max = STEWART_FABS(H_force_z) + H_force_z_err;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_x_err = K_x_err;
+    const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_y_err = K_y_err;
+    const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
+    const stewart_real c_force_z = -K_z;
+    const stewart_real c_force_z_err = K_z_err;
+    const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
+    /* platform point from platform point 1 */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_x_own = STEWART_UNIT*STEWART_FABS(arm_x);
+    const stewart_real arm_x_err = q_1_x_err + q_x_err + arm_x_own;
+    const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_y_own = STEWART_UNIT*STEWART_FABS(arm_y);
+    const stewart_real arm_y_err = q_1_y_err + q_y_err + arm_y_own;
+    const stewart_real arm_y_max = STEWART_FABS(arm_y) + arm_y_err;
+    const stewart_real arm_z = q_z - q_1_z;
+    const stewart_real arm_z_own = STEWART_UNIT*STEWART_FABS(arm_z);
+    const stewart_real arm_z_err = q_1_z_err + q_z_err + arm_z_own;
+    const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_x_max*phi_dot_max
-        + theta_dot_max*y_x_max) + C_s_max*(REAL(2)*k_x_max*phi_dot_max + REAL(2)*theta_dot_max*y_x_max)
-        + REAL(2)*K_y_max*S_1_z_max + REAL(2)*K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = C_s_max*k_x_err*phi_dot_max + C_s_max*k_x_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_x_max + C_s_max*theta_dot_max*y_x_err + K_y_err*S_1_z_max
-        + K_y_max*S_1_z_err + K_z_err*S_1_y_max + K_z_max*S_1_y_err + c_moment_x_own;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_y_max*phi_dot_max
-        + theta_dot_max*y_y_max) + C_s_max*(REAL(2)*k_y_max*phi_dot_max + REAL(2)*theta_dot_max*y_y_max)
-        + REAL(2)*K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = C_s_max*k_y_err*phi_dot_max + C_s_max*k_y_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_y_max + C_s_max*theta_dot_max*y_y_err + K_x_err*S_1_z_max
-        + K_x_max*S_1_z_err + K_z_err*S_1_x_max + K_z_max*S_1_x_err + c_moment_y_own;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_z_max*phi_dot_max
-        + theta_dot_max*y_z_max) + C_s_max*(REAL(2)*k_z_max*phi_dot_max + REAL(2)*theta_dot_max*y_z_max)
-        + REAL(2)*K_x_max*S_1_y_max + REAL(2)*K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = C_s_max*k_z_err*phi_dot_max + C_s_max*k_z_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_z_max + C_s_max*theta_dot_max*y_z_err + K_x_err*S_1_y_max
-        + K_x_max*S_1_y_err + K_y_err*S_1_x_max + K_y_max*S_1_x_err + c_moment_z_own;
-    out->H_force[0] = s_x;
-    out->H_force_err[0] = s_x_err;
-    out->H_force[1] = s_y;
-    out->H_force_err[1] = s_y_err;
-    out->H_force[2] = s_z;
-    out->H_force_err[2] = s_z_err;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment_err[0] = H_moment_x_err;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment_err[1] = H_moment_y_err;
-    out->H_moment[2] = H_moment_z;
-    out->H_moment_err[2] = H_moment_z_err;
-    out->c_force[0] = -K_x;
-    out->c_force_err[0] = K_x_err;
-    out->c_force[1] = -K_y;
-    out->c_force_err[1] = K_y_err;
-    out->c_force[2] = -K_z;
-    out->c_force_err[2] = K_z_err;
+    const stewart_real c_moment_x = c1*k_x + c2*y_x;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(c1_max*k_x_max + c2_max*y_x_max
+        + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_err = c1_err*k_x_max + c1_max*k_x_err + c2_err*y_x_max + c2_max*y_x_err
+        + c_moment_x_own;
+    const stewart_real c_moment_y = c1*k_y + c2*y_y;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(c1_max*k_y_max + c2_max*y_y_max
+        + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = c1_err*k_y_max + c1_max*k_y_err + c2_err*y_y_max + c2_max*y_y_err
+        + c_moment_y_own;
+    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(c1_max*k_z_max + c2_max*y_z_max
+        + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_err = c1_err*k_z_max + c1_max*k_z_err + c2_err*y_z_max + c2_max*y_z_err
+        + c_moment_z_own;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max
+        + STEWART_FABS(H_moment_x));
+    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err
+        + H_force_z_err*arm_y_max + H_force_z_max*arm_y_err + H_moment_x_own;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max
+        + STEWART_FABS(H_moment_y));
+    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err
+        + H_force_z_err*arm_x_max + H_force_z_max*arm_x_err + H_moment_y_own;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max
+        + STEWART_FABS(H_moment_z));
+    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err
+        + H_force_y_err*arm_x_max + H_force_y_max*arm_x_err + H_moment_z_own;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max
+        + STEWART_FABS(arm_c_x));
+    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err
+        + arm_z_err*c_force_y_max + arm_z_max*c_force_y_err + arm_c_x_own;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max
+        + STEWART_FABS(arm_c_y));
+    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err
+        + arm_z_err*c_force_x_max + arm_z_max*c_force_x_err + arm_c_y_own;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max
+        + STEWART_FABS(arm_c_z));
+    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err
+        + arm_y_err*c_force_x_max + arm_y_max*c_force_x_err + arm_c_z_own;
+    out->H_force[0] = H_force_x;
+    out->H_force_err[0] = H_force_x_err;
+    out->H_force[1] = H_force_y;
+    out->H_force_err[1] = H_force_y_err;
+    out->H_force[2] = H_force_z;
+    out->H_force_err[2] = H_force_z_err;
+    out->c_force[0] = c_force_x;
+    out->c_force_err[0] = c_force_x_err;
+    out->c_force[1] = c_force_y;
+    out->c_force_err[1] = c_force_y_err;
+    out->c_force[2] = c_force_z;
+    out->c_force_err[2] = c_force_z_err;
     out->c_moment[0] = c_moment_x;
     out->c_moment_err[0] = c_moment_x_err;
     out->c_moment[1] = c_moment_y;
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
+    out->H_moment[0] = H_moment_x;
+    out->H_moment_err[0] = H_moment_x_err;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment_err[1] = H_moment_y_err;
+    out->H_moment[2] = H_moment_z;
+    out->H_moment_err[2] = H_moment_z_err;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c_err[0] = arm_c_x_err;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c_err[1] = arm_c_y_err;
+    out->arm_c[2] = arm_c_z;
+    out->arm_c_err[2] = arm_c_z_err;
     for (i = 0; i < 6; ++i) {
         const force_row *row = &rows[i];
         const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
@@ -2480,50 +2684,109 @@ static void leg_errors(
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
             Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
         const stewart_real D_weight_max = STEWART_FABS(D_weight);
-        const stewart_real H_force_x_bar = Y_force_x*x;
-        const stewart_real H_force_x_bar_err = STEWART_UNIT*STEWART_FABS(H_force_x_bar);
-        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
-        const stewart_real H_force_y_bar = Y_force_y*x;
-        const stewart_real H_force_y_bar_err = STEWART_UNIT*STEWART_FABS(H_force_y_bar);
-        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
-        const stewart_real H_force_z_bar = Y_force_z*x;
-        const stewart_real H_force_z_bar_err = STEWART_UNIT*STEWART_FABS(H_force_z_bar);
+        const stewart_real H_force_x_weight = Y_force_x*x;
+        const stewart_real H_force_x_weight_err = STEWART_UNIT*STEWART_FABS(H_force_x_weight);
+        const stewart_real H_force_x_weight_max = STEWART_FABS(H_force_x_weight) + H_force_x_weight_err;
+        const stewart_real H_force_y_weight = Y_force_y*x;
+        const stewart_real H_force_y_weight_err = STEWART_UNIT*STEWART_FABS(H_force_y_weight);
+        const stewart_real H_force_y_weight_max = STEWART_FABS(H_force_y_weight) + H_force_y_weight_err;
+        const stewart_real H_force_z_weight = Y_force_z*x;
+        const stewart_real H_force_z_weight_err = STEWART_UNIT*STEWART_FABS(H_force_z_weight);
+        const stewart_real H_force_z_weight_max = STEWART_FABS(H_force_z_weight) + H_force_z_weight_err;
+        const stewart_real H_moment_x_weight = Y_moment_x*x;
+        const stewart_real H_moment_x_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_x_weight);
+        const stewart_real H_moment_x_weight_max = STEWART_FABS(H_moment_x_weight) + H_moment_x_weight_err;
+        const stewart_real H_moment_y_weight = Y_moment_y*x;
+        const stewart_real H_moment_y_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_y_weight);
+        const stewart_real H_moment_y_weight_max = STEWART_FABS(H_moment_y_weight) + H_moment_y_weight_err;
+        const stewart_real H_moment_z_weight = Y_moment_z*x;
+        const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
+        const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
+        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_moment_x*c_force_y
+            - H_force_y*H_moment_x_weight - Y_moment_y*c_force_x;
+        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max
+            + H_force_x_max*H_moment_y_weight_err + H_force_y_err*H_moment_x_weight_max
+            + H_force_y_max*H_moment_x_weight_err + Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err
+            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max
+            + REAL(3)*H_force_y_max*H_moment_x_weight_max + REAL(3)*Y_moment_x_max*c_force_y_max
+            + REAL(3)*Y_moment_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+        const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
+        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_moment_z*c_force_x
+            - H_force_x*H_moment_z_weight - Y_moment_x*c_force_z;
+        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max
+            + H_force_x_max*H_moment_z_weight_err + H_force_z_err*H_moment_x_weight_max
+            + H_force_z_max*H_moment_x_weight_err + Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err
+            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_z_weight_max
+            + REAL(3)*H_force_z_max*H_moment_x_weight_max + REAL(3)*Y_moment_x_max*c_force_z_max
+            + REAL(3)*Y_moment_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+        const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
+        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_moment_y*c_force_z
+            - H_force_z*H_moment_y_weight - Y_moment_z*c_force_y;
+        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max
+            + H_force_y_max*H_moment_z_weight_err + H_force_z_err*H_moment_y_weight_max
+            + H_force_z_max*H_moment_y_weight_err + Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err
+            + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max
+            + REAL(3)*H_force_z_max*H_moment_y_weight_max + REAL(3)*Y_moment_y_max*c_force_z_max
+            + REAL(3)*Y_moment_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+        const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
+        const stewart_real c_force_z_bar = Y_moment_y*arm_x - Y_force_z - Y_moment_x*arm_y;
+        const stewart_real c_force_z_bar_err = Y_moment_x_max*arm_y_err + Y_moment_y_max*arm_x_err
+            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*arm_y_max + REAL(2)*Y_moment_y_max*arm_x_max
+            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+        const stewart_real c_force_y_bar = Y_moment_x*arm_z - Y_force_y - Y_moment_z*arm_x;
+        const stewart_real c_force_y_bar_err = Y_moment_x_max*arm_z_err + Y_moment_z_max*arm_x_err
+            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*arm_z_max + REAL(2)*Y_moment_z_max*arm_x_max
+            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+        const stewart_real c_force_x_bar = Y_moment_z*arm_y - Y_force_x - Y_moment_y*arm_z;
+        const stewart_real c_force_x_bar_err = Y_moment_y_max*arm_z_err + Y_moment_z_max*arm_y_err
+            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*arm_z_max + REAL(2)*Y_moment_z_max*arm_y_max
+            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
+        const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
+        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max
+            + H_moment_x_weight_max*arm_y_err + H_moment_y_weight_err*arm_x_max
+            + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_y_max + REAL(2)*H_moment_y_weight_max*arm_x_max
+            + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
-        const stewart_real H_moment_x_bar = Y_moment_x*x;
-        const stewart_real H_moment_x_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_x_bar);
-        const stewart_real H_moment_x_bar_max = STEWART_FABS(H_moment_x_bar) + H_moment_x_bar_err;
-        const stewart_real H_moment_y_bar = Y_moment_y*x;
-        const stewart_real H_moment_y_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_y_bar);
-        const stewart_real H_moment_y_bar_max = STEWART_FABS(H_moment_y_bar) + H_moment_y_bar_err;
-        const stewart_real H_moment_z_bar = Y_moment_z*x;
-        const stewart_real H_moment_z_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_z_bar);
-        const stewart_real H_moment_z_bar_max = STEWART_FABS(H_moment_z_bar) + H_moment_z_bar_err;
-        const stewart_real K_z_bar = S_1_y*Y_moment_x + Y_force_z - S_1_x*Y_moment_y;
-        const stewart_real K_z_bar_err = S_1_x_err*Y_moment_y_max + S_1_y_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
-            + STEWART_FABS(K_z_bar));
-        const stewart_real K_z_bar_max = STEWART_FABS(K_z_bar) + K_z_bar_err;
-        const stewart_real K_y_bar = S_1_x*Y_moment_z + Y_force_y - S_1_z*Y_moment_x;
-        const stewart_real K_y_bar_err = S_1_x_err*Y_moment_z_max + S_1_z_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_x_max + Y_force_y_max
-            + STEWART_FABS(K_y_bar));
-        const stewart_real K_y_bar_max = STEWART_FABS(K_y_bar) + K_y_bar_err;
-        const stewart_real K_x_bar = S_1_z*Y_moment_y + Y_force_x - S_1_y*Y_moment_z;
-        const stewart_real K_x_bar_err = S_1_y_err*Y_moment_z_max + S_1_z_err*Y_moment_y_max
-            + STEWART_UNIT*(REAL(2)*S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
-            + STEWART_FABS(K_x_bar));
-        const stewart_real K_x_bar_max = STEWART_FABS(K_x_bar) + K_x_bar_err;
-        const stewart_real Q_y_bar = K_x_bar*y_x + K_y_bar*y_y + K_z_bar*y_z;
-        const stewart_real Q_y_bar_err = K_x_bar_err*y_x_max + K_x_bar_max*y_x_err + K_y_bar_err*y_y_max
-            + K_y_bar_max*y_y_err + K_z_bar_err*y_z_max + K_z_bar_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max
-            + REAL(2)*K_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
+        const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
+        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max
+            + H_moment_x_weight_max*arm_z_err + H_moment_z_weight_err*arm_x_max
+            + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max
+            + STEWART_FABS(H_force_y_bar));
+        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
+        const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
+        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max
+            + H_moment_y_weight_max*arm_z_err + H_moment_z_weight_err*arm_y_max
+            + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
+            + REAL(2)*H_moment_y_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_y_max
+            + STEWART_FABS(H_force_x_bar));
+        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
+        const stewart_real c2_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
+        const stewart_real c2_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
+            + REAL(2)*Y_moment_z_max*y_z_max + STEWART_FABS(c2_bar));
+        const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
+        const stewart_real c1_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
+        const stewart_real c1_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
+            + REAL(2)*Y_moment_z_max*k_z_max + STEWART_FABS(c1_bar));
+        const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
+        const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
+        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err
+            + c_force_y_bar_err*y_y_max + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max
+            + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
+            + REAL(2)*c_force_y_bar_max*y_y_max + REAL(2)*c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
-        const stewart_real Q_k_bar = K_x_bar*k_x + K_y_bar*k_y + K_z_bar*k_z - D_weight*k1;
-        const stewart_real Q_k_bar_err = D_weight_max*k1_err + K_x_bar_err*k_x_max + K_x_bar_max*k_x_err
-            + K_y_bar_err*k_y_max + K_y_bar_max*k_y_err + K_z_bar_err*k_z_max + K_z_bar_max*k_z_err
-            + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max + REAL(3)*K_x_bar_max*k_x_max
-            + REAL(3)*K_y_bar_max*k_y_max + REAL(3)*K_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
+        const stewart_real Q_k_bar = -D_weight*k1 - c_force_x_bar*k_x - c_force_y_bar*k_y - c_force_z_bar*k_z;
+        const stewart_real Q_k_bar_err = D_weight_max*k1_err + c_force_x_bar_err*k_x_max
+            + c_force_x_bar_max*k_x_err + c_force_y_bar_err*k_y_max + c_force_y_bar_max*k_y_err
+            + c_force_z_bar_err*k_z_max + c_force_z_bar_max*k_z_err + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max
+            + REAL(3)*c_force_x_bar_max*k_x_max + REAL(3)*c_force_y_bar_max*k_y_max
+            + REAL(3)*c_force_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
         const stewart_real Q_k_bar_max = STEWART_FABS(Q_k_bar) + Q_k_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
@@ -2551,13 +2814,13 @@ static void leg_errors(
             + tau_y_bar_err*w_k_max + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max
             + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
         const stewart_real gamma_n_bar_max = STEWART_FABS(gamma_n_bar) + gamma_n_bar_err;
-        const stewart_real c1 = h2_y*tau_k_bar;
-        const stewart_real c1_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(c1);
-        const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
-        const stewart_real bend_bar = h2_x*tau_y_bar - c1*k1;
-        const stewart_real bend_bar_err = c1_err*k1_max + c1_max*k1_err + h2_x_err*tau_y_bar_max
-            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c1_max*k1_max + h2_x_max*tau_y_bar_max
+        const stewart_real c3 = h2_y*tau_k_bar;
+        const stewart_real c3_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
+            + STEWART_UNIT*STEWART_FABS(c3);
+        const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
+        const stewart_real bend_bar = h2_x*tau_y_bar - c3*k1;
+        const stewart_real bend_bar_err = c3_err*k1_max + c3_max*k1_err + h2_x_err*tau_y_bar_max
+            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c3_max*k1_max + h2_x_max*tau_y_bar_max
             + STEWART_FABS(bend_bar));
         const stewart_real bend_bar_max = STEWART_FABS(bend_bar) + bend_bar_err;
         const stewart_real M_mixed_theta_bar = tau_k_bar*theta_dot2;
@@ -2632,30 +2895,30 @@ static void leg_errors(
             + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max + REAL(2)*M_mixed_max*tau_k_bar_max
             + REAL(2)*M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
-        const stewart_real c2 = inv_rho*k1;
-        const stewart_real c2_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c2);
-        const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
-        const stewart_real L_ddot_bar = c2*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
-        const stewart_real L_ddot_bar_err = c2_err*theta_ddot_bar_max + c2_max*theta_ddot_bar_err
+        const stewart_real c4 = inv_rho*k1;
+        const stewart_real c4_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c4);
+        const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
+        const stewart_real L_ddot_bar = c4*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
+        const stewart_real L_ddot_bar_err = c4_err*theta_ddot_bar_max + c4_max*theta_ddot_bar_err
             + h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err
-            + STEWART_UNIT*(REAL(2)*c2_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
+            + STEWART_UNIT*(REAL(2)*c4_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
             + REAL(2)*k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
-        const stewart_real c3 = L*L_ddot_bar;
-        const stewart_real c3_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c3);
-        const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
-        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c3*phi_dot2 - M_phi_theta_bar*a2;
+        const stewart_real c5 = L*L_ddot_bar;
+        const stewart_real c5_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c5);
+        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
+        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c5*phi_dot2 - M_phi_theta_bar*a2;
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
             + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max
-            + M_phi_theta_bar_max*a2_err + c3_err*phi_dot2_max + c3_max*phi_dot2_err
+            + M_phi_theta_bar_max*a2_err + c5_err*phi_dot2_max + c5_max*phi_dot2_err
             + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + REAL(3)*M_phi_theta_bar_max*a2_max + REAL(3)*c3_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + REAL(3)*M_phi_theta_bar_max*a2_max + REAL(3)*c5_max*phi_dot2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
-        const stewart_real c4 = theta_ddot_bar*theta_dot;
-        const stewart_real c4_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
-            + STEWART_UNIT*STEWART_FABS(c4);
-        const stewart_real rho_share_bar = -c4 - phi_ddot_bar*two_phi_dot;
-        const stewart_real rho_share_bar_err = c4_err + phi_ddot_bar_err*two_phi_dot_max
+        const stewart_real c6 = theta_ddot_bar*theta_dot;
+        const stewart_real c6_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
+            + STEWART_UNIT*STEWART_FABS(c6);
+        const stewart_real rho_share_bar = -c6 - phi_ddot_bar*two_phi_dot;
+        const stewart_real rho_share_bar_err = c6_err + phi_ddot_bar_err*two_phi_dot_max
             + phi_ddot_bar_max*two_phi_dot_err + STEWART_UNIT*(phi_ddot_bar_max*two_phi_dot_max
             + STEWART_FABS(rho_share_bar));
         const stewart_real rho_share_bar_max = STEWART_FABS(rho_share_bar) + rho_share_bar_err;
@@ -2677,105 +2940,92 @@ static void leg_errors(
             + REAL(3)*L_ddot_bar_max*L_max*k33_max + REAL(2)*M_phi_theta_max*tau_y_bar_max
             + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
-        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c3 - D_weight*h_x;
+        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c5 - D_weight*h_x;
         const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c3_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max
-            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c3_max + STEWART_FABS(theta_dot2_bar));
+            + M_mixed_theta_max*tau_k_bar_err + c5_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max
+            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c5_max + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
-        const stewart_real L_share_bar = rho_share_bar - c4;
-        const stewart_real L_share_bar_err = c4_err + rho_share_bar_err
+        const stewart_real L_share_bar = rho_share_bar - c6;
+        const stewart_real L_share_bar_err = c6_err + rho_share_bar_err
             + STEWART_UNIT*STEWART_FABS(L_share_bar);
         const stewart_real L_share_bar_max = STEWART_FABS(L_share_bar) + L_share_bar_err;
-        const stewart_real c5 = tau_k_bar*two_phi_dot;
-        const stewart_real c5_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*STEWART_FABS(c5);
-        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-        const stewart_real c6 = C_s*Y_moment_x;
-        const stewart_real c6_err = STEWART_UNIT*STEWART_FABS(c6);
-        const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
-        const stewart_real c7 = C_s*Y_moment_y;
-        const stewart_real c7_err = STEWART_UNIT*STEWART_FABS(c7);
+        const stewart_real c7 = tau_k_bar*two_phi_dot;
+        const stewart_real c7_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
+            + STEWART_UNIT*STEWART_FABS(c7);
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-        const stewart_real c8 = C_s*Y_moment_z;
-        const stewart_real c8_err = STEWART_UNIT*STEWART_FABS(c8);
-        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
-        const stewart_real theta_dot_bar = C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c5
-            + kappa*rho_share_bar + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar
-            - c6*y_x - c7*y_y - c8*y_z;
-        const stewart_real theta_dot_bar_err = C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
-            + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*theta_ddot_bar_max
-            + M_phi_theta_err*c5_max + M_phi_theta_max*c5_err + c6_err*y_x_max + c6_max*y_x_err + c7_err*y_y_max
-            + c7_max*y_y_err + c8_err*y_z_max + c8_max*y_z_err + kappa_err*rho_share_bar_max
-            + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max + theta_ddot_bar_err*(L_share_max
-            + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
-            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(8)*C_us_max*tau_y_bar_max
-            + REAL(8)*L_dot_max*bend_bar_max + REAL(8)*M_phi_theta_max*c5_max + REAL(8)*c6_max*y_x_max
-            + REAL(8)*c7_max*y_y_max + REAL(8)*c8_max*y_z_max + REAL(8)*kappa_max*rho_share_bar_max
-            + REAL(9)*theta_ddot_bar_max*(L_share_max + rho_share_max)
-            + REAL(16)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c7
+            + kappa*rho_share_bar + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar;
+        const stewart_real theta_dot_bar_err = C_s_max*c2_bar_err + C_us_err*tau_y_bar_max
+            + C_us_max*tau_y_bar_err + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err
+            + L_share_err*theta_ddot_bar_max + M_phi_theta_err*c7_max + M_phi_theta_max*c7_err
+            + kappa_err*rho_share_bar_max + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max
+            + theta_ddot_bar_err*(L_share_max + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
+            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max
+            + REAL(6)*C_us_max*tau_y_bar_max + REAL(6)*L_dot_max*bend_bar_max + REAL(6)*M_phi_theta_max*c7_max
+            + REAL(6)*kappa_max*rho_share_bar_max + REAL(7)*theta_ddot_bar_max*(L_share_max + rho_share_max)
+            + REAL(12)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar
-            - c6*k_x - c7*k_y - c8*k_z;
-        const stewart_real phi_dot_bar_err = C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err + c6_err*k_x_max
-            + c6_max*k_x_err + c7_err*k_y_max + c7_max*k_y_err + c8_err*k_z_max + c8_max*k_z_err
-            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
-            + REAL(2)*two_phi_dot_bar_err + STEWART_UNIT*(REAL(5)*C_us_max*tau_k_bar_max
-            + REAL(5)*c6_max*k_x_max + REAL(5)*c7_max*k_y_max + REAL(5)*c8_max*k_z_max
-            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(8)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
+        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar
+            + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar_err = C_s_max*c1_bar_err + C_us_err*tau_k_bar_max
+            + C_us_max*tau_k_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max
+            + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
+            + STEWART_UNIT*(REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max
+            + REAL(6)*phi_dot2_bar_max*phi_dot_max + REAL(4)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c5 + bend_bar*theta_dot
-            + c2*theta_dot_bar;
+        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c7 + bend_bar*theta_dot
+            + c4*theta_dot_bar;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
-            + M_phi_L_err*c5_max + M_phi_L_max*c5_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
-            + c2_err*theta_dot_bar_max + c2_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
-            + REAL(4)*L_share_bar_max*inv_L_max + REAL(4)*M_phi_L_max*c5_max
-            + REAL(4)*bend_bar_max*theta_dot_max + REAL(4)*c2_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
+            + M_phi_L_err*c7_max + M_phi_L_max*c7_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
+            + c4_err*theta_dot_bar_max + c4_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
+            + REAL(4)*L_share_bar_max*inv_L_max + REAL(4)*M_phi_L_max*c7_max
+            + REAL(4)*bend_bar_max*theta_dot_max + REAL(4)*c4_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
-        const stewart_real c9 = inv_rho*phi_ddot_bar;
-        const stewart_real c9_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
+        const stewart_real c8 = inv_rho*phi_ddot_bar;
+        const stewart_real c8_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
+            + STEWART_UNIT*STEWART_FABS(c8);
+        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
+        const stewart_real c9 = inv_rho*theta_ddot_bar;
+        const stewart_real c9_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err
             + STEWART_UNIT*STEWART_FABS(c9);
         const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-        const stewart_real c10 = inv_rho*theta_ddot_bar;
-        const stewart_real c10_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err
+        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c8*y_z - c9*k_z;
+        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c8_err*y_z_max
+            + c8_max*y_z_err + c9_err*k_z_max + c9_max*k_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
+            + REAL(2)*c8_max*y_z_max + REAL(2)*c9_max*k_z_max + STEWART_FABS(S_ddot_z_bar));
+        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
+        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c8*y_y - c9*k_y;
+        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c8_err*y_y_max
+            + c8_max*y_y_err + c9_err*k_y_max + c9_max*k_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
+            + REAL(2)*c8_max*y_y_max + REAL(2)*c9_max*k_y_max + STEWART_FABS(S_ddot_y_bar));
+        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
+        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c8*y_x - c9*k_x;
+        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c8_err*y_x_max
+            + c8_max*y_x_err + c9_err*k_x_max + c9_max*k_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
+            + REAL(2)*c8_max*y_x_max + REAL(2)*c9_max*k_x_max + STEWART_FABS(S_ddot_x_bar));
+        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
+        const stewart_real c10 = inv_rho*phi_dot_bar;
+        const stewart_real c10_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c10);
         const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
-        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c9*y_z - c10*k_z;
-        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c10_err*k_z_max
-            + c10_max*k_z_err + c9_err*y_z_max + c9_max*y_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c10_max*k_z_max + REAL(2)*c9_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
-        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
-        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c9*y_y - c10*k_y;
-        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c10_err*k_y_max
-            + c10_max*k_y_err + c9_err*y_y_max + c9_max*y_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c10_max*k_y_max + REAL(2)*c9_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
-        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
-        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c9*y_x - c10*k_x;
-        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c10_err*k_x_max
-            + c10_max*k_x_err + c9_err*y_x_max + c9_max*y_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c10_max*k_x_max + REAL(2)*c9_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
-        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
-        const stewart_real c11 = inv_rho*phi_dot_bar;
-        const stewart_real c11_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
+        const stewart_real c11 = inv_rho*theta_dot_bar;
+        const stewart_real c11_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c11);
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
-        const stewart_real c12 = inv_rho*theta_dot_bar;
-        const stewart_real c12_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c12);
-        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c11*y_z - c12*k_z;
-        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c11_err*y_z_max
-            + c11_max*y_z_err + c12_err*k_z_max + c12_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c11_max*y_z_max + REAL(2)*c12_max*k_z_max + STEWART_FABS(S_dot_z_bar));
+        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c10*y_z - c11*k_z;
+        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c10_err*y_z_max
+            + c10_max*y_z_err + c11_err*k_z_max + c11_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
+            + REAL(2)*c10_max*y_z_max + REAL(2)*c11_max*k_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
-        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c11*y_y - c12*k_y;
-        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c11_err*y_y_max
-            + c11_max*y_y_err + c12_err*k_y_max + c12_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c11_max*y_y_max + REAL(2)*c12_max*k_y_max + STEWART_FABS(S_dot_y_bar));
+        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c10*y_y - c11*k_y;
+        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c10_err*y_y_max
+            + c10_max*y_y_err + c11_err*k_y_max + c11_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
+            + REAL(2)*c10_max*y_y_max + REAL(2)*c11_max*k_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
-        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c11*y_x - c12*k_x;
-        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c11_err*y_x_max
-            + c11_max*y_x_err + c12_err*k_x_max + c12_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c11_max*y_x_max + REAL(2)*c12_max*k_x_max + STEWART_FABS(S_dot_x_bar));
+        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c10*y_x - c11*k_x;
+        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c10_err*y_x_max
+            + c10_max*y_x_err + c11_err*k_x_max + c11_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
+            + REAL(2)*c10_max*y_x_max + REAL(2)*c11_max*k_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real kappa_bar = rho_share_bar*theta_dot;
         const stewart_real kappa_bar_err = rho_share_bar_err*theta_dot_max + rho_share_bar_max*theta_dot_err
@@ -2792,50 +3042,50 @@ static void leg_errors(
             + REAL(12)*k33_bar_max*k3_max + REAL(6)*w_k_bar_max*w_z_max + REAL(6)*w_n_bar_max*w_x_max
             + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
-        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c10 + L_dot*c12 + M_mixed_bar*a3
-            + k13_bar*k3 + w_k_bar*w_x - D_weight*Q_k - bend*c1 - w_n_bar*w_z;
+        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c9 + L_dot*c11 + M_mixed_bar*a3 + k13_bar*k3
+            + w_k_bar*w_x - D_weight*Q_k - bend*c3 - w_n_bar*w_z;
         const stewart_real k1_bar_err = D_weight_max*Q_k_err + J_yz_err*M_mixed_theta_bar_max
-            + J_yz_max*M_mixed_theta_bar_err + L_ddot_err*c10_max + L_ddot_max*c10_err + L_dot_err*c12_max
-            + L_dot_max*c12_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c1_max
-            + bend_max*c1_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
+            + J_yz_max*M_mixed_theta_bar_err + L_ddot_err*c9_max + L_ddot_max*c9_err + L_dot_err*c11_max
+            + L_dot_max*c11_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c3_max
+            + bend_max*c3_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
             + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err
             + STEWART_UNIT*(REAL(8)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(8)*L_ddot_max*c10_max + REAL(8)*L_dot_max*c12_max + REAL(8)*M_mixed_bar_max*a3_max
-            + REAL(8)*bend_max*c1_max + REAL(8)*k13_bar_max*k3_max + REAL(8)*w_k_bar_max*w_x_max
+            + REAL(8)*L_ddot_max*c9_max + REAL(8)*L_dot_max*c11_max + REAL(8)*M_mixed_bar_max*a3_max
+            + REAL(8)*bend_max*c3_max + REAL(8)*k13_bar_max*k3_max + REAL(8)*w_k_bar_max*w_x_max
             + REAL(8)*w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
-        const stewart_real c13 = C_s*tau_y_bar;
-        const stewart_real c13_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c13);
-        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
-        const stewart_real y_z_bar = K_z_bar*Q_y + S_ddot_z*c9 + S_dot_z*c11 + g_x_k_z*gamma_n_bar
-            + g_z*gamma_y_bar - c13*omega_z - c8*theta_dot;
-        const stewart_real y_z_bar_err = K_z_bar_err*Q_y_max + K_z_bar_max*Q_y_err + S_ddot_z_err*c9_max
-            + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err + c13_err*omega_z_max
-            + c8_err*theta_dot_max + c8_max*theta_dot_err + g_x_k_z_err*gamma_n_bar_max
-            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_z_bar_max*Q_y_max
-            + REAL(6)*S_ddot_z_max*c9_max + REAL(6)*S_dot_z_max*c11_max + REAL(6)*c13_max*omega_z_max
-            + REAL(6)*c8_max*theta_dot_max + REAL(6)*g_x_k_z_max*gamma_n_bar_max
-            + REAL(6)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
+        const stewart_real c12 = C_s*tau_y_bar;
+        const stewart_real c12_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c12);
+        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
+        const stewart_real y_z_bar = S_ddot_z*c8 + S_dot_z*c10 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar
+            - Q_y*c_force_z_bar - Y_moment_z*c2 - c12*omega_z;
+        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err
+            + S_ddot_z_err*c8_max + S_ddot_z_max*c8_err + S_dot_z_err*c10_max + S_dot_z_max*c10_err
+            + Y_moment_z_max*c2_err + c12_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
+            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(6)*Q_y_max*c_force_z_bar_max + REAL(6)*S_ddot_z_max*c8_max
+            + REAL(6)*S_dot_z_max*c10_max + REAL(6)*Y_moment_z_max*c2_max + REAL(6)*c12_max*omega_z_max
+            + REAL(6)*g_x_k_z_max*gamma_n_bar_max + REAL(6)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = K_y_bar*Q_y + S_ddot_y*c9 + S_dot_y*c11 + g_x_k_y*gamma_n_bar
-            + g_y*gamma_y_bar - c13*omega_y - c7*theta_dot;
-        const stewart_real y_y_bar_err = K_y_bar_err*Q_y_max + K_y_bar_max*Q_y_err + S_ddot_y_err*c9_max
-            + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err + c13_err*omega_y_max
-            + c7_err*theta_dot_max + c7_max*theta_dot_err + g_x_k_y_err*gamma_n_bar_max
-            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_y_bar_max*Q_y_max
-            + REAL(6)*S_ddot_y_max*c9_max + REAL(6)*S_dot_y_max*c11_max + REAL(6)*c13_max*omega_y_max
-            + REAL(6)*c7_max*theta_dot_max + REAL(6)*g_x_k_y_max*gamma_n_bar_max
-            + REAL(6)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
+        const stewart_real y_y_bar = S_ddot_y*c8 + S_dot_y*c10 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar
+            - Q_y*c_force_y_bar - Y_moment_y*c2 - c12*omega_y;
+        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err
+            + S_ddot_y_err*c8_max + S_ddot_y_max*c8_err + S_dot_y_err*c10_max + S_dot_y_max*c10_err
+            + Y_moment_y_max*c2_err + c12_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
+            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(6)*Q_y_max*c_force_y_bar_max + REAL(6)*S_ddot_y_max*c8_max
+            + REAL(6)*S_dot_y_max*c10_max + REAL(6)*Y_moment_y_max*c2_max + REAL(6)*c12_max*omega_y_max
+            + REAL(6)*g_x_k_y_max*gamma_n_bar_max + REAL(6)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = K_x_bar*Q_y + S_ddot_x*c9 + S_dot_x*c11 + g_x*gamma_y_bar
-            + g_x_k_x*gamma_n_bar - c13*omega_x - c6*theta_dot;
-        const stewart_real y_x_bar_err = K_x_bar_err*Q_y_max + K_x_bar_max*Q_y_err + S_ddot_x_err*c9_max
-            + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err + c13_err*omega_x_max
-            + c6_err*theta_dot_max + c6_max*theta_dot_err + g_x_k_x_err*gamma_n_bar_max
-            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_x_bar_max*Q_y_max
-            + REAL(6)*S_ddot_x_max*c9_max + REAL(6)*S_dot_x_max*c11_max + REAL(6)*c13_max*omega_x_max
-            + REAL(6)*c6_max*theta_dot_max + REAL(6)*g_x_k_x_max*gamma_n_bar_max
-            + REAL(6)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
+        const stewart_real y_x_bar = S_ddot_x*c8 + S_dot_x*c10 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar
+            - Q_y*c_force_x_bar - Y_moment_x*c2 - c12*omega_x;
+        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err
+            + S_ddot_x_err*c8_max + S_ddot_x_max*c8_err + S_dot_x_err*c10_max + S_dot_x_max*c10_err
+            + Y_moment_x_max*c2_err + c12_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
+            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(6)*Q_y_max*c_force_x_bar_max + REAL(6)*S_ddot_x_max*c8_max
+            + REAL(6)*S_dot_x_max*c10_max + REAL(6)*Y_moment_x_max*c2_max + REAL(6)*c12_max*omega_x_max
+            + REAL(6)*g_x_k_x_max*gamma_n_bar_max + REAL(6)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
             + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
@@ -2879,32 +3129,23 @@ static void leg_errors(
             + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max + REAL(4)*S_dot_x_max*k_x_max
             + REAL(4)*S_dot_y_max*k_y_max + REAL(4)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
-            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
-            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
-            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(REAL(3)*H_force_z_bar_max
-            + REAL(4)*H_moment_x_bar_max*r_y_max + REAL(4)*H_moment_y_bar_max*r_x_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_z_max + REAL(4)*L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
+        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max
+            + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err
+            + STEWART_UNIT*(H_force_z_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_z_max
+            + REAL(2)*L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
-            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
-            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(REAL(3)*H_force_y_bar_max
-            + REAL(4)*H_moment_x_bar_max*r_z_max + REAL(4)*H_moment_z_bar_max*r_x_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_y_max + REAL(4)*L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max
+            + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err
+            + STEWART_UNIT*(H_force_y_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_y_max
+            + REAL(2)*L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
-            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
-            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
-            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
-            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(REAL(3)*H_force_x_bar_max
-            + REAL(4)*H_moment_y_bar_max*r_z_max + REAL(4)*H_moment_z_bar_max*r_y_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_x_max + REAL(4)*L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max
+            + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err
+            + STEWART_UNIT*(H_force_x_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_x_max
+            + REAL(2)*L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
@@ -2933,36 +3174,36 @@ static void leg_errors(
             + REAL(4)*a2_bar_max*h2_z_max + REAL(4)*a3_bar_max*h_y_max
             + REAL(5)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
-        const stewart_real c14 = L_bar*inv_L;
-        const stewart_real c14_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c14);
-        const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real rho2_bar = STEWART_HALF*c14 + STEWART_HALF*inv_rho*rho_bar;
-        const stewart_real rho2_bar_err = STEWART_HALF*c14_err + STEWART_HALF*inv_rho_err*rho_bar_max
+        const stewart_real c13 = L_bar*inv_L;
+        const stewart_real c13_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c13);
+        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
+        const stewart_real rho2_bar = STEWART_HALF*c13 + STEWART_HALF*inv_rho*rho_bar;
+        const stewart_real rho2_bar_err = STEWART_HALF*c13_err + STEWART_HALF*inv_rho_err*rho_bar_max
             + STEWART_HALF*inv_rho_max*rho_bar_err + STEWART_UNIT*(STEWART_HALF*inv_rho_max*rho_bar_max
             + STEWART_FABS(rho2_bar));
         const stewart_real rho2_bar_max = STEWART_FABS(rho2_bar) + rho2_bar_err;
-        const stewart_real c15 = REAL(2)*rho2_bar;
-        const stewart_real c15_err = REAL(2)*rho2_bar_err;
-        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
-        const stewart_real k_cross_S_z_bar = c15*k_cross_S_z + inv_rho*y_z_bar;
-        const stewart_real k_cross_S_z_bar_err = c15_err*k_cross_S_z_max + c15_max*k_cross_S_z_err
-            + inv_rho_err*y_z_bar_max + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c15_max*k_cross_S_z_max
+        const stewart_real c14 = REAL(2)*rho2_bar;
+        const stewart_real c14_err = REAL(2)*rho2_bar_err;
+        const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
+        const stewart_real k_cross_S_z_bar = c14*k_cross_S_z + inv_rho*y_z_bar;
+        const stewart_real k_cross_S_z_bar_err = c14_err*k_cross_S_z_max + c14_max*k_cross_S_z_err
+            + inv_rho_err*y_z_bar_max + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c14_max*k_cross_S_z_max
             + inv_rho_max*y_z_bar_max + STEWART_FABS(k_cross_S_z_bar));
         const stewart_real k_cross_S_z_bar_max = STEWART_FABS(k_cross_S_z_bar) + k_cross_S_z_bar_err;
-        const stewart_real k_cross_S_y_bar = c15*k_cross_S_y + inv_rho*y_y_bar;
-        const stewart_real k_cross_S_y_bar_err = c15_err*k_cross_S_y_max + c15_max*k_cross_S_y_err
-            + inv_rho_err*y_y_bar_max + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c15_max*k_cross_S_y_max
+        const stewart_real k_cross_S_y_bar = c14*k_cross_S_y + inv_rho*y_y_bar;
+        const stewart_real k_cross_S_y_bar_err = c14_err*k_cross_S_y_max + c14_max*k_cross_S_y_err
+            + inv_rho_err*y_y_bar_max + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c14_max*k_cross_S_y_max
             + inv_rho_max*y_y_bar_max + STEWART_FABS(k_cross_S_y_bar));
         const stewart_real k_cross_S_y_bar_max = STEWART_FABS(k_cross_S_y_bar) + k_cross_S_y_bar_err;
-        const stewart_real k_cross_S_x_bar = c15*k_cross_S_x + inv_rho*y_x_bar;
-        const stewart_real k_cross_S_x_bar_err = c15_err*k_cross_S_x_max + c15_max*k_cross_S_x_err
-            + inv_rho_err*y_x_bar_max + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c15_max*k_cross_S_x_max
+        const stewart_real k_cross_S_x_bar = c14*k_cross_S_x + inv_rho*y_x_bar;
+        const stewart_real k_cross_S_x_bar_err = c14_err*k_cross_S_x_max + c14_max*k_cross_S_x_err
+            + inv_rho_err*y_x_bar_max + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c14_max*k_cross_S_x_max
             + inv_rho_max*y_x_bar_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
-        const stewart_real zeta_bar = c14*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
-        const stewart_real zeta_bar_err = c14_err*zeta_max + c14_max*zeta_err + inv_L_err*k1_bar_max
+        const stewart_real zeta_bar = c13*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
+        const stewart_real zeta_bar_err = c13_err*zeta_max + c13_max*zeta_err + inv_L_err*k1_bar_max
             + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err
-            + STEWART_UNIT*(REAL(2)*c14_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max
+            + STEWART_UNIT*(REAL(2)*c13_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max
             + REAL(2)*inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real S_z_bar = inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
@@ -2986,86 +3227,71 @@ static void leg_errors(
             + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
             + REAL(3)*k_cross_S_z_bar_max*k_y_max + REAL(3)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real S_1_z_bar = K_x*Y_moment_y + S_z_bar - K_y*Y_moment_x;
-        const stewart_real S_1_z_bar_err = K_x_err*Y_moment_y_max + K_y_err*Y_moment_x_max + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + REAL(2)*K_y_max*Y_moment_x_max + S_z_bar_max
-            + STEWART_FABS(S_1_z_bar));
-        const stewart_real S_1_z_bar_max = STEWART_FABS(S_1_z_bar) + S_1_z_bar_err;
-        const stewart_real S_1_y_bar = K_z*Y_moment_x + S_y_bar - K_x*Y_moment_z;
-        const stewart_real S_1_y_bar_err = K_x_err*Y_moment_z_max + K_z_err*Y_moment_x_max + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
-            + STEWART_FABS(S_1_y_bar));
-        const stewart_real S_1_y_bar_max = STEWART_FABS(S_1_y_bar) + S_1_y_bar_err;
-        const stewart_real S_1_x_bar = K_y*Y_moment_z + S_x_bar - K_z*Y_moment_y;
-        const stewart_real S_1_x_bar_err = K_y_err*Y_moment_z_max + K_z_err*Y_moment_y_max + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_y_max + S_x_bar_max
-            + STEWART_FABS(S_1_x_bar));
-        const stewart_real S_1_x_bar_max = STEWART_FABS(S_1_x_bar) + S_1_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_1_z_bar
-            + S_dot_x_bar*omega_y - S_dot_y_bar*omega_x;
+        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar
+            + S_dot_x_bar*omega_y + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
         const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
             + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
-            + B_zz_max*S_ddot_z_bar_err + S_1_z_bar_err + S_dot_x_bar_err*omega_y_max
-            + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xz_max*S_ddot_x_bar_max
-            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_1_z_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_y_max + REAL(5)*S_dot_y_bar_max*omega_x_max
-            + STEWART_FABS(q_z_bar));
+            + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max
+            + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
+            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(6)*B_zz_max*S_ddot_z_bar_max
+            + REAL(6)*S_dot_x_bar_max*omega_y_max + REAL(6)*S_dot_y_bar_max*omega_x_max + REAL(5)*S_z_bar_max
+            + REAL(5)*arm_z_bar_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_1_y_bar
-            + S_dot_z_bar*omega_x - S_dot_x_bar*omega_z;
+        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar
+            + S_dot_z_bar*omega_x + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
         const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
             + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
-            + B_zy_max*S_ddot_z_bar_err + S_1_y_bar_err + S_dot_x_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xy_max*S_ddot_x_bar_max
-            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + REAL(4)*S_1_y_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_x_max
-            + STEWART_FABS(q_y_bar));
+            + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max
+            + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
+            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(6)*B_zy_max*S_ddot_z_bar_max
+            + REAL(6)*S_dot_x_bar_max*omega_z_max + REAL(6)*S_dot_z_bar_max*omega_x_max + REAL(5)*S_y_bar_max
+            + REAL(5)*arm_y_bar_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_1_x_bar
-            + S_dot_y_bar*omega_z - S_dot_z_bar*omega_y;
+        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar
+            + S_dot_y_bar*omega_z + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
         const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
             + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
-            + B_zx_max*S_ddot_z_bar_err + S_1_x_bar_err + S_dot_y_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*B_xx_max*S_ddot_x_bar_max
-            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_1_x_bar_max
-            + REAL(5)*S_dot_y_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_y_max
-            + STEWART_FABS(q_x_bar));
+            + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max
+            + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
+            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(6)*B_zx_max*S_ddot_z_bar_max
+            + REAL(6)*S_dot_y_bar_max*omega_z_max + REAL(6)*S_dot_z_bar_max*omega_y_max + REAL(5)*S_x_bar_max
+            + REAL(5)*arm_x_bar_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
-        const stewart_real c16 = C_s*tau_k_bar;
-        const stewart_real c16_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c16);
-        const stewart_real c16_max = STEWART_FABS(c16) + c16_err;
-        const stewart_real k_x_bar = K_x_bar*Q_k + S_x*zeta_bar + S_y*k_cross_S_z_bar - S_ddot_x*c10
-            - S_dot_x*c12 - S_z*k_cross_S_y_bar - c16*omega_x - c6*phi_dot;
-        const stewart_real k_x_bar_err = K_x_bar_err*Q_k_max + K_x_bar_max*Q_k_err + S_ddot_x_err*c10_max
-            + S_ddot_x_max*c10_err + S_dot_x_err*c12_max + S_dot_x_max*c12_err + S_x_err*zeta_bar_max
-            + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err
-            + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err + c16_err*omega_x_max
-            + c6_err*phi_dot_max + c6_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_x_bar_max*Q_k_max
-            + REAL(7)*S_ddot_x_max*c10_max + REAL(7)*S_dot_x_max*c12_max + REAL(7)*S_x_max*zeta_bar_max
+        const stewart_real c15 = C_s*tau_k_bar;
+        const stewart_real c15_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c15);
+        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
+        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - Q_k*c_force_x_bar - S_ddot_x*c9
+            - S_dot_x*c11 - S_z*k_cross_S_y_bar - Y_moment_x*c1 - c15*omega_x;
+        const stewart_real k_x_bar_err = Q_k_err*c_force_x_bar_max + Q_k_max*c_force_x_bar_err
+            + S_ddot_x_err*c9_max + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err
+            + S_x_err*zeta_bar_max + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max
+            + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err
+            + Y_moment_x_max*c1_err + c15_err*omega_x_max + STEWART_UNIT*(REAL(7)*Q_k_max*c_force_x_bar_max
+            + REAL(7)*S_ddot_x_max*c9_max + REAL(7)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max
             + REAL(7)*S_y_max*k_cross_S_z_bar_max + REAL(7)*S_z_max*k_cross_S_y_bar_max
-            + REAL(7)*c16_max*omega_x_max + REAL(7)*c6_max*phi_dot_max + STEWART_FABS(k_x_bar));
+            + REAL(7)*Y_moment_x_max*c1_max + REAL(7)*c15_max*omega_x_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = K_y_bar*Q_k + S_y*zeta_bar + S_z*k_cross_S_x_bar - S_ddot_y*c10
-            - S_dot_y*c12 - S_x*k_cross_S_z_bar - c16*omega_y - c7*phi_dot;
-        const stewart_real k_y_bar_err = K_y_bar_err*Q_k_max + K_y_bar_max*Q_k_err + S_ddot_y_err*c10_max
-            + S_ddot_y_max*c10_err + S_dot_y_err*c12_max + S_dot_y_max*c12_err + S_x_err*k_cross_S_z_bar_max
-            + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err
-            + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err + c16_err*omega_y_max
-            + c7_err*phi_dot_max + c7_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_y_bar_max*Q_k_max
-            + REAL(7)*S_ddot_y_max*c10_max + REAL(7)*S_dot_y_max*c12_max + REAL(7)*S_x_max*k_cross_S_z_bar_max
-            + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(7)*c16_max*omega_y_max
-            + REAL(7)*c7_max*phi_dot_max + STEWART_FABS(k_y_bar));
+        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - Q_k*c_force_y_bar - S_ddot_y*c9
+            - S_dot_y*c11 - S_x*k_cross_S_z_bar - Y_moment_y*c1 - c15*omega_y;
+        const stewart_real k_y_bar_err = Q_k_err*c_force_y_bar_max + Q_k_max*c_force_y_bar_err
+            + S_ddot_y_err*c9_max + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err
+            + S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max
+            + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err
+            + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(REAL(7)*Q_k_max*c_force_y_bar_max
+            + REAL(7)*S_ddot_y_max*c9_max + REAL(7)*S_dot_y_max*c11_max + REAL(7)*S_x_max*k_cross_S_z_bar_max
+            + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(7)*Y_moment_y_max*c1_max
+            + REAL(7)*c15_max*omega_y_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = K_z_bar*Q_k + S_x*k_cross_S_y_bar + S_z*zeta_bar - S_ddot_z*c10
-            - S_dot_z*c12 - S_y*k_cross_S_x_bar - c16*omega_z - c8*phi_dot;
-        const stewart_real k_z_bar_err = K_z_bar_err*Q_k_max + K_z_bar_max*Q_k_err + S_ddot_z_err*c10_max
-            + S_ddot_z_max*c10_err + S_dot_z_err*c12_max + S_dot_z_max*c12_err + S_x_err*k_cross_S_y_bar_max
-            + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err
-            + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + c16_err*omega_z_max + c8_err*phi_dot_max
-            + c8_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_z_bar_max*Q_k_max + REAL(7)*S_ddot_z_max*c10_max
-            + REAL(7)*S_dot_z_max*c12_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
-            + REAL(7)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(7)*c16_max*omega_z_max
-            + REAL(7)*c8_max*phi_dot_max + STEWART_FABS(k_z_bar));
+        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - Q_k*c_force_z_bar - S_ddot_z*c9
+            - S_dot_z*c11 - S_y*k_cross_S_x_bar - Y_moment_z*c1 - c15*omega_z;
+        const stewart_real k_z_bar_err = Q_k_err*c_force_z_bar_max + Q_k_max*c_force_z_bar_err
+            + S_ddot_z_err*c9_max + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err
+            + S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max
+            + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err
+            + c15_err*omega_z_max + STEWART_UNIT*(REAL(7)*Q_k_max*c_force_z_bar_max
+            + REAL(7)*S_ddot_z_max*c9_max + REAL(7)*S_dot_z_max*c11_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
+            + REAL(7)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(7)*Y_moment_z_max*c1_max
+            + REAL(7)*c15_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
         const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max
@@ -3182,55 +3408,39 @@ static void leg_errors(
         const stewart_real B_zz_bar = S_ddot_z_bar*q_z;
         const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err
             + STEWART_UNIT*STEWART_FABS(B_zz_bar);
-        const stewart_real r_x_bar = H_moment_z_bar*s_y - H_moment_y_bar*s_z - S_x_bar;
-        const stewart_real r_x_bar_err = H_moment_y_bar_err*s_z_max + H_moment_y_bar_max*s_z_err
-            + H_moment_z_bar_err*s_y_max + H_moment_z_bar_max*s_y_err + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_y_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_y_max
-            + S_x_bar_max + STEWART_FABS(r_x_bar));
-        const stewart_real r_x_bar_max = STEWART_FABS(r_x_bar) + r_x_bar_err;
-        const stewart_real r_y_bar = H_moment_x_bar*s_z - H_moment_z_bar*s_x - S_y_bar;
-        const stewart_real r_y_bar_err = H_moment_x_bar_err*s_z_max + H_moment_x_bar_max*s_z_err
-            + H_moment_z_bar_err*s_x_max + H_moment_z_bar_max*s_x_err + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_x_max
-            + S_y_bar_max + STEWART_FABS(r_y_bar));
-        const stewart_real r_y_bar_max = STEWART_FABS(r_y_bar) + r_y_bar_err;
-        const stewart_real r_z_bar = H_moment_y_bar*s_x - H_moment_x_bar*s_y - S_z_bar;
-        const stewart_real r_z_bar_err = H_moment_x_bar_err*s_y_max + H_moment_x_bar_max*s_y_err
-            + H_moment_y_bar_err*s_x_max + H_moment_y_bar_max*s_x_err + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_y_max + REAL(2)*H_moment_y_bar_max*s_x_max
-            + S_z_bar_max + STEWART_FABS(r_z_bar));
-        const stewart_real r_z_bar_max = STEWART_FABS(r_z_bar) + r_z_bar_err;
         error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
             + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
             + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err
             + w_z_bar_max*w_z_err + M_phi_bar_max*J_xx_err + a3_bar_max*J_xy_err + M_theta_bar_max*J_yy_err
             + J_yz_bar_max*J_yz_err + a2_bar_max*J2_xz_err + a1_bar_max*dJ_zx_err + g_k_bar_max*g_k_err
             + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
-            + C_us_bar_max*C_us_err + r_x_bar_max*r_x_err + r_y_bar_max*r_y_err + r_z_bar_max*r_z_err
-            + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_1_x_bar_max*S_1_x_own
-            + S_1_y_bar_max*S_1_y_own + S_1_z_bar_max*S_1_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own
-            + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
-            + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own
-            + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own
-            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own
-            + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own
-            + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
-            + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own
-            + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own + L_dot_bar_max*L_dot_own
-            + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own + L_share_bar_max*L_share_own
-            + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own + phi_dot2_bar_max*phi_dot2_own
-            + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own + L_ddot_bar_max*L_ddot_own
-            + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own + k13_bar_max*k13_own
-            + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + a2_bar_max*a2_own + a3_bar_max*a3_own
-            + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own + M_mixed_bar_max*M_mixed_own
-            + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own + M_phi_L_bar_max*M_phi_L_own
-            + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
-            + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own
-            + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own + Q_y_bar_max*Q_y_own
-            + K_x_bar_max*K_x_own + K_y_bar_max*K_y_own + K_z_bar_max*K_z_own + D_weight_max*D_own
-            + H_moment_x_bar_max*H_moment_x_own + H_moment_y_bar_max*H_moment_y_own
-            + H_moment_z_bar_max*H_moment_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own;
+            + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own
+            + S_x_bar_max*t_b_x_own + S_y_bar_max*t_b_y_own + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own
+            + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own
+            + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
+            + k_cross_S_z_bar_max*k_cross_S_z_own + rho2_bar_max*rho2_own + L_bar_max*L_own
+            + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own
+            + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own
+            + y_z_bar_max*y_z_own + k1_bar_max*k1_own + k3_bar_max*k3_own + kappa_bar_max*kappa_own
+            + S_dot_x_bar_max*S_dot_x_own + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own
+            + S_ddot_x_bar_max*S_ddot_x_own + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own
+            + L_dot_bar_max*L_dot_own + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own
+            + L_share_bar_max*L_share_own + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own
+            + phi_dot2_bar_max*phi_dot2_own + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own
+            + L_ddot_bar_max*L_ddot_own + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own
+            + k13_bar_max*k13_own + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + a2_bar_max*a2_own
+            + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own
+            + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own
+            + M_phi_L_bar_max*M_phi_L_own + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own
+            + gamma_n_bar_max*gamma_n_own + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own
+            + w_n_bar_max*w_n_own + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own
+            + Q_y_bar_max*Q_y_own + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own
+            + c_force_z_bar_max*K_z_own + D_weight_max*D_own + c1_bar_max*c1_own + c2_bar_max*c2_own
+            + arm_x_bar_max*arm_x_own + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own
+            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
+            + H_moment_z_weight_max*H_moment_z_own + Y_moment_x_max*arm_c_x_own + Y_moment_y_max*arm_c_y_own
+            + Y_moment_z_max*arm_c_z_own;
         add(&slopes[i].R_legs[0], &slopes[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
         add(&slopes[i].R_legs[1], &slopes[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
         add(&slopes[i].R_legs[2], &slopes[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
@@ -3249,9 +3459,9 @@ static void leg_errors(
         add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
         add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
         add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_1_x_bar, S_1_x_bar_err);
-        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_1_y_bar, S_1_y_bar_err);
-        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_1_z_bar, S_1_z_bar_err);
+        add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
+        add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
+        add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
     }
 }
 
@@ -3264,7 +3474,7 @@ static int equations_of_pose(
     int i, j;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
-        out->c[j + 3] = shared->c_moment[j];
+        out->c[j + 3] = shared->c_tip[j];
         out->c_own[j] = 0;
         out->c_own[j + 3] = 0;
     }
@@ -3274,27 +3484,35 @@ static int equations_of_pose(
             return leg.status;
         }
         D[i] = leg.D;
+        out->L[i] = leg.L;
+        out->reach[i] = leg.reach;
+        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
             out->H[j + 3][i] = leg.H_moment[j];
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
             add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+            add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
         }
     }
     return STEWART_OK;
 }
 
-/* Largest size of a moment entry of H. */
-static stewart_real moment_size(stewart_real H[6][6])
+/* Status of the platform's equations by the product of their pivots. */
+static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real worst = 0;
-    int i, j;
-    for (i = 3; i < 6; ++i) {
+    stewart_real H[6][6];
+    int i, j, close = 0;
+    for (i = 0; i < 6; ++i) {
+        close = of->L[i] > STEWART_SHORT_SHARE * of->reach[i] ? close : 1;
         for (j = 0; j < 6; ++j) {
-            worst = STEWART_FABS(H[i][j]) > worst ? STEWART_FABS(H[i][j]) : worst;
+            H[i][j] = of->H[i][j];
         }
     }
-    return worst;
+    if (close == 0 && STEWART_FABS(pivots) > least) {
+        return STEWART_OK;
+    }
+    return singular_status(H, of->L, of->reach, of->arm);
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
@@ -3324,7 +3542,7 @@ static void bound_of_pose(
     shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
-        of->c_err[j + 3] = shared.c_moment_err[j];
+        of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -3336,7 +3554,7 @@ static void bound_of_pose(
             of->H_err[j][i] = leg.H_force_err[j];
             of->H_err[j + 3][i] = leg.H_moment_err[j];
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + leg.arm_c_err[j];
         }
     }
     shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
@@ -3373,7 +3591,7 @@ static int forces_of_pose(
         }
         A[i][6] = unit[i] * equations.c[i];
     }
-    status = solve(A, model->per_length * moment_size(equations.H), x, Y);
+    status = pose_status(&equations, solve(A, x, Y), model->least);
     if (status != STEWART_OK) {
         return status;
     }
@@ -3390,7 +3608,7 @@ static int forces_of_pose(
         bound_of_pose(model, at, x, Y, F, &equations, bound);
     }
     if (rcond) {
-        *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
+        *rcond = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
     }
     return STEWART_OK;
 }
