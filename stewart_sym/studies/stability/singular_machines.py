@@ -51,7 +51,9 @@ def singular_machine(
 
 def exact_determinant(robot: Robot, R: Array, t: Array) -> Fraction:
     """det of the six [S; q x S] of the stored numbers, in rational arithmetic: 0 where det H is."""
-    R_, t_, b, p = ([[Fraction(x) for x in row] for row in np.atleast_2d(a)] for a in (R, t, robot.b, robot.p))
+    R_, t_, b, p = (
+        [[Fraction(x) for x in row] for row in np.atleast_2d(a)] for a in (R, t, robot.b, robot.p)
+    )
     rows = []
     for tip, base in zip(p, b, strict=True):
         q = [sum((a * x for a, x in zip(row, tip, strict=True)), Fraction(0)) for row in R_]
