@@ -139,7 +139,7 @@ def sweep(
             wanted = -(-cases // (share * len(kinds)))
             each = min(PER_MACHINE, max(1, wanted // 20))
             rng = np.random.default_rng([seed, KINDS.index(kind)])
-            numbers, sizes = _machines(rng, -(-wanted // each), legs, kind == MACHINE)
+            numbers, sizes = random_machines(rng, -(-wanted // each), legs, kind == MACHINE)
             found = judge_random(kind, numbers, sizes, each, seed, precision)
             in_quad += int(found["in_quad"].sum())
             answers = [_of_forces(found, column) for column in range(len(KERNELS))]
@@ -215,7 +215,7 @@ def _of_closed_form(found: NDArray[Any], kernel: str) -> _Answers:
         found["made"] == 1,
         found["status"][:, column],
         found["truth"][:, column],
-        found["error"][:, column] * condition,
+        np.where(found["error"][:, column] < 0.0, np.nan, found["error"][:, column] * condition),
         condition,
         np.maximum(np.maximum(condition, found["scaled"]), found["frames"]),
         found["distance"],
@@ -252,7 +252,7 @@ def report(found: Sweep) -> str:
     return head + aligned(header, rows) + ("\n\n" + "\n".join(lines) if lines else "")
 
 
-def _machines(
+def random_machines(
     rng: np.random.Generator, count: int, every: tuple[str, ...], singular: bool
 ) -> tuple[Array, Array]:
     """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes.
