@@ -33,7 +33,8 @@ KINDS = (
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
 DOUBTFUL = 100.0
-"""Error over the condition number above which long double is not trusted to tell it."""
+"""Error over the condition number above which long double is not trusted to tell it, nor random changes of
+the inputs the condition number: each input is changed by itself then, and what they do is added up."""
 SAMPLES = 3
 """Random changes of the inputs by which a condition number is measured."""
 
@@ -144,6 +145,7 @@ def judge_random(
     seed: int,
     precision: str = "double",
     samples: int = SAMPLES,
+    doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
     """Judge random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
 
@@ -164,6 +166,7 @@ def judge_random(
         None,
         each,
         results,
+        doubtful,
     )
     return results
 
@@ -179,6 +182,7 @@ def closed_form_errors(
     kernels: tuple[str, ...] = CLOSED_KERNELS,
     in_quad: bool = False,
     motions: Array | None = None,
+    doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
     """The closed form's kernels on the cases of ``judge_random``: records of ``CLOSED_RESULT``.
 
@@ -203,7 +207,7 @@ def closed_form_errors(
         ctypes.c_int(sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)),
         address(blocks),
         ctypes.c_int(len(blocks)),
-        ctypes.c_double(DOUBTFUL),
+        ctypes.c_double(doubtful),
         address(results),
     )
     return results
@@ -252,6 +256,7 @@ def _judge(
     motions: Array | None,
     each: int,
     results: NDArray[Any],
+    doubtful: float = DOUBTFUL,
 ) -> None:
     _library().judge_cases(
         ctypes.c_int(kind),
@@ -265,6 +270,7 @@ def _judge(
         address(np.ascontiguousarray(sizes)),
         address(None if motions is None else np.ascontiguousarray(motions)),
         ctypes.c_size_t(each),
+        ctypes.c_double(doubtful),
         address(results),
     )
 

@@ -18,9 +18,11 @@ static const int of_leg[] = {3, 3, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 
 static const int of_platform[] = {1, 3, 6, 3};
 static const int of_motion[] = {9, 3, 3, 3, 3, 3, 3, 3};
 
-/* Copies quantities, each component moved by at most `amount` of its quantity's largest. */
+/* Copies quantities, each component moved by at most `amount` of its quantity's largest; or, where `only` is
+ * not null, by just that the one component to which it counts down. */
 static void move(
-    stewart_real **to, const double **from, const int *widths, int count, double amount, uint64_t *seed)
+    stewart_real **to, const double **from, const int *widths, int count, double amount, uint64_t *seed,
+    int *only)
 {
     int group, i;
     for (group = 0; group < count; ++group) {
@@ -30,25 +32,26 @@ static void move(
             largest = size > largest ? size : largest;
         }
         for (i = 0; i < widths[group]; ++i) {
-            *(*to)++ = (stewart_real)*(*from)++
-                + (amount > 0 ? (stewart_real)(amount * between(seed)) * (stewart_real)largest : 0);
+            const double share = only ? (*only)-- == 0 : amount > 0 ? between(seed) : 0;
+            *(*to)++ = (stewart_real)*(*from)++ + (stewart_real)(amount * share) * (stewart_real)largest;
         }
     }
 }
 
 static int solved(
-    const double *numbers, const double *motion, double amount, uint64_t *seed, stewart_forces *out)
+    const double *numbers, const double *motion, double amount, uint64_t *seed, int *only,
+    stewart_forces *out)
 {
     stewart_robot robot;
     stewart_motion at;
     stewart_real *to = (stewart_real *)&robot;
     int leg;
     for (leg = 0; leg < 6; ++leg) {
-        move(&to, &numbers, of_leg, EACH(of_leg), amount, seed);
+        move(&to, &numbers, of_leg, EACH(of_leg), amount, seed, only);
     }
-    move(&to, &numbers, of_platform, EACH(of_platform), amount, seed);
+    move(&to, &numbers, of_platform, EACH(of_platform), amount, seed, only);
     to = (stewart_real *)&at;
-    move(&to, &motion, of_motion, EACH(of_motion), amount, seed);
+    move(&to, &motion, of_motion, EACH(of_motion), amount, seed, only);
     return stewart_exact_inverse_dynamics(&robot, &at, out);
 }
 
@@ -145,8 +148,9 @@ void @NAME@_judge(
 {
     stewart_forces truth, moved;
     stewart_real size = 0;
+    double sum[6] = {0, 0, 0, 0, 0, 0};
     int sample, i;
-    out->status = solved(numbers, motion, 0, &seed, &truth);
+    out->status = solved(numbers, motion, 0, &seed, 0, &truth);
     if (out->status != STEWART_OK) {
         return;
     }
@@ -161,15 +165,18 @@ void @NAME@_judge(
     }
     out->size = (double)size;
     out->own = 0;
-    for (sample = 0; sample < samples; ++sample) {
-        if (solved(numbers, motion, amount, &seed, &moved) != STEWART_OK) {
+    /* Negative: every number by itself, changes added up, instead of random changes of all. */
+    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS : samples); ++sample) {
+        int only = sample;
+        if (solved(numbers, motion, amount, &seed, samples < 0 ? &only : 0, &moved) != STEWART_OK) {
             out->own = 1 / amount;
             break;
         }
         for (i = 0; i < 6; ++i) {
             const double change
                 = (double)(STEWART_FABS(moved.F[i] - truth.F[i]) / ((stewart_real)amount * size));
-            out->own = change > out->own ? change : out->own;
+            sum[i] = samples < 0 ? sum[i] + change : change;
+            out->own = sum[i] > out->own ? sum[i] : out->own;
         }
     }
     out->frames = frames(numbers, motion);
@@ -324,28 +331,32 @@ typedef struct {
     stewart_linearisation linearisation;
 } outputs;
 
-/* Numbers with each changed by `amount` of itself, up or down. */
-static void changed(stewart_real *to, const double *from, int count, double amount, uint64_t *seed)
+/* Numbers with each changed by `amount` of itself, up or down; or, where `only` is not null, the one alone to
+ * which it counts down. */
+static void changed(
+    stewart_real *to, const double *from, int count, double amount, uint64_t *seed, int *only)
 {
+    double by;
     int i;
     for (i = 0; i < count; ++i) {
         to[i] = (stewart_real)from[i];
-        to[i] += to[i] * (stewart_real)(amount > 0 && between(seed) < 0 ? -amount : amount);
+        by = only ? amount * ((*only)-- == 0) : between(seed) < 0 ? -amount : amount;
+        to[i] += to[i] * (stewart_real)by;
     }
 }
 
 static void solved(
     const double *numbers, const double *motion, const double *forces, double amount, uint64_t *seed,
-    int wanted, outputs *out, int *status)
+    int wanted, int *only, outputs *out, int *status)
 {
     stewart_robot robot;
     stewart_motion at;
     stewart_exact_model model;
     stewart_real F[6];
     int prepared, k;
-    changed((stewart_real *)&robot, numbers, ROBOT_NUMBERS, amount, seed);
-    changed((stewart_real *)&at, motion, MOTION_NUMBERS, amount, seed);
-    changed(F, forces, 6, amount, seed);
+    changed((stewart_real *)&robot, numbers, ROBOT_NUMBERS, amount, seed, only);
+    changed((stewart_real *)&at, motion, MOTION_NUMBERS, amount, seed, only);
+    changed(F, forces, 6, amount, seed, only);
     prepared = stewart_exact_prepare(&robot, &model);
     for (k = 0; k < CLOSED_KERNELS; ++k) {
         status[k] = prepared;
@@ -361,7 +372,8 @@ static void solved(
     }
 }
 
-/* high + low: the outputs; change: the largest of any sample over `amount`, infinite with a status. */
+/* high + low: the outputs; change: the largest of any sample over `amount`, infinite with a status;
+ * with a negative number of samples the sum of what every input does by itself. */
 void @NAME@_closed_form(
     const double *numbers, const double *motion, const double *forces, int wanted, double amount, int samples,
     uint64_t seed, double *high, double *low, double *change, int *status)
@@ -373,21 +385,23 @@ void @NAME@_closed_form(
     typedef char packed[sizeof(outputs) == CLOSED_NUMBERS * sizeof(stewart_real) ? 1 : -1];
     (void)sizeof(packed);
     memset(&truth, 0, sizeof truth);
-    solved(numbers, motion, forces, 0, &seed, wanted, &truth, status);
+    solved(numbers, motion, forces, 0, &seed, wanted, 0, &truth, status);
     for (i = 0; i < CLOSED_NUMBERS; ++i) {
         high[i] = (double)at[i];
         low[i] = (double)(at[i] - (stewart_real)high[i]);
         change[i] = 0;
     }
-    for (sample = 0; sample < samples; ++sample) {
-        solved(numbers, motion, forces, amount, &seed, wanted, &moved, moved_status);
+    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS + 6 : samples); ++sample) {
+        int only = sample;
+        solved(
+            numbers, motion, forces, amount, &seed, wanted, samples < 0 ? &only : 0, &moved, moved_status);
         for (k = i = 0; k < CLOSED_KERNELS; ++k) {
             const int end = i + of_kernel[k];
             for (; i < end && wanted >> k & 1 && !status[k]; ++i) {
                 const double moved_by = moved_status[k]
                     ? INFINITY
                     : fabs((double)((beside[i] - at[i]) / (stewart_real)amount));
-                change[i] = moved_by > change[i] ? moved_by : change[i];
+                change[i] = samples < 0 ? change[i] + moved_by : fmax(change[i], moved_by);
             }
             i = end;
         }
@@ -408,6 +422,8 @@ enum { SINGULAR, POLE, SHORT, SCALE, POLE_AND_SINGULAR, HEAVY, PROPORTIONS, MACH
 #define P 3
 #define K 6
 #define BODY (6 * LEG + 1)
+/* Random changes of all inputs find less than all of what each can do, by no more than this factor. */
+#define MAY_BE_WITHIN(error, limit) ((error) > (limit) && (error) < 30 * (limit))
 
 @DECLARED@
 
@@ -769,7 +785,8 @@ static int drawn(
 /* Judges given cases or, where `motions` is null, random ones of each robot in turn. */
 void judge_cases(
     int kind, int in_float, int in_quad, int samples, double nearest, uint64_t seed, size_t robots,
-    const double *numbers, const double *sizes, const double *motions, size_t each, result *results)
+    const double *numbers, const double *sizes, const double *motions, size_t each, double doubtful,
+    result *results)
 {
     const double epsilon = in_float ? FLT_EPSILON : DBL_EPSILON;
     size_t robot, i;
@@ -779,7 +796,7 @@ void judge_cases(
             double mine[ROBOT_NUMBERS], motion[MOTION_NUMBERS], calm[MOTION_NUMBERS], F[KERNELS][6];
             uint64_t own_seed = seed + (robot * each + i) * 0x2545F4914F6CDD1Du;
             verdict truth;
-            int k, suspect = 0;
+            int k, level;
             memset(out, 0, sizeof *out);
             out->made = drawn(
                 kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * robot, sizes[robot],
@@ -800,22 +817,25 @@ void judge_cases(
                 out->error[k] = NAN;
                 out->truth = 4;
             }
-            while (kind != MACHINE) {
-                judged(mine, motion, in_float, samples, out->in_quad, next(&own_seed), &truth);
+            for (level = in_quad; kind != MACHINE && level < 3; ++level) {
+                double worst = 0;
+                int suspect = 0;
+                out->in_quad = level > 0;
+                judged(mine, motion, in_float, level < 2 ? samples : -1, level > 0, next(&own_seed), &truth);
                 out->truth = truth.status;
                 out->size = truth.size;
                 out->own = truth.own;
                 out->scaled = truth.scaled;
                 out->frames = truth.frames;
                 for (k = 0; k < KERNELS; ++k) {
+                    const double condition = fmax(fmax(truth.own, truth.scaled), 1);
                     out->error[k] = out->status[k] || truth.status ? NAN : units(F[k], &truth, epsilon);
-                    suspect |= truth.status != 0 || (out->status[k] && fmax(truth.own, truth.frames) < 1e7)
-                        || (!out->status[k] && !(out->error[k] < 300 * fmax(truth.own, truth.scaled)));
+                    worst = out->status[k] ? worst : fmax(worst, out->error[k] / condition);
+                    suspect |= truth.status != 0 || (out->status[k] && fmax(truth.own, truth.frames) < 1e7);
                 }
-                if (out->in_quad || !suspect) {
+                if (level == 0 ? !(suspect || worst > doubtful) : !MAY_BE_WITHIN(worst, doubtful)) {
                     break;
                 }
-                out->in_quad = 1;
             }
         }
     }
@@ -875,7 +895,7 @@ void closed_form_cases(
         double change[CLOSED_NUMBERS];
         uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
         verdict pose;
-        int k, status[CLOSED_KERNELS], truth[CLOSED_KERNELS];
+        int k, level, status[CLOSED_KERNELS], truth[CLOSED_KERNELS];
         memset(out, 0, sizeof *out);
         out->made = drawn(
             kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * (index / each), sizes[index / each],
@@ -902,10 +922,11 @@ void closed_form_cases(
         judged(mine, motion, in_float, 0, in_quad, 0, &pose);
         out->scaled = pose.status ? DBL_MAX : pose.scaled;
         out->frames = pose.status ? DBL_MAX : pose.frames;
-        for (out->in_quad = in_quad;; out->in_quad = 1) {
-            (out->in_quad ? quad_closed_form : wide_closed_form)(
-                mine, motion, F, wanted, out->in_quad ? 1e-20 : in_float ? 1e-12 : 0x1p-53, samples,
-                own_seed, high, low, change, truth);
+        for (level = in_quad; level < 3; ++level) {
+            out->in_quad = level > 0;
+            (level > 0 ? quad_closed_form : wide_closed_form)(
+                mine, motion, F, wanted, level > 0 ? 1e-20 : in_float ? 1e-12 : 0x1p-53,
+                level < 2 ? samples : -1, own_seed, high, low, change, truth);
             for (k = 0; k < CLOSED_KERNELS; ++k) {
                 out->truth[k] = truth[k];
                 out->error[k] = -1;
@@ -917,7 +938,7 @@ void closed_form_cases(
                     worst = fmax(worst, out->error[kernel]);
                 }
             }
-            if (out->in_quad || !(worst > doubtful)) {
+            if (!(level == 0 ? worst > doubtful : MAY_BE_WITHIN(worst, doubtful))) {
                 break;
             }
         }
