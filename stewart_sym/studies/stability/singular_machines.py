@@ -42,11 +42,12 @@ def singular_machine(
     map_b = _map(rng)
     map_p = map_b if family in ALIKE else _map(rng)
     b, p = base[order] @ map_b + rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
-    grain = 2.0 ** np.round(np.log2(size / (16 * _GRID)))
+    grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID))))
     # The reference point anywhere near; the platform smaller but for equal hexagons, whose points are equal.
     b, p = (b, p) if family == "equal hexagons" else (2 * b, p + rng.integers(-_GRID, _GRID, 3))
     machine = random_machine(rng, size, mass, legs)
-    return dataclasses.replace(machine, b=grain / 2 * b, p=grain / 2 * p, name=family)
+    points: list[Array] = [grain * each.astype(np.float64) for each in (b, p)]
+    return dataclasses.replace(machine, b=points[0], p=points[1], name=family)
 
 
 def exact_determinant(robot: Robot, R: Array, t: Array) -> Fraction:
