@@ -161,7 +161,7 @@ def joint_space_inertia(
     found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
-    regular = np.linalg.slogdet(H)[0] != 0
+    regular = ~reference.is_singular(robot, H)
     inertia = np.full_like(found.M, np.nan)
     status = found.status.copy()
     status[ok] = np.where(regular, OK, SINGULAR)

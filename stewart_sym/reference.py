@@ -441,15 +441,19 @@ def _solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Arra
     x = np.full_like(c, np.nan)
     status = status.copy()
     ok = status == OK
-    length = np.linalg.norm(robot.p, axis=-1).max() or 1.0
-    sigma = np.linalg.svd(H[ok] / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
-    # `solve` refuses a whole batch for one zero pivot; slogdet, the same elimination, tells whose it is.
-    singular = (sigma[:, -1] <= ROUNDING * sigma[:, 0]) | (np.linalg.slogdet(H[ok])[0] == 0)
-    status[ok] = np.where(singular, SINGULAR, OK)
+    status[ok] = np.where(is_singular(robot, H[ok]), SINGULAR, OK)
     ok = status == OK
     x[ok] = np.linalg.solve(H[ok], c[ok][..., None])[..., 0]
     status[ok & ~_finite(x, 1)] = NOT_FINITE
     return x, status
+
+
+def is_singular(robot: Robot, H: Array) -> NDArray[np.bool_]:
+    """Where H, (..., 6, 6), moments over the platform's size, is singular to rounding, (...)."""
+    length = np.linalg.norm(robot.p, axis=-1).max() or 1.0
+    sigma = np.linalg.svd(H / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
+    # `solve` rejects a whole batch for one zero pivot; slogdet, the same elimination, tells whose it is.
+    return np.asarray((sigma[..., -1] <= ROUNDING * sigma[..., 0]) | (np.linalg.slogdet(H)[0] == 0))
 
 
 def _finite(value: Array, axes: int) -> NDArray[np.bool_]:

@@ -58,16 +58,40 @@ def row(family: Figures) -> tuple[str, ...]:
     )
 
 
+CASES_HEADER = ("random cases", "cases", "kernels", "worst", "wrong", "good poses with a status")
+
+
 def cases(sweep: Figures) -> str:
-    worst = max(sweep["counts"], key=lambda count: count["worst"] or 0.0)
+    """What the sweep saw, kind by kind, and in all."""
+    kinds = dict.fromkeys(count["kind"] for count in sweep["counts"])
+    rows = [of_kind(kind, [each for each in sweep["counts"] if each["kind"] == kind]) for kind in kinds]
     lowest = min(
         count["lowest"] for count in sweep["counts"] if count["precision"] == "double" and count["lowest"]
     )
-    return paragraph(
-        f"Of {sweep['cases']:,} random cases near a failure, {sweep['wrong']:,} answers of "
-        f"{len({count['kernel'] for count in sweep['counts']})} kernels are wrong with status ok, and "
-        f"{sweep['refused_good']:,} good poses have a status; the worst is {worst['worst']:.2g} "
-        f"({worst['kind']}, {worst['precision']}, {worst['kernel']}). In double no pose is refused at a "
-        f"condition number below {lowest:.0e}. `stewart-sym stability --cases N` judges N others with "
-        "`--seed`."
+    lead = paragraph(
+        f"Of {sweep['cases']:,} random cases, in double and float, {sweep['wrong']:,} answers are wrong with "
+        f"status ok, and {sweep['refused_good']:,} good poses have a status, by kind as follows. Worst: as "
+        "above, with the precision and the kernel where it is; of a singular machine any answer is wrong. In "
+        f"double no pose is refused at a condition number below {lowest:.0e}. "
+        "`stewart-sym stability --cases N` draws N others with `--seed`."
+    )
+    return lead + table(CASES_HEADER, rows)
+
+
+def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
+    kernels = list(dict.fromkeys(count["kernel"] for count in counts))
+    worst = max(counts, key=lambda count: count["worst"] or -1.0)
+    given = (worst["worst"] or -1.0) >= 0.0
+    wrong = sum(count["wrong"] for count in counts)
+    return (
+        kind,
+        f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
+        ", ".join(kernels),
+        f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
+        if given
+        else ""
+        if wrong
+        else "no answer",
+        f"{wrong:,}",
+        f"{sum(count['refused_good'] for count in counts):,}",
     )

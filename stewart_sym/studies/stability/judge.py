@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import native
+from ... import closed_form, native
 from ...kernel import MOTION, address, c_sources, loaded, robot_numbers
 from ...motion import Motion
 from ...robot import Robot
@@ -25,10 +25,21 @@ Array = NDArray[np.float64]
 
 KERNELS = ("one pose", "batch", "every output")
 """Shipped kernels that are judged."""
-KINDS = ("singular", "pole", "short leg", "scales", "pole and singular")
-"""Failures that random cases come near to."""
+CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
+"""Shipped kernels of the closed form that are held against wider arithmetic."""
+KINDS = (
+    *("singular", "pole", "short leg", "scales", "pole and singular", "heavy leg", "proportions"),
+    "singular machine",
+)
+"""Failures that random cases come near to, and machines that are singular at every pose."""
+DOUBTFUL = 100.0
+"""Error over the condition number above which long double is not trusted to tell it, nor random changes of
+the inputs the condition number: each input is changed by itself then, and what they do is added up."""
 SAMPLES = 3
 """Random changes of the inputs by which a condition number is measured."""
+
+MACHINE = KINDS[-1]
+"""The kind whose robots must be singular at every pose: whatever has H to solve must give a status."""
 
 RESULT = np.dtype(
     [
@@ -49,13 +60,65 @@ number, the scaled one of H and that of the legs' frames, the largest of 1 over 
 over L; error of each kernel, in rounding units of the size, NaN without an answer; status of the truth;
 whether it was judged in quadruple precision; status of each kernel; whether such a case was found."""
 
+CLOSED_RESULT = np.dtype(
+    [
+        *((name, np.float64) for name in ("distance", "scaled", "frames")),
+        *((name, np.float64, (len(CLOSED_KERNELS),)) for name in ("error", "condition")),
+        *((name, np.int32, (len(CLOSED_KERNELS),)) for name in ("block", "status", "truth")),
+        *((name, np.int32) for name in ("made", "in_quad")),
+    ]
+)
+"""Of a case: as in ``RESULT``, and of each kernel of ``CLOSED_KERNELS`` the largest error of its blocks, in
+rounding units of the block's size times its condition number, -1 without an answer; that condition number and
+the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
+of itself do to it; of kind "proportions" at least the scaled one of H."""
+
+BLOCKS: dict[str, tuple[int, ...]] = {
+    "M": (0, 0, 6, 6, 6, -1, -1),
+    "C": (0, 36, 6, 6, 6, -1, -1),
+    "g": (0, 72, 6, 1, 1, -1, 0),
+    "friction": (0, 78, 6, 1, 1, -1, 0),
+    "bias of equations": (0, 84, 6, 1, 1, -1, 0),
+    "H": (0, 90, 6, 6, 6, -1, 0),
+    "H_dot": (0, 126, 6, 6, 6, -1, 0),
+    "bias": (1, 162, 6, 1, 1, -1, 0),
+    "acceleration": (2, 168, 6, 1, 1, 1, 0),
+    "joint inertia": (3, 174, 6, 6, 6, 0, 0),
+    "F": (4, 210, 6, 1, 1, 0, 0),
+    "by_pose": (4, 216, 6, 6, 6, 0, -1),
+    "by_twist": (4, 252, 6, 6, 6, 0, -1),
+    "by_acceleration": (4, 288, 6, 6, 6, 0, -1),
+    "acceleration of linearisation": (5, 324, 6, 1, 1, 1, 0),
+    "A by pose": (5, 402, 6, 6, 12, 1, -1),
+    "A by twist": (5, 408, 6, 6, 12, 1, -1),
+    "B": (5, 510, 6, 6, 6, 1, 0),
+}
+"""Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
+platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
+
 # Of the linker's libraries that stand before the sources, only those kept by force are linked.
 _FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
 _WIDER = {
-    "wide": ("long double", "sqrtl", "fabsl", "LDBL_EPSILON", "LDBL_MAX", "<math.h>"),
-    "quad": ("__float128", "sqrtq", "fabsq", "FLT128_EPSILON", "FLT128_MAX", "<quadmath.h>"),
+    name: f"#include <float.h>\n#include {header}\n#define STEWART_REAL {real}\n"
+    f"#define STEWART_SQRT(value) sqrt{suffix}(value)\n"
+    f"#define STEWART_FABS(value) fabs{suffix}(value)\n#define STEWART_EPSILON {limits}_EPSILON\n"
+    f"#define STEWART_MAX {limits}_MAX"
+    for name, header, real, suffix, limits in (
+        ("wide", "<math.h>", "long double", "l", "LDBL"),
+        ("quad", "<quadmath.h>", "__float128", "q", "FLT128"),
+    )
 }
 _OWN = {"double": "", "float": "#define STEWART_FLOAT 1"}
+_OF_WIDER = {
+    "judge": judge_source.WIDER,
+    "prepare": judge_source.PREPARE,
+    "closed_form": judge_source.CLOSED_FORM,
+}
+_OF_OWN = {
+    "every": judge_source.EVERY,
+    "forces": judge_source.FORCES,
+    "closed_form": judge_source.CLOSED_FORM,
+}
 
 
 def judge_poses(
@@ -82,6 +145,7 @@ def judge_random(
     seed: int,
     precision: str = "double",
     samples: int = SAMPLES,
+    doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
     """Judge random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
 
@@ -102,6 +166,49 @@ def judge_random(
         None,
         each,
         results,
+        doubtful,
+    )
+    return results
+
+
+def closed_form_errors(
+    kind: str,
+    numbers: Array,
+    sizes: Array,
+    each: int,
+    seed: int,
+    precision: str = "double",
+    samples: int = SAMPLES,
+    kernels: tuple[str, ...] = CLOSED_KERNELS,
+    in_quad: bool = False,
+    motions: Array | None = None,
+    doubtful: float = DOUBTFUL,
+) -> NDArray[Any]:
+    """The closed form's kernels on the cases of ``judge_random``: records of ``CLOSED_RESULT``.
+
+    kernels: which of ``CLOSED_KERNELS``. in_quad: in quadruple precision throughout, else in long double with
+    the doubtful ones again. motions: given ones, (robots * each, 30), in place of random ones. Of machines
+    that are singular at every pose the statuses alone. Raises native.CompilerError without ``__float128``.
+    """
+    results = np.zeros(len(numbers) * each, dtype=CLOSED_RESULT)
+    blocks = np.array([*BLOCKS.values()], dtype=np.int32)
+    _library().closed_form_cases(
+        ctypes.c_int(KINDS.index(kind)),
+        ctypes.c_int(precision == "float"),
+        ctypes.c_int(in_quad),
+        ctypes.c_int(samples),
+        ctypes.c_double(_nearest(precision)),
+        ctypes.c_uint64(seed),
+        ctypes.c_size_t(len(numbers)),
+        address(np.ascontiguousarray(numbers)),
+        address(np.ascontiguousarray(sizes)),
+        address(None if motions is None else np.ascontiguousarray(motions)),
+        ctypes.c_size_t(each),
+        ctypes.c_int(sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)),
+        address(blocks),
+        ctypes.c_int(len(blocks)),
+        ctypes.c_double(doubtful),
+        address(results),
     )
     return results
 
@@ -149,6 +256,7 @@ def _judge(
     motions: Array | None,
     each: int,
     results: NDArray[Any],
+    doubtful: float = DOUBTFUL,
 ) -> None:
     _library().judge_cases(
         ctypes.c_int(kind),
@@ -162,45 +270,26 @@ def _judge(
         address(np.ascontiguousarray(sizes)),
         address(None if motions is None else np.ascontiguousarray(motions)),
         ctypes.c_size_t(each),
+        ctypes.c_double(doubtful),
         address(results),
     )
 
 
 @functools.cache
 def _library() -> ctypes.CDLL:
-    every, forces = c_sources("exact"), c_sources("exact_forces")
-    sources = {name: text for name, text in (every | forces).items() if name.endswith(".h")}
+    every = c_sources("exact") | closed_form.c_sources()
+    sources = {name: text for name, text in every.items() if name.endswith(".h")}
     sources["judge.h"] = judge_source.HEADER
     # Compiled several times, each under names of its own: no source of itself.
-    for name, kernel in (("exact", every), ("exact_forces", forces)):
-        sources[f"stewart_{name}_text.h"] = kernel[f"stewart_{name}.c"]
+    texts = {name.removesuffix(".c"): text for name, text in every.items() if name.endswith(".c")}
+    sources |= {f"{name}_text.h": text for name, text in texts.items()}
+    functions = re.findall(r"^int (stewart_\w+)\(", "".join(texts.values()), re.MULTILINE)
     declared = []
-    for name, (real, root, size, epsilon, largest, header) in _WIDER.items():
-        wider = judge_source.WIDER.replace("#define STEWART_REAL", f"#include {header}\n#define STEWART_REAL")
-        marks = {"REAL": real, "SQRT": root, "FABS": size, "EPSILON": epsilon, "MAX": largest}
-        sources[f"{name}.c"] = _filled(wider, name, every["stewart_exact.c"], marks)
-        declared.append(_declaration(sources[f"{name}.c"], f"{name}_judge"))
-    for name, define in _OWN.items():
-        for part, text, source in (
-            ("every", judge_source.EVERY, every["stewart_exact.c"]),
-            ("forces", judge_source.FORCES, forces["stewart_exact_forces.c"]),
-        ):
-            sources[f"{name}_{part}.c"] = _filled(text, name, source, {"TYPE": define})
-            declared.append(_declaration(sources[f"{name}_{part}.c"], f"{name}_{part}"))
-    sources["cases.c"] = judge_source.CASES.replace("@DECLARED@", "\n".join(declared))
+    for name, type_ in (_WIDER | _OWN).items():
+        for part, text in (_OF_WIDER if name in _WIDER else _OF_OWN).items():
+            renamed = "\n".join(f"#define {function} {name}_{function}" for function in functions)
+            filled = text.replace("@TYPE@", type_).replace("@NAME@", name).replace("@RENAMED@", renamed)
+            sources[f"{name}_{part}.c"] = filled
+            declared += re.findall(rf"^\w+ {name}_{part}\([^)]*\)", filled, re.MULTILINE)
+    sources["cases.c"] = judge_source.CASES.replace("@DECLARED@", ";\n".join([*declared, ""]))
     return native.load("stewart_judge", sources, _FLAGS)
-
-
-def _filled(text: str, name: str, kernel: str, marks: dict[str, str]) -> str:
-    functions = re.findall(r"^int (stewart_\w+)\(", kernel, re.MULTILINE)
-    renamed = "\n".join(f"#define {function} {name}_{function}" for function in functions)
-    for mark, value in {**marks, "NAME": name, "RENAMED": renamed}.items():
-        text = text.replace(f"@{mark}@", value)
-    return text
-
-
-def _declaration(text: str, function: str) -> str:
-    found = re.search(rf"^\w+ {function}\([^)]*\)", text, re.MULTILINE)
-    if found is None:
-        raise LookupError(function)
-    return f"{found[0]};"

@@ -5,11 +5,7 @@ Texts alone; ``judge`` puts them beside the generated kernels and calls them.
 
 WIDER = """\
 /* The forces, and how sensitive they are to their inputs, in a type wider than the kernels'. */
-#define STEWART_REAL @REAL@
-#define STEWART_SQRT(value) @SQRT@(value)
-#define STEWART_FABS(value) @FABS@(value)
-#define STEWART_EPSILON @EPSILON@
-#define STEWART_MAX @MAX@
+@TYPE@
 @RENAMED@
 #include <float.h>
 #include "stewart_exact_text.h"
@@ -22,9 +18,11 @@ static const int of_leg[] = {3, 3, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 
 static const int of_platform[] = {1, 3, 6, 3};
 static const int of_motion[] = {9, 3, 3, 3, 3, 3, 3, 3};
 
-/* Copies quantities, each component moved by at most `amount` of its quantity's largest. */
+/* Copies quantities, each component moved by at most `amount` of its quantity's largest; or, where `only` is
+ * not null, by just that the one component to which it counts down. */
 static void move(
-    stewart_real **to, const double **from, const int *widths, int count, double amount, uint64_t *seed)
+    stewart_real **to, const double **from, const int *widths, int count, double amount, uint64_t *seed,
+    int *only)
 {
     int group, i;
     for (group = 0; group < count; ++group) {
@@ -34,25 +32,26 @@ static void move(
             largest = size > largest ? size : largest;
         }
         for (i = 0; i < widths[group]; ++i) {
-            *(*to)++ = (stewart_real)*(*from)++
-                + (amount > 0 ? (stewart_real)(amount * between(seed)) * (stewart_real)largest : 0);
+            const double share = only ? (*only)-- == 0 : amount > 0 ? between(seed) : 0;
+            *(*to)++ = (stewart_real)*(*from)++ + (stewart_real)(amount * share) * (stewart_real)largest;
         }
     }
 }
 
 static int solved(
-    const double *numbers, const double *motion, double amount, uint64_t *seed, stewart_forces *out)
+    const double *numbers, const double *motion, double amount, uint64_t *seed, int *only,
+    stewart_forces *out)
 {
     stewart_robot robot;
     stewart_motion at;
     stewart_real *to = (stewart_real *)&robot;
     int leg;
     for (leg = 0; leg < 6; ++leg) {
-        move(&to, &numbers, of_leg, EACH(of_leg), amount, seed);
+        move(&to, &numbers, of_leg, EACH(of_leg), amount, seed, only);
     }
-    move(&to, &numbers, of_platform, EACH(of_platform), amount, seed);
+    move(&to, &numbers, of_platform, EACH(of_platform), amount, seed, only);
     to = (stewart_real *)&at;
-    move(&to, &motion, of_motion, EACH(of_motion), amount, seed);
+    move(&to, &motion, of_motion, EACH(of_motion), amount, seed, only);
     return stewart_exact_inverse_dynamics(&robot, &at, out);
 }
 
@@ -149,8 +148,9 @@ void @NAME@_judge(
 {
     stewart_forces truth, moved;
     stewart_real size = 0;
+    double sum[6] = {0, 0, 0, 0, 0, 0};
     int sample, i;
-    out->status = solved(numbers, motion, 0, &seed, &truth);
+    out->status = solved(numbers, motion, 0, &seed, 0, &truth);
     if (out->status != STEWART_OK) {
         return;
     }
@@ -165,15 +165,18 @@ void @NAME@_judge(
     }
     out->size = (double)size;
     out->own = 0;
-    for (sample = 0; sample < samples; ++sample) {
-        if (solved(numbers, motion, amount, &seed, &moved) != STEWART_OK) {
+    /* Negative: every number by itself, changes added up, instead of random changes of all. */
+    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS : samples); ++sample) {
+        int only = sample;
+        if (solved(numbers, motion, amount, &seed, samples < 0 ? &only : 0, &moved) != STEWART_OK) {
             out->own = 1 / amount;
             break;
         }
         for (i = 0; i < 6; ++i) {
             const double change
                 = (double)(STEWART_FABS(moved.F[i] - truth.F[i]) / ((stewart_real)amount * size));
-            out->own = change > out->own ? change : out->own;
+            sum[i] = samples < 0 ? sum[i] + change : change;
+            out->own = sum[i] > out->own ? sum[i] : out->own;
         }
     }
     out->frames = frames(numbers, motion);
@@ -185,12 +188,16 @@ HEADER = """\
 #ifndef JUDGE_H
 #define JUDGE_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #define ROBOT_NUMBERS 205
 #define MOTION_NUMBERS 30
 #define KERNELS 3
+#define CLOSED_KERNELS 6
+#define CLOSED_NUMBERS 546
 
 /* What a wider type finds: F as high + low, the largest of |F|, |D| and |x|, the problem's own condition
  * number, the scaled one of H, that of the legs' frames, the status. */
@@ -301,6 +308,107 @@ void @NAME@_forces(
 }
 """
 
+PREPARE = """\
+/* The closed form's constants in a wider type. */
+@TYPE@
+@RENAMED@
+#include "stewart_exact_forces_text.h"
+"""
+
+CLOSED_FORM = """\
+/* The closed form's kernels in one type: their outputs one after the other, a status for each kernel, and how
+ * far each output moves with its inputs. */
+@TYPE@
+@RENAMED@
+#include <float.h>
+#include "stewart_exact_motion_text.h"
+#include "judge.h"
+
+typedef struct {
+    stewart_equations equations;
+    stewart_real bias[6], acceleration[6], inertia[36];
+    stewart_derivatives derivatives;
+    stewart_linearisation linearisation;
+} outputs;
+
+/* Numbers with each changed by `amount` of itself, up or down; or, where `only` is not null, the one alone to
+ * which it counts down. */
+static void changed(
+    stewart_real *to, const double *from, int count, double amount, uint64_t *seed, int *only)
+{
+    double by;
+    int i;
+    for (i = 0; i < count; ++i) {
+        to[i] = (stewart_real)from[i];
+        by = only ? amount * ((*only)-- == 0) : between(seed) < 0 ? -amount : amount;
+        to[i] += to[i] * (stewart_real)by;
+    }
+}
+
+static void solved(
+    const double *numbers, const double *motion, const double *forces, double amount, uint64_t *seed,
+    int wanted, int *only, outputs *out, int *status)
+{
+    stewart_robot robot;
+    stewart_motion at;
+    stewart_exact_model model;
+    stewart_real F[6];
+    int prepared, k;
+    changed((stewart_real *)&robot, numbers, ROBOT_NUMBERS, amount, seed, only);
+    changed((stewart_real *)&at, motion, MOTION_NUMBERS, amount, seed, only);
+    changed(F, forces, 6, amount, seed, only);
+    prepared = stewart_exact_prepare(&robot, &model);
+    for (k = 0; k < CLOSED_KERNELS; ++k) {
+        status[k] = prepared;
+        if (prepared != STEWART_OK || !(wanted >> k & 1)) {
+            continue;
+        }
+        status[k] = k == 0 ? stewart_exact_equations(&model, &at, &out->equations)
+            : k == 1       ? stewart_exact_bias(&model, &at, out->bias)
+            : k == 2       ? stewart_exact_forward_dynamics(&model, &at, F, out->acceleration)
+            : k == 3       ? stewart_exact_joint_inertia(&model, &at, out->inertia)
+            : k == 4       ? stewart_exact_derivatives(&model, &at, &out->derivatives)
+                           : stewart_exact_linearisation(&model, &at, F, &out->linearisation);
+    }
+}
+
+/* high + low: the outputs; change: the largest of any sample over `amount`, infinite with a status;
+ * with a negative number of samples the sum of what every input does by itself. */
+void @NAME@_closed_form(
+    const double *numbers, const double *motion, const double *forces, int wanted, double amount, int samples,
+    uint64_t seed, double *high, double *low, double *change, int *status)
+{
+    static const int of_kernel[CLOSED_KERNELS] = {162, 6, 6, 36, 114, 222};
+    outputs truth, moved;
+    const stewart_real *at = (const stewart_real *)&truth, *beside = (const stewart_real *)&moved;
+    int moved_status[CLOSED_KERNELS], sample, i, k;
+    typedef char packed[sizeof(outputs) == CLOSED_NUMBERS * sizeof(stewart_real) ? 1 : -1];
+    (void)sizeof(packed);
+    memset(&truth, 0, sizeof truth);
+    solved(numbers, motion, forces, 0, &seed, wanted, 0, &truth, status);
+    for (i = 0; i < CLOSED_NUMBERS; ++i) {
+        high[i] = (double)at[i];
+        low[i] = (double)(at[i] - (stewart_real)high[i]);
+        change[i] = 0;
+    }
+    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS + 6 : samples); ++sample) {
+        int only = sample;
+        solved(
+            numbers, motion, forces, amount, &seed, wanted, samples < 0 ? &only : 0, &moved, moved_status);
+        for (k = i = 0; k < CLOSED_KERNELS; ++k) {
+            const int end = i + of_kernel[k];
+            for (; i < end && wanted >> k & 1 && !status[k]; ++i) {
+                const double moved_by = moved_status[k]
+                    ? INFINITY
+                    : fabs((double)((beside[i] - at[i]) / (stewart_real)amount));
+                change[i] = samples < 0 ? change[i] + moved_by : fmax(change[i], moved_by);
+            }
+            i = end;
+        }
+    }
+}
+"""
+
 CASES = """\
 /* Random cases that come near a failure, and the judgement of each. */
 #include <float.h>
@@ -308,11 +416,14 @@ CASES = """\
 #include <string.h>
 #include "judge.h"
 
-enum { SINGULAR, POLE, SHORT, SCALE, POLE_AND_SINGULAR };
+enum { SINGULAR, POLE, SHORT, SCALE, POLE_AND_SINGULAR, HEAVY, PROPORTIONS, MACHINE };
 #define LEG 32
 #define B 0
 #define P 3
 #define K 6
+#define BODY (6 * LEG + 1)
+/* Random changes of all inputs find less than all of what each can do, by no more than this factor. */
+#define MAY_BE_WITHIN(error, limit) ((error) > (limit) && (error) < 30 * (limit))
 
 @DECLARED@
 
@@ -515,11 +626,47 @@ static void near_short(double *leg, double distance, const double *motion, uint6
     }
 }
 
+static void scaled(double *values, int count, double factor)
+{
+    int i;
+    for (i = 0; i < count; ++i) {
+        values[i] *= factor;
+    }
+}
+
+/* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4. */
+static void out_of_proportion(double *numbers, double *motion, double *distance, uint64_t *seed)
+{
+    const int which = (int)(next(seed) % 3);
+    const double smaller = which == 0 ? 1 : pow(10, -5 * uniform(seed));
+    double q[3], S[3];
+    int leg, i;
+    for (leg = 0; leg < 6; ++leg) {
+        scaled(numbers + LEG * leg + P, 3, smaller);
+    }
+    if (next(seed) % 2) {
+        scaled(numbers + BODY, 3, smaller);
+        scaled(numbers + BODY + 3, 6, smaller * smaller);
+        scaled(motion + 27, 3, smaller);
+    }
+    *distance = smaller;
+    for (leg = 0; leg < 6 && which != 1; ++leg) {
+        const double longer = next(seed) % 2 ? 1 : pow(10, 4 * uniform(seed));
+        point(motion, numbers + LEG * leg, q, S);
+        for (i = 0; i < 3; ++i) {
+            numbers[LEG * leg + B + i] -= (longer - 1) * S[i];
+        }
+        *distance = fmin(*distance, 1 / longer);
+    }
+}
+
 /* One case: numbers and motion in, changed; distance out. Returns 0 if there is none. */
 int make_case(
     int kind, double size, double nearest, int in_float, uint64_t seed, double *numbers, double *motion,
     double *calm, double *distance)
 {
+    /* Where a leg's masses and inertias lie, and how many numbers they are. */
+    static const int masses[3][2] = {{9, 1}, {13, 7}, {23, 6}};
     const double way = pow(10, -nearest * uniform(&seed));
     double *leg = numbers + LEG * (int)(next(&seed) % 6);
     int i;
@@ -539,6 +686,26 @@ int make_case(
     }
     if (kind == SHORT) {
         near_short(leg, way, motion, &seed);
+    }
+    if (kind == HEAVY) {
+        *distance = pow(10, -6 * uniform(&seed));
+        for (i = 0; i < 3; ++i) {
+            scaled(leg + masses[i][0], masses[i][1], 1 / *distance);
+        }
+        near_pole(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
+    }
+    if (kind == PROPORTIONS) {
+        out_of_proportion(numbers, motion, distance, &seed);
+    }
+    if (kind == MACHINE) {
+        /* Singular at every pose: one in three without a turn, the others turned up to any angle. */
+        double phi[3] = {0, 0, 0}, unturned[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        *distance = 0;
+        memcpy(motion, unturned, sizeof unturned);
+        if (next(&seed) % 3) {
+            normals(phi, 0.8, &seed);
+            turned(unturned, phi, 1, motion);
+        }
     }
     for (i = 0; i < ROBOT_NUMBERS && in_float; ++i) {
         numbers[i] = (double)(float)numbers[i];
@@ -597,10 +764,29 @@ typedef struct {
     int32_t truth, in_quad, status[KERNELS], made;
 } result;
 
+/* A given case, or the random one of that index; a seed for what follows. Returns 0 if there is none. */
+static int drawn(
+    int kind, int in_float, double nearest, uint64_t *seed, const double *numbers, double size,
+    const double *given, double *mine, double *motion, double *calm, double *distance)
+{
+    int made = given != 0, attempt;
+    memcpy(mine, numbers, ROBOT_NUMBERS * sizeof *mine);
+    for (attempt = 0; attempt < 10 && !made; ++attempt) {
+        memcpy(mine, numbers, ROBOT_NUMBERS * sizeof *mine);
+        made = make_case(kind, size, nearest, in_float, next(seed), mine, motion, calm, distance);
+    }
+    if (given) {
+        memcpy(motion, given, MOTION_NUMBERS * sizeof *motion);
+        memcpy(calm, given, MOTION_NUMBERS * sizeof *motion);
+    }
+    return made;
+}
+
 /* Judges given cases or, where `motions` is null, random ones of each robot in turn. */
 void judge_cases(
     int kind, int in_float, int in_quad, int samples, double nearest, uint64_t seed, size_t robots,
-    const double *numbers, const double *sizes, const double *motions, size_t each, result *results)
+    const double *numbers, const double *sizes, const double *motions, size_t each, double doubtful,
+    result *results)
 {
     const double epsilon = in_float ? FLT_EPSILON : DBL_EPSILON;
     size_t robot, i;
@@ -610,20 +796,12 @@ void judge_cases(
             double mine[ROBOT_NUMBERS], motion[MOTION_NUMBERS], calm[MOTION_NUMBERS], F[KERNELS][6];
             uint64_t own_seed = seed + (robot * each + i) * 0x2545F4914F6CDD1Du;
             verdict truth;
-            int k, suspect = 0, attempt = 0;
+            int k, level;
             memset(out, 0, sizeof *out);
-            do {
-                memcpy(mine, numbers + ROBOT_NUMBERS * robot, sizeof mine);
-                if (motions) {
-                    memcpy(motion, motions + MOTION_NUMBERS * (robot * each + i), sizeof motion);
-                    memcpy(calm, motion, sizeof motion);
-                    out->made = 1;
-                } else {
-                    out->made = make_case(
-                        kind, sizes[robot], nearest, in_float, next(&own_seed), mine, motion, calm,
-                        &out->distance);
-                }
-            } while (!out->made && ++attempt < 10);
+            out->made = drawn(
+                kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * robot, sizes[robot],
+                motions ? motions + MOTION_NUMBERS * (robot * each + i) : 0, mine, motion, calm,
+                &out->distance);
             if (!out->made) {
                 continue;
             }
@@ -635,22 +813,133 @@ void judge_cases(
                 out->status[2] = double_every(mine, motion, F[2]);
             }
             out->in_quad = in_quad;
-            for (;;) {
-                judged(mine, motion, in_float, samples, out->in_quad, next(&own_seed), &truth);
+            for (k = 0; k < KERNELS && kind == MACHINE; ++k) {
+                out->error[k] = NAN;
+                out->truth = 4;
+            }
+            for (level = in_quad; kind != MACHINE && level < 3; ++level) {
+                double worst = 0;
+                int suspect = 0;
+                out->in_quad = level > 0;
+                judged(mine, motion, in_float, level < 2 ? samples : -1, level > 0, next(&own_seed), &truth);
                 out->truth = truth.status;
                 out->size = truth.size;
                 out->own = truth.own;
                 out->scaled = truth.scaled;
                 out->frames = truth.frames;
                 for (k = 0; k < KERNELS; ++k) {
+                    const double condition = fmax(fmax(truth.own, truth.scaled), 1);
                     out->error[k] = out->status[k] || truth.status ? NAN : units(F[k], &truth, epsilon);
-                    suspect |= truth.status != 0 || (out->status[k] && fmax(truth.own, truth.frames) < 1e7)
-                        || (!out->status[k] && !(out->error[k] < 300 * fmax(truth.own, truth.scaled)));
+                    worst = out->status[k] ? worst : fmax(worst, out->error[k] / condition);
+                    suspect |= truth.status != 0 || (out->status[k] && fmax(truth.own, truth.frames) < 1e7);
                 }
-                if (out->in_quad || !suspect) {
+                if (level == 0 ? !(suspect || worst > doubtful) : !MAY_BE_WITHIN(worst, doubtful)) {
                     break;
                 }
-                out->in_quad = 1;
+            }
+        }
+    }
+}
+
+/* Of a case: for each kernel the largest error of its blocks over their condition number, in rounding units,
+ * the condition number and the block where that is, statuses of the kernels and of the truth. */
+typedef struct {
+    double distance, scaled, frames, error[CLOSED_KERNELS], condition[CLOSED_KERNELS];
+    int32_t block[CLOSED_KERNELS], status[CLOSED_KERNELS], truth[CLOSED_KERNELS], made, in_quad;
+} closed_result;
+
+/* A part of a kernel's outputs: its place, and powers of a length that make rows and columns comparable. */
+typedef struct {
+    int32_t kernel, offset, rows, columns, stride, row, column;
+} block;
+
+static void weigh(
+    const block *part, int number, double length, double epsilon, int with_scaled, const double *found,
+    const double *high, const double *low, const double *change, closed_result *out)
+{
+    double size = 0, error = 0, moved = 0, condition, ratio;
+    int i, j;
+    for (i = 0; i < part->rows; ++i) {
+        for (j = 0; j < part->columns; ++j) {
+            const int at = part->offset + i * part->stride + j;
+            const double weight = pow(length, (i % 6 > 2) * part->row + (j % 6 > 2) * part->column);
+            const double off = fabs((found[at] - high[at]) - low[at]) * weight;
+            size = fmax(size, fabs(high[at]) * weight);
+            moved = fmax(moved, change[at] * weight);
+            error = off >= 0 ? fmax(error, off) : HUGE_VAL;
+        }
+    }
+    condition = fmax(fmax(size > 0 ? moved / size : 1, 1), with_scaled ? out->scaled : 1);
+    ratio = error > 0 ? error / (epsilon * size * condition) : 0;
+    ratio = ratio >= 0 ? ratio : HUGE_VAL;
+    if (ratio > out->error[part->kernel]) {
+        out->error[part->kernel] = ratio;
+        out->condition[part->kernel] = condition;
+        out->block[part->kernel] = number;
+    }
+}
+
+/* The closed form's kernels named by the bits of `wanted`, on the cases that judge_cases makes; of machines
+ * that are singular at every pose the statuses alone. */
+void closed_form_cases(
+    int kind, int in_float, int in_quad, int samples, double nearest, uint64_t seed, size_t robots,
+    const double *numbers, const double *sizes, const double *motions, size_t each, int wanted,
+    const block *blocks, int parts, double doubtful, closed_result *results)
+{
+    const double epsilon = in_float ? FLT_EPSILON : DBL_EPSILON;
+    size_t index;
+    for (index = 0; index < robots * each; ++index) {
+        closed_result *out = results + index;
+        double mine[ROBOT_NUMBERS], motion[MOTION_NUMBERS], calm[MOTION_NUMBERS], F[6], length, worst;
+        double found[CLOSED_NUMBERS], none[CLOSED_NUMBERS], high[CLOSED_NUMBERS], low[CLOSED_NUMBERS];
+        double change[CLOSED_NUMBERS];
+        uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
+        verdict pose;
+        int k, level, status[CLOSED_KERNELS], truth[CLOSED_KERNELS];
+        memset(out, 0, sizeof *out);
+        out->made = drawn(
+            kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * (index / each), sizes[index / each],
+            motions ? motions + MOTION_NUMBERS * index : 0, mine, motion, calm, &out->distance);
+        if (!out->made) {
+            continue;
+        }
+        length = length_of(mine);
+        for (k = 0; k < 6; ++k) {
+            F[k] = mine[6 * LEG] * 9.81 * normal(&own_seed);
+            F[k] = in_float ? (double)(float)F[k] : F[k];
+        }
+        (in_float ? float_closed_form : double_closed_form)(
+            mine, motion, F, wanted, 0, 0, 0, found, none, none, status);
+        for (k = 0; k < CLOSED_KERNELS; ++k) {
+            out->status[k] = status[k];
+            out->truth[k] = 4;
+            out->error[k] = -1;
+            out->condition[k] = 1;
+        }
+        if (kind == MACHINE) {
+            continue;
+        }
+        judged(mine, motion, in_float, 0, in_quad, 0, &pose);
+        out->scaled = pose.status ? DBL_MAX : pose.scaled;
+        out->frames = pose.status ? DBL_MAX : pose.frames;
+        for (level = in_quad; level < 3; ++level) {
+            out->in_quad = level > 0;
+            (level > 0 ? quad_closed_form : wide_closed_form)(
+                mine, motion, F, wanted, level > 0 ? 1e-20 : in_float ? 1e-12 : 0x1p-53,
+                level < 2 ? samples : -1, own_seed, high, low, change, truth);
+            for (k = 0; k < CLOSED_KERNELS; ++k) {
+                out->truth[k] = truth[k];
+                out->error[k] = -1;
+            }
+            for (worst = k = 0; k < parts; ++k) {
+                const int kernel = blocks[k].kernel;
+                if (wanted >> kernel & 1 && !status[kernel] && !truth[kernel]) {
+                    weigh(blocks + k, k, length, epsilon, kind == PROPORTIONS, found, high, low, change, out);
+                    worst = fmax(worst, out->error[kernel]);
+                }
+            }
+            if (!(level == 0 ? worst > doubtful : MAY_BE_WITHIN(worst, doubtful))) {
+                break;
             }
         }
     }
@@ -663,10 +952,6 @@ void show_case(
 {
     double calm[MOTION_NUMBERS], distance;
     uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
-    int attempt = 0, made;
-    do {
-        memcpy(mine, numbers, ROBOT_NUMBERS * sizeof *mine);
-        made = make_case(kind, size, nearest, in_float, next(&own_seed), mine, motion, calm, &distance);
-    } while (!made && ++attempt < 10);
+    drawn(kind, in_float, nearest, &own_seed, numbers, size, 0, mine, motion, calm, &distance);
 }
 """

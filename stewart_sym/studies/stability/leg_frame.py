@@ -23,10 +23,12 @@ _digits.dps = 50
 
 
 def families(seed: int = 2) -> list[Family]:
-    """The spin of a leg, by ways to its sine; the forces of a moving general machine, and of one at rest."""
+    """The spin of a leg, by ways to its sine; the forces of a moving general machine, and of one at rest;
+    what the closed form's kernels make of the moving one.
+    """
     moving = _walk(seed, LEGS[0], rest=False)
     resting = _walk(seed, LEGS[1], rest=True)
-    return [_spin(*moving), _forces(moving, resting), _resting(resting)]
+    return [_spin(*moving), _forces(moving, resting), _resting(resting), _closed_form(*moving)]
 
 
 def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
@@ -83,6 +85,19 @@ def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
         "angle between leg 1 and its fixed axis, rad",
         distances(),
         shipped.curves(*resting),
+    )
+
+
+def _closed_form(robots: list[Robot], motions: list[Motion]) -> Family:
+    return Family(
+        "joint_singularity_closed_form",
+        "Equations of motion, forward dynamics and derivatives near a leg's joint singularity",
+        FAILS,
+        "forward dynamics solved in joint coordinates; status 3 where the sine is rounding error",
+        "angle between leg 1 and its fixed axis, rad",
+        distances(),
+        shipped.closed_form_curves(robots, motions),
+        error_axis="error over each output's size",
     )
 
 

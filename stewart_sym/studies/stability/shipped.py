@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ...dynamics import inverse_dynamics
 from ...equations import equations_of_motion
 from ...forces import ForceKernel, prepare
+from ...kernel import robot_numbers
 from ...kinematics import wrench_matrix
 from ...motion import Motion
 from ...results import NOT_FINITE, OK
@@ -20,8 +21,8 @@ from ...robot import Robot
 from ..quad import error as quad_error
 from ..quad import quad_forces
 from ..truth import Truth, deviation
-from .family import Array, Curve
-from .judge import judge_poses
+from .family import EPS, Array, Curve
+from .judge import CLOSED_KERNELS, closed_form_errors, judge_poses, motion_numbers
 from .sweep import condition_of
 
 FLOAT_EPS = float(np.finfo(np.float32).eps)
@@ -61,6 +62,27 @@ def float_curve(robots: Sequence[Robot], motions: Sequence[Motion]) -> Curve:
         shipped=True,
         epsilon=FLOAT_EPS,
         pose=judged["frames"].copy(),
+    )
+
+
+def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tuple[Curve, ...]:
+    """One curve for each kernel of the closed form: of its outputs the worst, beside quadruple precision."""
+    numbers = np.array([robot_numbers(robot) for robot in robots])
+    poses = np.array([motion_numbers(motion) for motion in motions])
+    found = closed_form_errors("pole", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses)
+    pose = np.maximum(found["frames"], found["scaled"])
+    return tuple(
+        Curve(
+            kernel.replace("_", " "),
+            np.where(error < 0.0, np.nan, error * condition) * EPS,
+            condition,
+            status.copy(),
+            shipped=True,
+            pose=pose,
+        )
+        for kernel, error, condition, status in zip(
+            CLOSED_KERNELS, found["error"].T, found["condition"].T, found["status"].T, strict=True
+        )
     )
 
 

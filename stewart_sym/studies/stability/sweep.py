@@ -1,6 +1,7 @@
 """Random cases near failure by the million: no wrong answer with status ok, no status on a good pose.
 
-Makes machines, lets ``judge`` make and judge the cases, counts. Knows no equation.
+Makes machines, some of them singular at every pose; ``judge`` makes the cases and holds the answers against
+wider arithmetic; counts.
 """
 
 from collections.abc import Callable
@@ -13,14 +14,23 @@ from numpy.typing import NDArray
 from ...kernel import robot_numbers
 from ...results import OK, STATUS_TEXT
 from ..table import aligned
-from .judge import KERNELS, KINDS, judge_random, random_case
+from .judge import (
+    CLOSED_KERNELS,
+    KERNELS,
+    KINDS,
+    MACHINE,
+    closed_form_errors,
+    judge_random,
+    random_case,
+)
 from .machines import LEGS, machine_size, random_machine
+from .singular_machines import FAMILIES, singular_machine
 
 Array = NDArray[np.float64]
 
 WRONG = 1000.0
 """Rounding units over the problem's own condition number above which an answer is wrong."""
-GOOD = {"double": 1e6, "float": 1e3}
+GOOD = {"double": 1e12, "float": 1e3}
 """Condition number below which a pose must get an answer: the largest of the problem's own, the scaled one of
 H and that of the legs' frames."""
 SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
@@ -28,6 +38,10 @@ SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
 PER_MACHINE = 500
 FLOAT_SHARE = 10
 """Cases in double for one in float."""
+CLOSED_SHARE = 10
+"""Cases of the force kernels for one of the closed form's, whose truth costs more."""
+CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
+"""Kernels of the closed form in the sweep; on machines singular at every pose all but the first."""
 
 
 @dataclass(frozen=True)
@@ -88,8 +102,8 @@ class Sweep:
 
     @property
     def cases(self) -> int:
-        """Cases in all, each put to every kernel."""
-        return sum(count.cases for count in self.counts) // len(KERNELS)
+        """Cases in all, each put to every kernel of forces."""
+        return sum(count.cases for count in self.counts if count.kernel == KERNELS[0])
 
     @property
     def wrong(self) -> int:
@@ -124,23 +138,88 @@ def sweep(
             progress(f"judging {kind}, {precision}")
             wanted = -(-cases // (share * len(kinds)))
             each = min(PER_MACHINE, max(1, wanted // 20))
-            numbers, sizes = _machines(
-                np.random.default_rng([seed, KINDS.index(kind)]), -(-wanted // each), legs
-            )
+            rng = np.random.default_rng([seed, KINDS.index(kind)])
+            numbers, sizes = random_machines(rng, -(-wanted // each), legs, kind == MACHINE)
             found = judge_random(kind, numbers, sizes, each, seed, precision)
             in_quad += int(found["in_quad"].sum())
-            for column, kernel in enumerate(KERNELS):
-                count, index = _counted(found, column, kind, precision, kernel)
+            answers = [_of_forces(found, column) for column in range(len(KERNELS))]
+            each_closed = each if kind == MACHINE else max(1, each // CLOSED_SHARE)
+            kernels = CLOSED[1:] if kind == MACHINE else CLOSED
+            closed = closed_form_errors(kind, numbers, sizes, each_closed, seed, precision, kernels=kernels)
+            in_quad += int(closed["in_quad"].sum())
+            answers += [_of_closed_form(closed, kernel) for kernel in kernels]
+            for answer, every in zip(
+                answers, (each,) * len(KERNELS) + (each_closed,) * len(kernels), strict=True
+            ):
+                count, index = _counted(answer, kind, precision)
                 counts.append(count)
                 if count.wrong or count.refused_good:
-                    robot, motion = random_case(kind, numbers, sizes, each, seed, index, precision)
-                    shown.append(_case(found[index], column, count, robot, motion))
+                    robot, motion = random_case(kind, numbers, sizes, every, seed, index, precision)
+                    shown.append(answer.case(index, count, robot, motion))
     return Sweep(tuple(counts), tuple(shown), in_quad)
+
+
+@dataclass(frozen=True, eq=False)
+class _Answers:
+    """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
+
+    kernel: str
+    made: NDArray[np.bool_]
+    status: NDArray[np.int32]
+    truth: NDArray[np.int32]
+    error: Array
+    condition: Array
+    of_pose: Array
+    distance: Array
+
+    def case(self, index: int, count: Count, robot: Array, motion: Array) -> Case:
+        """One of them, with its machine and motion."""
+        return Case(
+            count.kind,
+            count.precision,
+            self.kernel,
+            float(self.distance[index]),
+            float(self.error[index]),
+            float(self.condition[index]),
+            int(self.status[index]),
+            robot,
+            motion,
+        )
 
 
 def condition_of(found: NDArray[Any]) -> Array:
     """The problem's own condition number, never less than the scaled one of H."""
     return np.asarray(np.maximum(np.maximum(found["own"], found["scaled"]), 1.0))
+
+
+def _of_forces(found: NDArray[Any], column: int) -> _Answers:
+    condition = condition_of(found)
+    return _Answers(
+        KERNELS[column],
+        found["made"] == 1,
+        found["status"][:, column],
+        found["truth"],
+        found["error"][:, column],
+        condition,
+        # Near the joint singularity a leg's frame is lost, whether this motion feels it or not.
+        np.maximum(condition, found["frames"]),
+        found["distance"],
+    )
+
+
+def _of_closed_form(found: NDArray[Any], kernel: str) -> _Answers:
+    column = CLOSED_KERNELS.index(kernel)
+    condition = found["condition"][:, column]
+    return _Answers(
+        kernel.replace("_", " "),
+        found["made"] == 1,
+        found["status"][:, column],
+        found["truth"][:, column],
+        np.where(found["error"][:, column] < 0.0, np.nan, found["error"][:, column] * condition),
+        condition,
+        np.maximum(np.maximum(condition, found["scaled"]), found["frames"]),
+        found["distance"],
+    )
 
 
 def report(found: Sweep) -> str:
@@ -150,7 +229,7 @@ def report(found: Sweep) -> str:
             f"{count.kind}, {count.precision}, {count.kernel}",
             f"{count.cases}",
             f"{count.answered}",
-            f"{count.worst:.3g}",
+            "-" if count.worst < 0.0 else f"{count.worst:.3g}",
             f"{count.where:.1e}",
             f"{count.wrong}",
             f"{count.lowest:.1e}",
@@ -160,9 +239,11 @@ def report(found: Sweep) -> str:
     ]
     header = ("near failure", "cases", "ok", "worst", "at distance", "wrong", "least refused", "good refused")
     head = (
-        f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels: {found.wrong} wrong "
+        f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
+        f"{len(CLOSED)} more: {found.wrong} wrong "
         f"answers with status ok, {found.refused_good} statuses on good poses.\n"
-        f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}.\n"
+        f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}, or "
+        "with a singular machine.\n"
         "least refused: least condition number of a case with a status; good: below "
         + ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
         + f".\n{found.in_quad} doubtful cases were judged again in quadruple precision.\n\n"
@@ -171,57 +252,49 @@ def report(found: Sweep) -> str:
     return head + aligned(header, rows) + ("\n\n" + "\n".join(lines) if lines else "")
 
 
-def _machines(rng: np.random.Generator, count: int, every: tuple[str, ...]) -> tuple[Array, Array]:
-    """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes."""
+def random_machines(
+    rng: np.random.Generator, count: int, every: tuple[str, ...], singular: bool
+) -> tuple[Array, Array]:
+    """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes.
+
+    singular: machines of the families of ``singular_machines`` in turn.
+    """
     machines = []
+    families = tuple(FAMILIES)
     for number in range(count):
         legs = every[number // 2 % len(every)]
         size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))
         size, mass = (size, mass) if number % 2 else (1.0, 10.0)
-        machines.append(random_machine(rng, size, mass, legs))
+        machines.append(
+            singular_machine(rng, families[number % len(families)], size, mass, legs)
+            if singular
+            else random_machine(rng, size, mass, legs)
+        )
     return (
         np.array([robot_numbers(machine) for machine in machines]),
         np.array([machine_size(machine) for machine in machines]),
     )
 
 
-def _counted(found: NDArray[Any], column: int, kind: str, precision: str, kernel: str) -> tuple[Count, int]:
+def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
     """The count, and the index of the case most worth showing."""
-    made = found["made"] == 1
-    status, condition = found["status"][:, column], condition_of(found)
-    answered = made & (status == OK)
+    answered = found.made & (found.status == OK)
     # An answer where there is none is wrong however small.
-    ratio = np.where(found["truth"] == OK, found["error"][:, column] / condition, np.inf)
+    ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
-    refused = made & (status != OK) & (found["truth"] == OK)
-    # At the pole a leg's frame is lost, whether this motion feels it or not.
-    of_pose = np.maximum(condition, found["frames"])
-    good = refused & (of_pose < GOOD[precision])
+    refused = found.made & (found.status != OK) & (found.truth == OK)
+    good = refused & (found.of_pose < GOOD[precision])
     worst = int(np.argmax(ratio))
     count = Count(
         kind,
         precision,
-        kernel,
-        int(made.sum()),
+        found.kernel,
+        int(found.made.sum()),
         int(answered.sum()),
         int(np.sum(ratio > WRONG)),
         int(good.sum()),
         float(ratio[worst]),
-        float(found["distance"][worst]),
-        float(of_pose[refused].min(initial=np.inf)),
+        float(found.distance[worst]),
+        float(found.of_pose[refused].min(initial=np.inf)),
     )
     return count, int(np.flatnonzero(good)[0]) if good.any() and not count.wrong else worst
-
-
-def _case(found: Any, column: int, count: Count, robot: Array, motion: Array) -> Case:
-    return Case(
-        count.kind,
-        count.precision,
-        count.kernel,
-        float(found["distance"]),
-        float(found["error"][column]),
-        float(max(found["own"], found["scaled"])),
-        int(found["status"][column]),
-        robot,
-        motion,
-    )
