@@ -6,13 +6,14 @@ through kinematics and dynamics one after another, so every formulation and ever
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .checks import instance
-from .dynamics import Backend, Formulation, inverse_dynamics
+from .dynamics import Backend, Formulation, inverse_dynamics, with_compiler
+from .forces import prepare
 from .forward import forward_acceleration, forward_velocity, jacobian, solve
 from .motion import Motion
 from .robot import Robot
@@ -40,7 +41,8 @@ def force_deviations(
     where one within the noise is. Raises ValueError for unknown options.
     """
     instance(trajectory, Trajectory, "trajectory")
-    F = inverse_dynamics(robot, trajectory.motion, formulation, backend, on_singular="nan").F
+    forces = _forces(robot, formulation, backend)
+    F = forces(trajectory.motion)
     variance = np.where(np.isfinite(F), 0.0, np.nan)
     if trajectory.noise is None:
         return variance
@@ -48,9 +50,21 @@ def force_deviations(
         part = slice(start, start + _CHUNK)
         deviations = _deviations(trajectory.noise, trajectory.time[part])
         for other in _displaced(robot, trajectory, part, deviations):
-            moved = inverse_dynamics(robot, other, formulation, backend, on_singular="nan").F
+            moved = forces(other)
             variance[part] += np.where(np.isfinite(moved), (moved - F[part]) ** 2, np.inf)
     return np.sqrt(variance)
+
+
+def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
+    """Forces of motions, (n, 6), NaN for unsolvable poses, by the fastest kernel of the backend."""
+
+    def full(motion: Motion) -> Array:
+        return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
+
+    if backend != "c":
+        return full
+    kernel = with_compiler(lambda: prepare(robot, formulation), lambda: None)
+    return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 
 
 def _deviations(noise: Uncertainty, time: Array) -> Array:

@@ -294,16 +294,18 @@ class _Fit(NamedTuple):
 
 
 class _Window(NamedTuple):
-    """Samples in a window as the spline's coefficients see them.
+    """Samples in a window as the spline's coefficients see them; B: the B-splines at the samples.
 
-    cell: interval of each sample; N: its six B-splines; y: values, (m, c); G = B^T B, (p, p); density: as of
-    the knots.
+    G = B^T B, (p, p). pilot: coefficients of a fit, (p, c); what differs from it is as small as the noise, so
+    nothing cancels. rest: B^T times its residuals, (p, c). residual, spread: sums of squares, (c,), of the
+    residuals and about the mean. density: as of the knots.
     """
 
-    cell: NDArray[np.int64]
-    N: Array
-    y: Array
     G: Array
+    pilot: Array
+    rest: Array
+    residual: Array
+    spread: Array
     density: float
 
     @property
@@ -317,42 +319,57 @@ class _Window(NamedTuple):
         first, last = np.searchsorted(since, knots.step * np.array([start, start + knots.width]))
         end = len(since) if start + knots.width >= knots.cells else int(last)
         cell, u = _places(since[first:end], knots.step, start, knots.width)
-        N = _b_splines(u, DEGREE)
-        G = np.zeros((knots.width + DEGREE,) * 2)
-        at = np.arange(knots.width)
-        for i in range(DEGREE + 1):
-            for j in range(i + 1):
-                sums = np.bincount(cell, weights=N[:, i] * N[:, j], minlength=knots.width)
-                G[at + i, at + j] += sums
-                if i != j:
-                    G[at + j, at + i] += sums
-        return cls(cell, N, values[first:end], G, knots.density)
+        N, y = _b_splines(u, DEGREE), values[first:end]
+        size, inner = knots.width + DEGREE, range(DEGREE + 1)
+        # Samples lie in order of time, those of a cell side by side.
+        filled, starts = np.unique(cell, return_index=True)
+
+        def sums(x: Array) -> Array:
+            return np.add.reduceat(x, starts, axis=0) if len(starts) else x
+
+        def project(x: Array) -> Array:
+            total = np.zeros((size, x.shape[1]))
+            for i in inner:
+                total[filled + i] += sums(N[:, i, None] * x)
+            return total
+
+        G = np.zeros((size, size))
+        for i in inner:
+            products = sums(N[:, i, None] * N)
+            for j in inner:
+                G[filled + i, filled + j] += products[:, j]
+        M = G + _penalty(size, ORDERS[0], knots.density)[0]
+        pilot, rest = np.zeros((size, y.shape[1])), y
+        for _ in range(2):
+            pilot = pilot + np.linalg.solve(M, project(rest))
+            rest = y - _along(N, cell, pilot)
+        spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
+        return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
+
+    def columns(self, own: NDArray[np.int64]) -> _Window:
+        """The window of some columns alone."""
+        return self._replace(
+            pilot=self.pilot[:, own],
+            rest=self.rest[:, own],
+            residual=self.residual[own],
+            spread=self.spread[own],
+        )
 
     def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
         """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
-        rough = np.diff(np.eye(self.size), order, axis=0)
-        P = self.density / _EDGE ** (2 * order) * rough.T @ rough
-        M = self.G + P + 1e-12 * self.density * np.eye(self.size)
+        regular, P = _penalty(self.size, order, self.density)
+        M = self.G + regular
         inverse = np.linalg.inv(np.linalg.cholesky(M))
         rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
         rho = np.clip(rho, 0.0, 1.0)[:, None]
         rho[:order] = 0.0
         gamma, X = 1.0 - rho, inverse.T @ V
-        # About a pilot fit nothing cancels: residuals are as small as the noise.
-        pilot, rest = np.zeros((self.size, self.y.shape[1])), self.y
-        for _ in range(3):
-            pilot = pilot + X @ (X.T @ self._project(rest))
-            rest = self.y - _along(self.N, self.cell, pilot)
-        z, bent = X.T @ self._project(rest), X.T @ (M @ pilot)
-        fixed, about = (
-            np.sum(rest**2, axis=0),
-            np.sum((self.y - self.y.sum(axis=0) / max(1, len(self.y))) ** 2, axis=0),
-        )
+        z, bent = X.T @ self.rest, X.T @ (M @ self.pilot)
         weights = _WEIGHTS if weight is None else np.array([weight])
         pull = weights[:, None, None] * rho
         A = gamma + pull
-        squares = fixed + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
-        loose = sigma**2 / np.maximum(about, sigma**2)
+        squares = self.residual + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
+        loose = sigma**2 / np.maximum(self.spread, sigma**2)
         cost = np.sum(np.log1p(gamma / (pull + loose)), axis=1) + squares / sigma**2
         best = np.argmin(cost, axis=0)
         pull, A = pull[best, :, 0].T, A[best, :, 0].T
@@ -373,16 +390,12 @@ class _Window(NamedTuple):
             noise=(noise.sum(axis=0), np.count_nonzero(idle, axis=0).astype(np.float64)),
         )
 
-    def _project(self, y: Array) -> Array:
-        """B^T y, (p, c)."""
-        total = np.zeros((self.size, y.shape[1]))
-        cells = self.size - DEGREE
-        for i in range(DEGREE + 1):
-            for c in range(y.shape[1]):
-                total[i : i + cells, c] += np.bincount(
-                    self.cell, weights=self.N[:, i] * y[:, c], minlength=cells
-                )
-        return total
+
+def _penalty(size: int, order: int, density: float) -> tuple[Array, Array]:
+    """The penalty of weight 1, (size, size), with what keeps a gap in the log regular, and without."""
+    rough = np.diff(np.eye(size), order, axis=0)
+    P = density / _EDGE ** (2 * order) * rough.T @ rough
+    return P + 1e-12 * density * np.eye(size), P
 
 
 def _smoothed(
@@ -408,7 +421,7 @@ def _smoothed(
         blend = knots.share(start, (start + centres).astype(np.float64))
         for order in np.unique(orders):
             own = np.flatnonzero(orders == order)
-            fit = window._replace(y=window.y[:, own]).likeliest(int(order), sigma[own], weight)
+            fit = window.columns(own).likeliest(int(order), sigma[own], weight)
             coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes @ fit.mean)
             rows = [base @ fit.modes / knots.step**rate for rate, base in enumerate(bases)]
             for k, (i, j) in enumerate(_PAIRS):
