@@ -849,7 +849,7 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, over `length`. */
 static stewart_real reciprocal_condition(
     stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {

@@ -605,7 +605,8 @@ static stewart_real least_pivots(const stewart_exact_bounds_model *model)
         }
     }
     largest = (largest * model->per_length);
-    return STEWART_SUSPECT * STEWART_CUBE(largest);
+    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
+    return largest <= STEWART_MAX ? largest : STEWART_MAX;
 }
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
@@ -1090,8 +1091,11 @@ STEWART_APART static int singular_status(
         }
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
-            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            stewart_real by_force = REAL(0), by_moment = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                by_force = by_force + STEWART_FABS(Y[i][j]);
+                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            }
             grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             largest = STEWART_LARGER(grown[i], largest);
@@ -1173,7 +1177,7 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, over `length`. */
 static stewart_real reciprocal_condition(
     stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
