@@ -20,7 +20,8 @@ from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_er
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
 from .lane_scale import SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_text import JUDGED, dims, entries, filled, loads, names_used, stores
+from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, stores
+from .lanes import reach_terms, solve_pose
 
 _SQRT = "STEWART_SQRT"
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment)
@@ -43,7 +44,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     prepared = blocks.prepare_leg, blocks.prepare_platform
     parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + _MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
+        _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS + _MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
         *(
@@ -55,12 +56,19 @@ def source(kernel: ForceKernel, version: str) -> str:
         UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
         filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
-        _function(_LEG, _values(blocks.leg, blocks.pose_owner)),
-        _SOLVE,
+        _LEG_STATUS,
+        *(
+            _function(_LEG, [*_values(leg, blocks.pose_owner), *_status(kernel, leg)]).replace("@NEAR@", near)
+            for near, leg in blocks.legs.items()
+        ),
+        solve_pose(kernel.about_base_point),
         _BOUND,
         _CONDITION,
         _function(_SHARED_ERRORS, *blocks.shared_errors()),
-        _function(_LEG_ERRORS, *blocks.leg_errors()),
+        *(
+            _function(_LEG_ERRORS, *blocks.leg_errors(leg)).replace("@NEAR@", near)
+            for near, leg in blocks.legs.items()
+        ),
         _POSE,
         _PUBLIC,
     ]
@@ -87,8 +95,8 @@ class _Blocks:
     """The kernel's blocks with their errors: exact are the robot's and the motion's numbers but R."""
 
     def __init__(self, kernel: ForceKernel) -> None:
-        if not kernel.about_base_point:
-            raise ValueError("kernel: expected one with moments about base point 1")
+        if not kernel.about_base_point or kernel.leg_near_pole is None:
+            raise ValueError("kernel: expected one with moments about base point 1 and universal joints")
         self.kernel = kernel
         # R stands for the rotation nearest to it; one bound for all its entries.
         R = dict.fromkeys(n.R.names, error_symbol(n.R.name))
@@ -101,14 +109,19 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        self.leg = rounded(kernel.leg, R | constants | component_errors((B, t_1)))
+        inexact = R | constants | component_errors((B, t_1))
+        # By the ending of the functions' names: away from the joint singularity and near it.
+        self.legs = {
+            end: rounded(leg, inexact)
+            for end, leg in (("", kernel.leg), ("_near_singularity", kernel.leg_near_pole))
+        }
 
     def structs(self) -> dict[str, list[str]]:
         """Members of the structs."""
         return {
             "@ADDED@": [f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in ADDED],
             "@SHARED@": _members(self.shared, [out.quantity for out in self.kernel.shared.outputs]),
-            "@TERMS@": _members(self.leg, _ERRING),
+            "@TERMS@": _members(self.legs[""], _ERRING),
             "@SLOPES@": [
                 f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in _LEGS_SLOPES.values()
             ],
@@ -122,8 +135,8 @@ class _Blocks:
             return "shared"
         return "platform" if quantity in self.kernel.platform_constants() else "leg"
 
-    def leg_errors(self) -> tuple[list[str], list[str]]:
-        """The leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+    def leg_errors(self, leg: RoundedBlock) -> tuple[list[str], list[str]]:
+        """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
         force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
         weights = {
             n.D: D,
@@ -133,7 +146,7 @@ class _Blocks:
             n.H_moment: x * moment,
         }
         given = (_Y_FORCE, _Y_MOMENT, _D_WEIGHT, n.x)
-        found = adjoint(self.leg.block, weights, given, _inexact_inputs(self.leg))
+        found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = [
             f"        add(&slopes[i].{to.name}[{j}], &slopes[i].{to.name}_err[{j}], "
@@ -141,7 +154,7 @@ class _Blocks:
             for q, to in _LEGS_SLOPES.items()
             for j, name in enumerate(q.names)
         ]
-        return self._with_errors(self.leg, found, {}, outside, handed)
+        return self._with_errors(leg, found, {}, outside, handed)
 
     def shared_errors(self) -> tuple[list[str], list[str]]:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
@@ -166,7 +179,8 @@ class _Blocks:
         ``more`` sees to.
         """
         slopes = rounded(found.block, {**block.errors, **errors})
-        weighed = {name: slope for name, slope in found.slopes.items() if name not in outside}
+        sources = {name: own for name, own in _sources(block) if name not in outside and name in found.slopes}
+        weighed = {name: found.slopes[name] for name in sources}
         inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
         whole = replace(block, limits=block.limits | inner.limits)
         once = [
@@ -174,9 +188,7 @@ class _Blocks:
             *_steps(whole, weighed, _unread(whole, inner)),
             *_stores(block, _erring(block)),
         ]
-        terms = [
-            f"{_only_name(weighed[name])}_max*{source}" for name, source in _sources(block) if name in weighed
-        ]
+        terms = [f"{_only_name(weighed[name])}_max*{own}" for name, own in sources.items()]
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         each = [
             *_inputs(inner, _seed_owner, ready),
@@ -288,6 +300,17 @@ def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
     used = names_used(block.block)
     inputs = [line for q in block.block.inputs for line in loads(q, owner(q), "", used, "    ")]
     return [*inputs, *step_lines(block.block.steps, "    "), *stores(_kept(block), "", "    ")]
+
+
+def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
+    """What tells the status of a leg, and whether it is near its joint singularity."""
+    terms, _ = reach_terms(kernel)
+    length, sine = judged(leg.block)
+    return [
+        wrap_list(f"    const stewart_real reach[{len(terms)}] = {{{', '.join(terms)}}};"),
+        f"    out->status = leg_status({length}, {sine}, reach);",
+        f"    out->sine = {sine};",
+    ]
 
 
 def _inputs(block: RoundedBlock, owner: Callable[[Quantity], str], ready: Container[str] = ()) -> list[str]:
@@ -546,7 +569,7 @@ typedef struct {
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D;
+    stewart_real D, sine; /* of the angle between the leg and the fixed axis */
 @TERMS@
     int status;
 } leg_terms;
@@ -628,87 +651,32 @@ static void shared_of_pose(
 }
 """
 
-_LEG = """\
-/* S = S_1 - r is known to within rounding of its largest term. */
+_LEG_STATUS = """\
+/* The leg vector is known to within rounding of its largest term. */
 static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
 {
-    stewart_real reach = 0;
+    stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
     int i;
     for (i = 0; i < 9; ++i) {
-        reach = STEWART_FABS(terms[i]) > reach ? STEWART_FABS(terms[i]) : reach;
+        reach = STEWART_LARGER(terms[i], reach);
     }
     if (!(L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach && L > STEWART_SHORTEST)) {
+    if (!(L > STEWART_ROUNDING * reach)) {
         return STEWART_SHORT_LEG;
     }
     return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
+"""
 
+_LEG = """\
 /* One leg in joint coordinates: D, its column of H and its part of c. */
-static void leg_of_pose(
+static void leg_of_pose@NEAR@(
     const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, leg_terms *out)
 {
 @BODY@
-    {
-        const stewart_real reach[9] = {q_x, q_y, q_z, t_1_x, t_1_y, t_1_z, r_x, r_y, r_z};
-        out->status = leg_status(L, k3, reach);
-    }
-}
-"""
-
-_SOLVE = """\
-/* Solves the augmented rows [H | c | 1] by elimination with partial pivoting, (36); column 6 becomes x, those
- * after it the inverse Y of H. `moment` is the size of the moment rows; a pivot that is rounding error beside
- * its row means that H is singular. */
-static int solve(stewart_real A[6][13], stewart_real moment, stewart_real x[6], stewart_real Y[6][6])
-{
-    stewart_real scale[6], inverse[6];
-    int i, j, k;
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? 1 : moment;
-    }
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        stewart_real row_scale;
-        for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
-                pivot = i;
-            }
-        }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        for (j = 0; j < 13; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
-        }
-        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(A[k] + k, 1) ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
-        inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
-            for (j = k + 1; j < 13; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
-    }
-    for (i = 5; i >= 0; --i) {
-        for (j = 6; j < 13; ++j) {
-            for (k = i + 1; k < 6; ++k) {
-                A[i][j] = A[i][j] - A[i][k] * A[k][j];
-            }
-            A[i][j] = i < 5 ? A[i][j] * inverse[i] : A[i][j] / A[i][i];
-        }
-        x[i] = A[i][6];
-        for (j = 0; j < 6; ++j) {
-            Y[i][j] = A[i][j + 7];
-        }
-    }
-    return STEWART_OK;
 }
 """
 
@@ -733,7 +701,7 @@ static void shared_errors(
 _LEG_ERRORS = """\
 /* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along what
  * the pose has for all legs. */
-static void leg_errors(
+static void leg_errors@NEAR@(
     const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_row rows[6],
     slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
@@ -839,11 +807,13 @@ static stewart_real reciprocal_condition(
 """
 
 _POSE = """\
-/* The legs and the platform of one pose: D and the platform's equations. */
+/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path near
+ * the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
 static int equations_of_pose(
     const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
-    stewart_real D[6], platform_equations *out)
+    int *near, stewart_real D[6], platform_equations *out)
 {
+    const int path = *near;
     leg_terms leg;
     int i, j;
     for (j = 0; j < 3; ++j) {
@@ -853,10 +823,11 @@ static int equations_of_pose(
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        leg_of_pose(&model->platform, &model->leg[i], at, shared, &leg);
-        if (leg.status != STEWART_OK) {
+        (path ? leg_of_pose_near_singularity : leg_of_pose)(&model->platform, &model->leg[i], at, shared, &leg);
+        if (path == 0 && leg.status != STEWART_OK) {
             return leg.status;
         }
+        *near = leg.sine > STEWART_NEAR_POLE ? *near : 1;
         D[i] = leg.D;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
@@ -868,23 +839,43 @@ static int equations_of_pose(
     return STEWART_OK;
 }
 
-/* Largest size of a moment entry of H. */
-static stewart_real moment_size(stewart_real H[6][6])
+/* x, and the inverse Y of H, by the elimination of the force kernel; `per_length`: of its moment rows. */
+static int solution(
+    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
 {
-    stewart_real worst = 0;
-    int i, j;
+    stewart_real moment = 0;
+    int column, i, j;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            worst = STEWART_FABS(H[i][j]) > worst ? STEWART_FABS(H[i][j]) : worst;
+            moment = STEWART_LARGER(STEWART_FABS(of->H[i][j]), moment);
         }
     }
-    return worst;
+    for (column = 0; column < 7; ++column) {
+        stewart_real A[6][LANES], found[6];
+        int status;
+        for (i = 0; i < 6; ++i) {
+            const stewart_real unit = i < 3 ? 1 : per_length;
+            for (j = 0; j < 6; ++j) {
+                A[i][j] = unit * of->H[i][j];
+            }
+            A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
+            A[i][7] = 0;
+        }
+        status = solve_pose(A, per_length * moment, found);
+        if (status != STEWART_OK) {
+            return status;
+        }
+        for (i = 0; i < 6; ++i) {
+            *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
+        }
+    }
+    return STEWART_OK;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
  * and that of the difference. Completes the errors of the platform's equations. */
 static void bound_of_pose(
-    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
+    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, int near, const stewart_real x[6],
     stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])
 {
     shared_terms shared;
@@ -915,7 +906,8 @@ static void bound_of_pose(
             rows[j].D_weight = i == j ? 1 : 0;
             rows[j].x = x[i];
         }
-        leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
+        (near ? leg_errors_near_singularity : leg_errors)(
+            &model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
             of->H_err[j + 3][i] = leg.H_moment_err[j];
@@ -940,24 +932,16 @@ static int forces_of_pose(
 {
     shared_terms shared;
     platform_equations equations;
-    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6], unit[6];
-    int i, j, status;
-    for (i = 0; i < 6; ++i) {
-        unit[i] = i < 3 ? 1 : model->per_length;
-    }
+    stewart_real Y[6][6], x[6], D[6], found[6];
+    int i, status, near = 0;
     shared_of_pose(&model->platform, at, &shared);
-    status = equations_of_pose(model, at, &shared, D, &equations);
-    if (status != STEWART_OK) {
-        return status;
+    status = equations_of_pose(model, at, &shared, &near, D, &equations);
+    if (status == STEWART_OK && near != 0) {
+        status = equations_of_pose(model, at, &shared, &near, D, &equations);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            A[i][j] = unit[i] * equations.H[i][j];
-            A[i][j + 7] = i == j ? unit[i] : 0;
-        }
-        A[i][6] = unit[i] * equations.c[i];
+    if (status == STEWART_OK) {
+        status = solution(&equations, model->per_length, x, Y);
     }
-    status = solve(A, model->per_length * moment_size(equations.H), x, Y);
     if (status != STEWART_OK) {
         return status;
     }
@@ -971,7 +955,7 @@ static int forces_of_pose(
         F[i] = found[i];
     }
     if (bound) {
-        bound_of_pose(model, at, x, Y, F, &equations, bound);
+        bound_of_pose(model, at, near, x, Y, F, &equations, bound);
     }
     if (rcond) {
         *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
