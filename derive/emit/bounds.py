@@ -385,14 +385,14 @@ def _units(sizes: list[str]) -> str:
 
 def _error(each: RoundedStep, own: str) -> str:
     """The bound as text: errors of what goes in, and the step's own."""
-    name, carried = each.step.name, infix(each.carried, _SQRT)
+    name = each.step.name
+    carried = [infix(each.carried, _SQRT)] if each.carried != 0 else []
     if each.kind == RECIPROCAL:
-        return f"reciprocal_error({name}, {each.step.expr.base}, {carried})"
+        return f"reciprocal_error({name}, {each.step.expr.base}, {carried[0] if carried else 0})"
     if each.kind == ROOT:
-        argument = [carried, _units([infix(each.rounded, _SQRT)])] if each.rounded != 0 else [carried]
-        return f"root_error({name}, {' + '.join(argument)})"
-    parts = [carried] if each.carried != 0 else []
-    return " + ".join([*parts, own] if each.rounds else parts)
+        argument = [*carried, _units([infix(each.rounded, _SQRT)])] if each.rounded != 0 else carried
+        return f"root_error({name}, {' + '.join(argument) or 0})"
+    return " + ".join([*carried, own] if each.rounds else carried)
 
 
 def _stores(block: RoundedBlock, outputs: Sequence[Output]) -> list[str]:
@@ -807,8 +807,8 @@ static stewart_real reciprocal_condition(
 """
 
 _POSE = """\
-/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path near
- * the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
+/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
+ * near the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
 static int equations_of_pose(
     const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
     int *near, stewart_real D[6], platform_equations *out)
@@ -823,7 +823,8 @@ static int equations_of_pose(
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        (path ? leg_of_pose_near_singularity : leg_of_pose)(&model->platform, &model->leg[i], at, shared, &leg);
+        (path ? leg_of_pose_near_singularity : leg_of_pose)(
+            &model->platform, &model->leg[i], at, shared, &leg);
         if (path == 0 && leg.status != STEWART_OK) {
             return leg.status;
         }

@@ -224,8 +224,8 @@ static void prepare_leg(
     const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
         g_z_max = STEWART_FABS(g_z);
     const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
-    const stewart_real k_size_err = root_error(k_size, REAL(0) + STEWART_UNIT*(REAL(3)*k_x_max*k_x_max
-        + REAL(3)*k_y_max*k_y_max + REAL(3)*k_z_max*k_z_max));
+    const stewart_real k_size_err = root_error(k_size, STEWART_UNIT*(REAL(3)*k_x_max*k_x_max
+        + REAL(3)*k_y_max*k_y_max + REAL(2)*k_z_max*k_z_max));
     const stewart_real inv_k_size = REAL(1)/k_size;
     const stewart_real inv_k_size_err = reciprocal_error(inv_k_size, k_size, k_size_err);
     /* fixed axis, of length one */
@@ -276,14 +276,14 @@ static void prepare_leg(
     const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
     const stewart_real J_xx = I_d0_xx + I_u0_xx + m_d*(c5 + c6) + m_u*(c7 + c8);
     const stewart_real J_xx_err = c5_err*m_d_max + c6_err*m_d_max + c7_err*m_u_max + c8_err*m_u_max
-        + STEWART_UNIT*(REAL(2)*I_d0_xx_max + REAL(2)*I_u0_xx_max + REAL(4)*m_d_max*(c5_max + c6_max)
-        + REAL(4)*m_u_max*(c7_max + c8_max) + STEWART_FABS(J_xx));
+        + STEWART_UNIT*(REAL(2)*I_d0_xx_max + REAL(2)*I_u0_xx_max + REAL(3)*m_d_max*(c5_max + c6_max)
+        + REAL(2)*m_u_max*(c7_max + c8_max) + STEWART_FABS(J_xx));
     const stewart_real J_xy = I_d0_xy + I_u0_xy - c1*r_u0_y - c3*r_d0_y;
     const stewart_real J_xy_err = c1_err*r_u0_y_max + c3_err*r_d0_y_max + STEWART_UNIT*(REAL(2)*I_d0_xy_max
-        + REAL(2)*I_u0_xy_max + REAL(3)*c1_max*r_u0_y_max + REAL(3)*c3_max*r_d0_y_max + STEWART_FABS(J_xy));
+        + REAL(2)*I_u0_xy_max + REAL(2)*c1_max*r_u0_y_max + c3_max*r_d0_y_max + STEWART_FABS(J_xy));
     const stewart_real J_xz = I_d0_xz + I_u0_xz - c1*r_u0_z - c3*r_d0_z;
     const stewart_real J_xz_err = c1_err*r_u0_z_max + c3_err*r_d0_z_max + STEWART_UNIT*(REAL(2)*I_d0_xz_max
-        + REAL(2)*I_u0_xz_max + REAL(3)*c1_max*r_u0_z_max + REAL(3)*c3_max*r_d0_z_max + STEWART_FABS(J_xz));
+        + REAL(2)*I_u0_xz_max + REAL(2)*c1_max*r_u0_z_max + c3_max*r_d0_z_max + STEWART_FABS(J_xz));
     const stewart_real c9 = r_d0_x*r_d0_x;
     const stewart_real c9_err = STEWART_UNIT*STEWART_FABS(c9);
     const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
@@ -292,15 +292,15 @@ static void prepare_leg(
     const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
     const stewart_real J_yy = I_d0_yy + I_u0_yy + m_d*(c6 + c9) + m_u*(c10 + c8);
     const stewart_real J_yy_err = c10_err*m_u_max + c6_err*m_d_max + c8_err*m_u_max + c9_err*m_d_max
-        + STEWART_UNIT*(REAL(2)*I_d0_yy_max + REAL(2)*I_u0_yy_max + REAL(4)*m_d_max*(c6_max + c9_max)
-        + REAL(4)*m_u_max*(c10_max + c8_max) + STEWART_FABS(J_yy));
+        + STEWART_UNIT*(REAL(2)*I_d0_yy_max + REAL(2)*I_u0_yy_max + REAL(3)*m_d_max*(c6_max + c9_max)
+        + REAL(2)*m_u_max*(c10_max + c8_max) + STEWART_FABS(J_yy));
     const stewart_real J_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c4*r_d0_z;
     const stewart_real J_yz_err = c2_err*r_u0_z_max + c4_err*r_d0_z_max + STEWART_UNIT*(REAL(2)*I_d0_yz_max
-        + REAL(2)*I_u0_yz_max + REAL(3)*c2_max*r_u0_z_max + REAL(3)*c4_max*r_d0_z_max + STEWART_FABS(J_yz));
+        + REAL(2)*I_u0_yz_max + REAL(2)*c2_max*r_u0_z_max + c4_max*r_d0_z_max + STEWART_FABS(J_yz));
     const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
     const stewart_real J_zz_err = c10_err*m_u_max + c5_err*m_d_max + c7_err*m_u_max + c9_err*m_d_max
-        + STEWART_UNIT*(REAL(2)*I_d0_zz_max + REAL(2)*I_u0_zz_max + REAL(4)*m_d_max*(c5_max + c9_max)
-        + REAL(4)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
+        + STEWART_UNIT*(REAL(2)*I_d0_zz_max + REAL(2)*I_u0_zz_max + REAL(3)*m_d_max*(c5_max + c9_max)
+        + REAL(2)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
     const stewart_real c11 = m_u*p_x;
     const stewart_real c11_err = STEWART_UNIT*STEWART_FABS(c11);
     const stewart_real c12 = m_u*p_y;
@@ -332,8 +332,8 @@ static void prepare_leg(
     /* gravity along the fixed axis */
     const stewart_real g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
     const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err
-        + STEWART_UNIT*(REAL(2)*g_x_max*k_unit_x_max + REAL(2)*g_y_max*k_unit_y_max
-        + REAL(2)*g_z_max*k_unit_z_max + STEWART_FABS(g_k));
+        + STEWART_UNIT*(REAL(2)*g_x_max*k_unit_x_max + REAL(2)*g_y_max*k_unit_y_max + g_z_max*k_unit_z_max
+        + STEWART_FABS(g_k));
     /* g x k, base frame */
     const stewart_real g_x_k_x = g_y*k_unit_z - g_z*k_unit_y;
     const stewart_real g_x_k_x_err = g_y_max*k_unit_z_err + g_z_max*k_unit_y_err
@@ -500,31 +500,31 @@ static void prepare_platform(
     const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
     const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
     const stewart_real J_P_xx_err = J_add_xx_err + M_max*c1_err + M_max*c2_err + STEWART_UNIT*(I_p_xx_max
-        + J_add_xx_max + REAL(3)*M_max*(c1_max + c2_max) + STEWART_FABS(J_P_xx));
+        + J_add_xx_max + REAL(2)*M_max*(c1_max + c2_max) + STEWART_FABS(J_P_xx));
     const stewart_real c3 = M*R_0_x;
     const stewart_real c3_err = STEWART_UNIT*STEWART_FABS(c3);
     const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
     const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
     const stewart_real J_P_xy_err = J_add_xy_err + R_0_y_max*c3_err + STEWART_UNIT*(I_p_xy_max
-        + J_add_xy_max + REAL(2)*R_0_y_max*c3_max + STEWART_FABS(J_P_xy));
+        + J_add_xy_max + R_0_y_max*c3_max + STEWART_FABS(J_P_xy));
     const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
     const stewart_real J_P_xz_err = J_add_xz_err + R_0_z_max*c3_err + STEWART_UNIT*(I_p_xz_max
-        + J_add_xz_max + REAL(2)*R_0_z_max*c3_max + STEWART_FABS(J_P_xz));
+        + J_add_xz_max + R_0_z_max*c3_max + STEWART_FABS(J_P_xz));
     const stewart_real c4 = R_0_x*R_0_x;
     const stewart_real c4_err = STEWART_UNIT*STEWART_FABS(c4);
     const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
     const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
     const stewart_real J_P_yy_err = J_add_yy_err + M_max*c2_err + M_max*c4_err + STEWART_UNIT*(I_p_yy_max
-        + J_add_yy_max + REAL(3)*M_max*(c2_max + c4_max) + STEWART_FABS(J_P_yy));
+        + J_add_yy_max + REAL(2)*M_max*(c2_max + c4_max) + STEWART_FABS(J_P_yy));
     const stewart_real c5 = M*R_0_y;
     const stewart_real c5_err = STEWART_UNIT*STEWART_FABS(c5);
     const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
     const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
     const stewart_real J_P_yz_err = J_add_yz_err + R_0_z_max*c5_err + STEWART_UNIT*(I_p_yz_max
-        + J_add_yz_max + REAL(2)*R_0_z_max*c5_max + STEWART_FABS(J_P_yz));
+        + J_add_yz_max + R_0_z_max*c5_max + STEWART_FABS(J_P_yz));
     const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
     const stewart_real J_P_zz_err = J_add_zz_err + M_max*c1_err + M_max*c4_err + STEWART_UNIT*(I_p_zz_max
-        + J_add_zz_max + REAL(3)*M_max*(c1_max + c4_max) + STEWART_FABS(J_P_zz));
+        + J_add_zz_max + REAL(2)*M_max*(c1_max + c4_max) + STEWART_FABS(J_P_zz));
     /* mass of the platform with the upper parts */
     const stewart_real M_P = M + M_add;
     const stewart_real M_P_err = M_add_err + STEWART_UNIT*STEWART_FABS(M_P);
@@ -1539,19 +1539,19 @@ static void shared_errors(
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
     const stewart_real h_base_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*h_P_x_max + REAL(2)*R_xy_max*h_P_y_max
-        + REAL(2)*R_xz_max*h_P_z_max + STEWART_FABS(h_base_x));
+        + R_xz_max*h_P_z_max + STEWART_FABS(h_base_x));
     const stewart_real h_base_x_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_xx_max*h_P_x_err
         + R_xy_max*h_P_y_err + R_xz_max*h_P_z_err + h_base_x_own;
     const stewart_real h_base_x_max = STEWART_FABS(h_base_x) + h_base_x_err;
     const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
     const stewart_real h_base_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*h_P_x_max + REAL(2)*R_yy_max*h_P_y_max
-        + REAL(2)*R_yz_max*h_P_z_max + STEWART_FABS(h_base_y));
+        + R_yz_max*h_P_z_max + STEWART_FABS(h_base_y));
     const stewart_real h_base_y_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_yx_max*h_P_x_err
         + R_yy_max*h_P_y_err + R_yz_max*h_P_z_err + h_base_y_own;
     const stewart_real h_base_y_max = STEWART_FABS(h_base_y) + h_base_y_err;
     const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
     const stewart_real h_base_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*h_P_x_max + REAL(2)*R_zy_max*h_P_y_max
-        + REAL(2)*R_zz_max*h_P_z_max + STEWART_FABS(h_base_z));
+        + R_zz_max*h_P_z_max + STEWART_FABS(h_base_z));
     const stewart_real h_base_z_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_zx_max*h_P_x_err
         + R_zy_max*h_P_y_err + R_zz_max*h_P_z_err + h_base_z_own;
     const stewart_real h_base_z_max = STEWART_FABS(h_base_z) + h_base_z_err;
@@ -1571,33 +1571,33 @@ static void shared_errors(
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
     const stewart_real omega_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*omega_x_max
-        + REAL(2)*R_yx_max*omega_y_max + REAL(2)*R_zx_max*omega_z_max + STEWART_FABS(omega_P_x));
+        + REAL(2)*R_yx_max*omega_y_max + R_zx_max*omega_z_max + STEWART_FABS(omega_P_x));
     const stewart_real omega_P_x_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_x_own;
     const stewart_real omega_P_x_max = STEWART_FABS(omega_P_x) + omega_P_x_err;
     const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
     const stewart_real omega_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*omega_x_max
-        + REAL(2)*R_yy_max*omega_y_max + REAL(2)*R_zy_max*omega_z_max + STEWART_FABS(omega_P_y));
+        + REAL(2)*R_yy_max*omega_y_max + R_zy_max*omega_z_max + STEWART_FABS(omega_P_y));
     const stewart_real omega_P_y_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_y_own;
     const stewart_real omega_P_y_max = STEWART_FABS(omega_P_y) + omega_P_y_err;
     const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
     const stewart_real omega_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*omega_x_max
-        + REAL(2)*R_yz_max*omega_y_max + REAL(2)*R_zz_max*omega_z_max + STEWART_FABS(omega_P_z));
+        + REAL(2)*R_yz_max*omega_y_max + R_zz_max*omega_z_max + STEWART_FABS(omega_P_z));
     const stewart_real omega_P_z_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_z_own;
     const stewart_real omega_P_z_max = STEWART_FABS(omega_P_z) + omega_P_z_err;
     /* angular acceleration, platform frame */
     const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
     const stewart_real alpha_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*alpha_x_max
-        + REAL(2)*R_yx_max*alpha_y_max + REAL(2)*R_zx_max*alpha_z_max + STEWART_FABS(alpha_P_x));
+        + REAL(2)*R_yx_max*alpha_y_max + R_zx_max*alpha_z_max + STEWART_FABS(alpha_P_x));
     const stewart_real alpha_P_x_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_x_own;
     const stewart_real alpha_P_x_max = STEWART_FABS(alpha_P_x) + alpha_P_x_err;
     const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
     const stewart_real alpha_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*alpha_x_max
-        + REAL(2)*R_yy_max*alpha_y_max + REAL(2)*R_zy_max*alpha_z_max + STEWART_FABS(alpha_P_y));
+        + REAL(2)*R_yy_max*alpha_y_max + R_zy_max*alpha_z_max + STEWART_FABS(alpha_P_y));
     const stewart_real alpha_P_y_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_y_own;
     const stewart_real alpha_P_y_max = STEWART_FABS(alpha_P_y) + alpha_P_y_err;
     const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
     const stewart_real alpha_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*alpha_x_max
-        + REAL(2)*R_yz_max*alpha_y_max + REAL(2)*R_zz_max*alpha_z_max + STEWART_FABS(alpha_P_z));
+        + REAL(2)*R_yz_max*alpha_y_max + R_zz_max*alpha_z_max + STEWART_FABS(alpha_P_z));
     const stewart_real alpha_P_z_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_z_own;
     const stewart_real alpha_P_z_max = STEWART_FABS(alpha_P_z) + alpha_P_z_err;
     const stewart_real P_xy = omega_P_x*omega_P_y;
@@ -1628,8 +1628,8 @@ static void shared_errors(
     const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz) - J_P_xz*(P_xy
         + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
     const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(5)*J_P_xx_max*alpha_P_x_max
-        + REAL(6)*J_P_xy_max*(P_xz_max + alpha_P_y_max) + REAL(6)*J_P_xz_max*(P_xy_max + alpha_P_z_max)
-        + REAL(6)*J_P_yz_max*(P_yy_max + P_zz_max) + REAL(4)*M_ext_x_max + REAL(5)*P_yz_max*dJ_P_x_max
+        + REAL(5)*J_P_xy_max*(P_xz_max + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max)
+        + REAL(3)*J_P_yz_max*(P_yy_max + P_zz_max) + REAL(4)*M_ext_x_max + P_yz_max*dJ_P_x_max
         + STEWART_FABS(M_P_load_x));
     const stewart_real M_P_load_x_err = J_P_xx_err*alpha_P_x_max + J_P_xx_max*alpha_P_x_err
         + J_P_xy_err*(P_xz_max + alpha_P_y_max) + J_P_xy_max*P_xz_err + J_P_xy_max*alpha_P_y_err
@@ -1640,8 +1640,8 @@ static void shared_errors(
     const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
         - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
     const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(6)*J_P_xy_max*(P_yz_max + alpha_P_x_max)
-        + REAL(6)*J_P_xz_max*(P_xx_max + P_zz_max) + REAL(5)*J_P_yy_max*alpha_P_y_max
-        + REAL(6)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max + REAL(5)*P_xz_max*dJ_P_y_max
+        + REAL(5)*J_P_xz_max*(P_xx_max + P_zz_max) + REAL(3)*J_P_yy_max*alpha_P_y_max
+        + REAL(3)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max + P_xz_max*dJ_P_y_max
         + STEWART_FABS(M_P_load_y));
     const stewart_real M_P_load_y_err = J_P_xy_err*(P_yz_max + alpha_P_x_max) + J_P_xy_max*P_yz_err
         + J_P_xy_max*alpha_P_x_err + J_P_xz_err*(P_xx_max + P_zz_max) + J_P_xz_max*P_xx_err
@@ -1652,8 +1652,8 @@ static void shared_errors(
     const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
     const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(6)*J_P_xy_max*(P_xx_max + P_yy_max)
-        + REAL(6)*J_P_xz_max*(P_yz_max + alpha_P_x_max) + REAL(6)*J_P_yz_max*(P_xz_max + alpha_P_y_max)
-        + REAL(5)*J_P_zz_max*alpha_P_z_max + REAL(4)*M_ext_z_max + REAL(5)*P_xy_max*dJ_P_z_max
+        + REAL(5)*J_P_xz_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max)
+        + REAL(2)*J_P_zz_max*alpha_P_z_max + REAL(4)*M_ext_z_max + P_xy_max*dJ_P_z_max
         + STEWART_FABS(M_P_load_z));
     const stewart_real M_P_load_z_err = J_P_xy_err*(P_xx_max + P_yy_max) + J_P_xy_max*P_xx_err
         + J_P_xy_max*P_yy_err + J_P_xz_err*(P_yz_max + alpha_P_x_max) + J_P_xz_max*P_yz_err
@@ -1677,9 +1677,9 @@ static void shared_errors(
     /* (33) the platform's part of c, force and moment */
     const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_x_own = STEWART_UNIT*(REAL(6)*B_xx_max*h_base_x_max
-        + REAL(6)*B_xy_max*h_base_y_max + REAL(6)*B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max
-        + REAL(6)*F_ext_y_max*R_xy_max + REAL(6)*F_ext_z_max*R_xz_max + REAL(6)*M_P_max*fall_x_max
+    const stewart_real load_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max
+        + REAL(2)*B_xy_max*h_base_y_max + B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max
+        + REAL(6)*F_ext_y_max*R_xy_max + REAL(5)*F_ext_z_max*R_xz_max + REAL(4)*M_P_max*fall_x_max
         + STEWART_FABS(load_x));
     const stewart_real load_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
         + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max
@@ -1687,9 +1687,9 @@ static void shared_errors(
     const stewart_real load_x_max = STEWART_FABS(load_x) + load_x_err;
     const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
         - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_y_own = STEWART_UNIT*(REAL(6)*B_yx_max*h_base_x_max
-        + REAL(6)*B_yy_max*h_base_y_max + REAL(6)*B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max
-        + REAL(6)*F_ext_y_max*R_yy_max + REAL(6)*F_ext_z_max*R_yz_max + REAL(6)*M_P_max*fall_y_max
+    const stewart_real load_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max
+        + REAL(2)*B_yy_max*h_base_y_max + B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max
+        + REAL(6)*F_ext_y_max*R_yy_max + REAL(5)*F_ext_z_max*R_yz_max + REAL(4)*M_P_max*fall_y_max
         + STEWART_FABS(load_y));
     const stewart_real load_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
         + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max
@@ -1697,9 +1697,9 @@ static void shared_errors(
     const stewart_real load_y_max = STEWART_FABS(load_y) + load_y_err;
     const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
         - B_zy*h_base_y - B_zz*h_base_z;
-    const stewart_real load_z_own = STEWART_UNIT*(REAL(6)*B_zx_max*h_base_x_max
-        + REAL(6)*B_zy_max*h_base_y_max + REAL(6)*B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max
-        + REAL(6)*F_ext_y_max*R_zy_max + REAL(6)*F_ext_z_max*R_zz_max + REAL(6)*M_P_max*fall_z_max
+    const stewart_real load_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max
+        + REAL(2)*B_zy_max*h_base_y_max + B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max
+        + REAL(6)*F_ext_y_max*R_zy_max + REAL(5)*F_ext_z_max*R_zz_max + REAL(4)*M_P_max*fall_z_max
         + STEWART_FABS(load_z));
     const stewart_real load_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
         + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max
@@ -1708,10 +1708,10 @@ static void shared_errors(
     /* part of c, moment rows, base frame */
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
         + load_z*t_1_y - C_P*omega_x - fall_y*h_base_z - load_y*t_1_z;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_x_max
+    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_x_max
         + REAL(7)*M_P_load_x_max*R_xx_max + REAL(7)*M_P_load_y_max*R_xy_max
-        + REAL(7)*M_P_load_z_max*R_xz_max + REAL(7)*fall_y_max*h_base_z_max
-        + REAL(7)*fall_z_max*h_base_y_max + REAL(7)*load_y_max*t_1_z_max + REAL(7)*load_z_max*t_1_y_max
+        + REAL(6)*M_P_load_z_max*R_xz_max + REAL(2)*fall_y_max*h_base_z_max
+        + REAL(5)*fall_z_max*h_base_y_max + load_y_max*t_1_z_max + REAL(4)*load_z_max*t_1_y_max
         + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max
         + M_P_load_y_err*R_xy_max + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max
@@ -1720,10 +1720,10 @@ static void shared_errors(
         + load_z_max*t_1_y_err + c_moment_x_own;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
         + load_x*t_1_z - C_P*omega_y - fall_z*h_base_x - load_z*t_1_x;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_y_max
+    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_y_max
         + REAL(7)*M_P_load_x_max*R_yx_max + REAL(7)*M_P_load_y_max*R_yy_max
-        + REAL(7)*M_P_load_z_max*R_yz_max + REAL(7)*fall_x_max*h_base_z_max
-        + REAL(7)*fall_z_max*h_base_x_max + REAL(7)*load_x_max*t_1_z_max + REAL(7)*load_z_max*t_1_x_max
+        + REAL(6)*M_P_load_z_max*R_yz_max + REAL(5)*fall_x_max*h_base_z_max
+        + REAL(2)*fall_z_max*h_base_x_max + REAL(4)*load_x_max*t_1_z_max + load_z_max*t_1_x_max
         + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max
         + M_P_load_y_err*R_yy_max + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max
@@ -1732,10 +1732,10 @@ static void shared_errors(
         + load_z_max*t_1_x_err + c_moment_y_own;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
         + load_y*t_1_x - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(7)*C_P_max*omega_z_max
+    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_z_max
         + REAL(7)*M_P_load_x_max*R_zx_max + REAL(7)*M_P_load_y_max*R_zy_max
-        + REAL(7)*M_P_load_z_max*R_zz_max + REAL(7)*fall_x_max*h_base_y_max
-        + REAL(7)*fall_y_max*h_base_x_max + REAL(7)*load_x_max*t_1_y_max + REAL(7)*load_y_max*t_1_x_max
+        + REAL(6)*M_P_load_z_max*R_zz_max + REAL(2)*fall_x_max*h_base_y_max
+        + REAL(5)*fall_y_max*h_base_x_max + load_x_max*t_1_y_max + REAL(4)*load_y_max*t_1_x_max
         + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max
         + M_P_load_y_err*R_zy_max + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max
@@ -1825,48 +1825,48 @@ static void shared_errors(
             t_1_legs_z_max = STEWART_FABS(t_1_legs_z) + t_1_legs_z_err;
         const stewart_real load_z_bar = Y_moment_y*t_1_x - Y_force_z - Y_moment_x*t_1_y;
         const stewart_real load_z_bar_err = Y_moment_x_max*t_1_y_err + Y_moment_y_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*t_1_y_max + REAL(2)*Y_moment_y_max*t_1_x_max
+            + STEWART_UNIT*(Y_force_z_max + Y_moment_x_max*t_1_y_max + REAL(2)*Y_moment_y_max*t_1_x_max
             + STEWART_FABS(load_z_bar));
         const stewart_real load_z_bar_max = STEWART_FABS(load_z_bar) + load_z_bar_err;
         const stewart_real load_y_bar = Y_moment_x*t_1_z - Y_force_y - Y_moment_z*t_1_x;
         const stewart_real load_y_bar_err = Y_moment_x_max*t_1_z_err + Y_moment_z_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_x_max
+            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*t_1_z_max + Y_moment_z_max*t_1_x_max
             + STEWART_FABS(load_y_bar));
         const stewart_real load_y_bar_max = STEWART_FABS(load_y_bar) + load_y_bar_err;
         const stewart_real load_x_bar = Y_moment_z*t_1_y - Y_force_x - Y_moment_y*t_1_z;
         const stewart_real load_x_bar_err = Y_moment_y_max*t_1_z_err + Y_moment_z_max*t_1_y_err
-            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_y_max
+            + STEWART_UNIT*(Y_force_x_max + Y_moment_y_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_y_max
             + STEWART_FABS(load_x_bar));
         const stewart_real load_x_bar_max = STEWART_FABS(load_x_bar) + load_x_bar_err;
         const stewart_real t_1_z_bar = Y_moment_x*load_y + t_1_legs_z - Y_moment_y*load_x;
         const stewart_real t_1_z_bar_err = Y_moment_x_max*load_y_err + Y_moment_y_max*load_x_err
-            + t_1_legs_z_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_y_max
-            + REAL(2)*Y_moment_y_max*load_x_max + t_1_legs_z_max + STEWART_FABS(t_1_z_bar));
+            + t_1_legs_z_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_y_max + Y_moment_y_max*load_x_max
+            + t_1_legs_z_max + STEWART_FABS(t_1_z_bar));
         const stewart_real t_1_z_bar_max = STEWART_FABS(t_1_z_bar) + t_1_z_bar_err;
         const stewart_real t_1_y_bar = Y_moment_z*load_x + t_1_legs_y - Y_moment_x*load_z;
         const stewart_real t_1_y_bar_err = Y_moment_x_max*load_z_err + Y_moment_z_max*load_x_err
-            + t_1_legs_y_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_z_max
-            + REAL(2)*Y_moment_z_max*load_x_max + t_1_legs_y_max + STEWART_FABS(t_1_y_bar));
+            + t_1_legs_y_err + STEWART_UNIT*(Y_moment_x_max*load_z_max + REAL(2)*Y_moment_z_max*load_x_max
+            + t_1_legs_y_max + STEWART_FABS(t_1_y_bar));
         const stewart_real t_1_y_bar_max = STEWART_FABS(t_1_y_bar) + t_1_y_bar_err;
         const stewart_real t_1_x_bar = Y_moment_y*load_z + t_1_legs_x - Y_moment_z*load_y;
         const stewart_real t_1_x_bar_err = Y_moment_y_max*load_z_err + Y_moment_z_max*load_y_err
-            + t_1_legs_x_err + STEWART_UNIT*(REAL(2)*Y_moment_y_max*load_z_max
-            + REAL(2)*Y_moment_z_max*load_y_max + t_1_legs_x_max + STEWART_FABS(t_1_x_bar));
+            + t_1_legs_x_err + STEWART_UNIT*(REAL(2)*Y_moment_y_max*load_z_max + Y_moment_z_max*load_y_max
+            + t_1_legs_x_max + STEWART_FABS(t_1_x_bar));
         const stewart_real t_1_x_bar_max = STEWART_FABS(t_1_x_bar) + t_1_x_bar_err;
         const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
         const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
             + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max
-            + REAL(2)*R_zz_max*Y_moment_z_max + STEWART_FABS(M_P_load_z_bar));
+            + R_zz_max*Y_moment_z_max + STEWART_FABS(M_P_load_z_bar));
         const stewart_real M_P_load_z_bar_max = STEWART_FABS(M_P_load_z_bar) + M_P_load_z_bar_err;
         const stewart_real M_P_load_y_bar = -R_xy*Y_moment_x - R_yy*Y_moment_y - R_zy*Y_moment_z;
         const stewart_real M_P_load_y_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
             + STEWART_UNIT*(REAL(2)*R_xy_max*Y_moment_x_max + REAL(2)*R_yy_max*Y_moment_y_max
-            + REAL(2)*R_zy_max*Y_moment_z_max + STEWART_FABS(M_P_load_y_bar));
+            + R_zy_max*Y_moment_z_max + STEWART_FABS(M_P_load_y_bar));
         const stewart_real M_P_load_y_bar_max = STEWART_FABS(M_P_load_y_bar) + M_P_load_y_bar_err;
         const stewart_real M_P_load_x_bar = -R_xx*Y_moment_x - R_yx*Y_moment_y - R_zx*Y_moment_z;
         const stewart_real M_P_load_x_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
             + STEWART_UNIT*(REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max
-            + REAL(2)*R_zx_max*Y_moment_z_max + STEWART_FABS(M_P_load_x_bar));
+            + R_zx_max*Y_moment_z_max + STEWART_FABS(M_P_load_x_bar));
         const stewart_real M_P_load_x_bar_max = STEWART_FABS(M_P_load_x_bar) + M_P_load_x_bar_err;
         const stewart_real c1 = J_P_xz*M_P_load_y_bar;
         const stewart_real c1_err = J_P_xz_err*M_P_load_y_bar_max + J_P_xz_max*M_P_load_y_bar_err
@@ -1896,8 +1896,7 @@ static void shared_errors(
         const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
         const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_P_x - c4;
         const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_P_x_max + M_P_load_x_bar_max*dJ_P_x_err + c4_err
-            + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_P_x_max + c4_max + c5_max
-            + STEWART_FABS(P_yz_bar));
+            + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_P_x_max + c5_max + STEWART_FABS(P_yz_bar));
         const stewart_real P_yz_bar_max = STEWART_FABS(P_yz_bar) + P_yz_bar_err;
         const stewart_real c6 = J_P_yz*M_P_load_z_bar;
         const stewart_real c6_err = J_P_yz_err*M_P_load_z_bar_max + J_P_yz_max*M_P_load_z_bar_err
@@ -1909,8 +1908,7 @@ static void shared_errors(
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
         const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_P_y - c6;
         const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_P_y_max + M_P_load_y_bar_max*dJ_P_y_err + c6_err
-            + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_P_y_max + c6_max + c7_max
-            + STEWART_FABS(P_xz_bar));
+            + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_P_y_max + c7_max + STEWART_FABS(P_xz_bar));
         const stewart_real P_xz_bar_max = STEWART_FABS(P_xz_bar) + P_xz_bar_err;
         const stewart_real c8 = J_P_xz*M_P_load_x_bar;
         const stewart_real c8_err = J_P_xz_err*M_P_load_x_bar_max + J_P_xz_max*M_P_load_x_bar_err
@@ -1922,29 +1920,28 @@ static void shared_errors(
         const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
         const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_P_z - c8;
         const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_P_z_max + M_P_load_z_bar_max*dJ_P_z_err + c8_err
-            + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_P_z_max + c8_max + c9_max
-            + STEWART_FABS(P_xy_bar));
+            + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_P_z_max + c9_max + STEWART_FABS(P_xy_bar));
         const stewart_real P_xy_bar_max = STEWART_FABS(P_xy_bar) + P_xy_bar_err;
         const stewart_real alpha_P_z_bar = -J_P_zz*M_P_load_z_bar - c8 - c9;
         const stewart_real alpha_P_z_bar_err = J_P_zz_err*M_P_load_z_bar_max + J_P_zz_max*M_P_load_z_bar_err
-            + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_P_zz_max*M_P_load_z_bar_max + c8_max + c9_max
+            + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_P_zz_max*M_P_load_z_bar_max + c8_max
             + STEWART_FABS(alpha_P_z_bar));
         const stewart_real alpha_P_z_bar_max = STEWART_FABS(alpha_P_z_bar) + alpha_P_z_bar_err;
         const stewart_real alpha_P_y_bar = -J_P_yy*M_P_load_y_bar - c6 - c7;
         const stewart_real alpha_P_y_bar_err = J_P_yy_err*M_P_load_y_bar_max + J_P_yy_max*M_P_load_y_bar_err
-            + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_P_yy_max*M_P_load_y_bar_max + c6_max + c7_max
+            + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_P_yy_max*M_P_load_y_bar_max + c6_max
             + STEWART_FABS(alpha_P_y_bar));
         const stewart_real alpha_P_y_bar_max = STEWART_FABS(alpha_P_y_bar) + alpha_P_y_bar_err;
         const stewart_real alpha_P_x_bar = -J_P_xx*M_P_load_x_bar - c4 - c5;
         const stewart_real alpha_P_x_bar_err = J_P_xx_err*M_P_load_x_bar_max + J_P_xx_max*M_P_load_x_bar_err
-            + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_P_xx_max*M_P_load_x_bar_max + c4_max + c5_max
+            + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_P_xx_max*M_P_load_x_bar_max + c4_max
             + STEWART_FABS(alpha_P_x_bar));
         const stewart_real alpha_P_x_bar_max = STEWART_FABS(alpha_P_x_bar) + alpha_P_x_bar_err;
         const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
         const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err
             + P_yz_bar_err*omega_P_y_max + P_yz_bar_max*omega_P_y_err + REAL(2)*P_zz_bar_err*omega_P_z_max
             + REAL(2)*P_zz_bar_max*omega_P_z_err + STEWART_UNIT*(REAL(2)*P_xz_bar_max*omega_P_x_max
-            + REAL(2)*P_yz_bar_max*omega_P_y_max + REAL(4)*P_zz_bar_max*omega_P_z_max
+            + REAL(2)*P_yz_bar_max*omega_P_y_max + REAL(2)*P_zz_bar_max*omega_P_z_max
             + STEWART_FABS(omega_P_z_bar));
         const stewart_real omega_P_z_bar_max = STEWART_FABS(omega_P_z_bar) + omega_P_z_bar_err;
         const stewart_real omega_P_y_bar = P_xy_bar*omega_P_x + REAL(2)*P_yy_bar*omega_P_y + P_yz_bar*omega_P_z;
@@ -1952,31 +1949,31 @@ static void shared_errors(
             + REAL(2)*P_yy_bar_err*omega_P_y_max + REAL(2)*P_yy_bar_max*omega_P_y_err
             + P_yz_bar_err*omega_P_z_max + P_yz_bar_max*omega_P_z_err
             + STEWART_UNIT*(REAL(2)*P_xy_bar_max*omega_P_x_max + REAL(4)*P_yy_bar_max*omega_P_y_max
-            + REAL(2)*P_yz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_y_bar));
+            + P_yz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_y_bar));
         const stewart_real omega_P_y_bar_max = STEWART_FABS(omega_P_y_bar) + omega_P_y_bar_err;
         const stewart_real omega_P_x_bar = REAL(2)*P_xx_bar*omega_P_x + P_xy_bar*omega_P_y + P_xz_bar*omega_P_z;
         const stewart_real omega_P_x_bar_err = REAL(2)*P_xx_bar_err*omega_P_x_max
             + REAL(2)*P_xx_bar_max*omega_P_x_err + P_xy_bar_err*omega_P_y_max + P_xy_bar_max*omega_P_y_err
             + P_xz_bar_err*omega_P_z_max + P_xz_bar_max*omega_P_z_err
             + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max
-            + REAL(2)*P_xz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_x_bar));
+            + P_xz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_x_bar));
         const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
         const stewart_real fall_z_bar = M_P*load_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
         const stewart_real fall_z_bar_err = M_P_err*load_z_bar_max + M_P_max*load_z_bar_err
             + Y_moment_x_max*h_base_y_err + Y_moment_y_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_z_bar_max + REAL(2)*Y_moment_x_max*h_base_y_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*load_z_bar_max + Y_moment_x_max*h_base_y_max
             + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
         const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
         const stewart_real fall_y_bar = M_P*load_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
         const stewart_real fall_y_bar_err = M_P_err*load_y_bar_max + M_P_max*load_y_bar_err
             + Y_moment_x_max*h_base_z_err + Y_moment_z_max*h_base_x_err
             + STEWART_UNIT*(REAL(2)*M_P_max*load_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
-            + REAL(2)*Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
+            + Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
         const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
         const stewart_real fall_x_bar = M_P*load_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
         const stewart_real fall_x_bar_err = M_P_err*load_x_bar_max + M_P_max*load_x_bar_err
             + Y_moment_y_max*h_base_z_err + Y_moment_z_max*h_base_y_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_x_bar_max + REAL(2)*Y_moment_y_max*h_base_z_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*load_x_bar_max + Y_moment_y_max*h_base_z_max
             + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
         const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
         const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*load_x_bar - B_yz*load_y_bar
@@ -1984,27 +1981,27 @@ static void shared_errors(
         const stewart_real h_base_z_bar_err = B_xz_err*load_x_bar_max + B_xz_max*load_x_bar_err
             + B_yz_err*load_y_bar_max + B_yz_max*load_y_bar_err + B_zz_err*load_z_bar_max
             + B_zz_max*load_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xz_max*load_x_bar_max + REAL(4)*B_yz_max*load_y_bar_max
-            + REAL(4)*B_zz_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max
-            + REAL(4)*Y_moment_y_max*fall_x_max + STEWART_FABS(h_base_z_bar));
+            + STEWART_UNIT*(REAL(4)*B_xz_max*load_x_bar_max + REAL(3)*B_yz_max*load_y_bar_max
+            + REAL(2)*B_zz_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
+            + STEWART_FABS(h_base_z_bar));
         const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
         const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*load_x_bar - B_yy*load_y_bar
             - B_zy*load_z_bar - Y_moment_x*fall_z;
         const stewart_real h_base_y_bar_err = B_xy_err*load_x_bar_max + B_xy_max*load_x_bar_err
             + B_yy_err*load_y_bar_max + B_yy_max*load_y_bar_err + B_zy_err*load_z_bar_max
             + B_zy_max*load_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xy_max*load_x_bar_max + REAL(4)*B_yy_max*load_y_bar_max
-            + REAL(4)*B_zy_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_z_max
-            + REAL(4)*Y_moment_z_max*fall_x_max + STEWART_FABS(h_base_y_bar));
+            + STEWART_UNIT*(REAL(4)*B_xy_max*load_x_bar_max + REAL(3)*B_yy_max*load_y_bar_max
+            + REAL(2)*B_zy_max*load_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
+            + STEWART_FABS(h_base_y_bar));
         const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
         const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*load_x_bar - B_yx*load_y_bar
             - B_zx*load_z_bar - Y_moment_z*fall_y;
         const stewart_real h_base_x_bar_err = B_xx_err*load_x_bar_max + B_xx_max*load_x_bar_err
             + B_yx_err*load_y_bar_max + B_yx_max*load_y_bar_err + B_zx_err*load_z_bar_max
             + B_zx_max*load_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
-            + STEWART_UNIT*(REAL(4)*B_xx_max*load_x_bar_max + REAL(4)*B_yx_max*load_y_bar_max
-            + REAL(4)*B_zx_max*load_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max
-            + REAL(4)*Y_moment_z_max*fall_y_max + STEWART_FABS(h_base_x_bar));
+            + STEWART_UNIT*(REAL(4)*B_xx_max*load_x_bar_max + REAL(3)*B_yx_max*load_y_bar_max
+            + REAL(2)*B_zx_max*load_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
+            + STEWART_FABS(h_base_x_bar));
         const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
         const stewart_real B_zz_bar = B_legs_zz - h_base_z*load_z_bar;
         const stewart_real B_zz_bar_err = B_legs_zz_err + h_base_z_err*load_z_bar_max
@@ -2071,105 +2068,105 @@ static void shared_errors(
         const stewart_real R_xx_bar_err = F_ext_x_max*load_x_bar_err + M_P_load_x_err*Y_moment_x_max
             + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max
             + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_x_bar_max + REAL(5)*M_P_load_x_max*Y_moment_x_max
-            + REAL(4)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max + REAL(5)*h_P_x_max*h_base_x_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_x_max + STEWART_FABS(R_xx_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_x_bar_max + M_P_load_x_max*Y_moment_x_max
+            + REAL(4)*R_legs_xx_max + REAL(4)*alpha_P_x_bar_max*alpha_x_max + REAL(3)*h_P_x_max*h_base_x_bar_max
+            + REAL(2)*omega_P_x_bar_max*omega_x_max + STEWART_FABS(R_xx_bar));
         const stewart_real R_xx_bar_max = STEWART_FABS(R_xx_bar) + R_xx_bar_err;
         const stewart_real R_xy_bar = F_ext_y*load_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
             + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x - M_P_load_y*Y_moment_x;
         const stewart_real R_xy_bar_err = F_ext_y_max*load_x_bar_err + M_P_load_y_err*Y_moment_x_max
             + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max
             + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_x_bar_max + REAL(5)*M_P_load_y_max*Y_moment_x_max
-            + REAL(4)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max + REAL(5)*h_P_y_max*h_base_x_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_x_max + STEWART_FABS(R_xy_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_x_bar_max + M_P_load_y_max*Y_moment_x_max
+            + REAL(4)*R_legs_xy_max + REAL(4)*alpha_P_y_bar_max*alpha_x_max + REAL(3)*h_P_y_max*h_base_x_bar_max
+            + REAL(2)*omega_P_y_bar_max*omega_x_max + STEWART_FABS(R_xy_bar));
         const stewart_real R_xy_bar_max = STEWART_FABS(R_xy_bar) + R_xy_bar_err;
         const stewart_real R_xz_bar = F_ext_z*load_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
             + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x - M_P_load_z*Y_moment_x;
         const stewart_real R_xz_bar_err = F_ext_z_max*load_x_bar_err + M_P_load_z_err*Y_moment_x_max
             + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max
             + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_x_bar_max + REAL(5)*M_P_load_z_max*Y_moment_x_max
-            + REAL(4)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max + REAL(5)*h_P_z_max*h_base_x_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_x_max + STEWART_FABS(R_xz_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_x_bar_max + M_P_load_z_max*Y_moment_x_max
+            + REAL(4)*R_legs_xz_max + REAL(4)*alpha_P_z_bar_max*alpha_x_max + REAL(3)*h_P_z_max*h_base_x_bar_max
+            + REAL(2)*omega_P_z_bar_max*omega_x_max + STEWART_FABS(R_xz_bar));
         const stewart_real R_xz_bar_max = STEWART_FABS(R_xz_bar) + R_xz_bar_err;
         const stewart_real R_yx_bar = F_ext_x*load_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
             + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y - M_P_load_x*Y_moment_y;
         const stewart_real R_yx_bar_err = F_ext_x_max*load_y_bar_err + M_P_load_x_err*Y_moment_y_max
             + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max
             + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_y_bar_max + REAL(5)*M_P_load_x_max*Y_moment_y_max
-            + REAL(4)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max + REAL(5)*h_P_x_max*h_base_y_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_y_max + STEWART_FABS(R_yx_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_y_bar_max + M_P_load_x_max*Y_moment_y_max
+            + REAL(4)*R_legs_yx_max + REAL(4)*alpha_P_x_bar_max*alpha_y_max + REAL(3)*h_P_x_max*h_base_y_bar_max
+            + REAL(2)*omega_P_x_bar_max*omega_y_max + STEWART_FABS(R_yx_bar));
         const stewart_real R_yx_bar_max = STEWART_FABS(R_yx_bar) + R_yx_bar_err;
         const stewart_real R_yy_bar = F_ext_y*load_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
             + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y - M_P_load_y*Y_moment_y;
         const stewart_real R_yy_bar_err = F_ext_y_max*load_y_bar_err + M_P_load_y_err*Y_moment_y_max
             + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max
             + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_y_bar_max + REAL(5)*M_P_load_y_max*Y_moment_y_max
-            + REAL(4)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max + REAL(5)*h_P_y_max*h_base_y_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_y_max + STEWART_FABS(R_yy_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_y_bar_max + M_P_load_y_max*Y_moment_y_max
+            + REAL(4)*R_legs_yy_max + REAL(4)*alpha_P_y_bar_max*alpha_y_max + REAL(3)*h_P_y_max*h_base_y_bar_max
+            + REAL(2)*omega_P_y_bar_max*omega_y_max + STEWART_FABS(R_yy_bar));
         const stewart_real R_yy_bar_max = STEWART_FABS(R_yy_bar) + R_yy_bar_err;
         const stewart_real R_yz_bar = F_ext_z*load_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
             + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y - M_P_load_z*Y_moment_y;
         const stewart_real R_yz_bar_err = F_ext_z_max*load_y_bar_err + M_P_load_z_err*Y_moment_y_max
             + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max
             + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_y_bar_max + REAL(5)*M_P_load_z_max*Y_moment_y_max
-            + REAL(4)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max + REAL(5)*h_P_z_max*h_base_y_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_y_max + STEWART_FABS(R_yz_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_y_bar_max + M_P_load_z_max*Y_moment_y_max
+            + REAL(4)*R_legs_yz_max + REAL(4)*alpha_P_z_bar_max*alpha_y_max + REAL(3)*h_P_z_max*h_base_y_bar_max
+            + REAL(2)*omega_P_z_bar_max*omega_y_max + STEWART_FABS(R_yz_bar));
         const stewart_real R_yz_bar_max = STEWART_FABS(R_yz_bar) + R_yz_bar_err;
         const stewart_real R_zx_bar = F_ext_x*load_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
             + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z - M_P_load_x*Y_moment_z;
         const stewart_real R_zx_bar_err = F_ext_x_max*load_z_bar_err + M_P_load_x_err*Y_moment_z_max
             + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max
             + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_z_bar_max + REAL(5)*M_P_load_x_max*Y_moment_z_max
-            + REAL(4)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max + REAL(5)*h_P_x_max*h_base_z_bar_max
-            + REAL(5)*omega_P_x_bar_max*omega_z_max + STEWART_FABS(R_zx_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_z_bar_max + M_P_load_x_max*Y_moment_z_max
+            + REAL(4)*R_legs_zx_max + REAL(4)*alpha_P_x_bar_max*alpha_z_max + REAL(3)*h_P_x_max*h_base_z_bar_max
+            + REAL(2)*omega_P_x_bar_max*omega_z_max + STEWART_FABS(R_zx_bar));
         const stewart_real R_zx_bar_max = STEWART_FABS(R_zx_bar) + R_zx_bar_err;
         const stewart_real R_zy_bar = F_ext_y*load_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
             + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z - M_P_load_y*Y_moment_z;
         const stewart_real R_zy_bar_err = F_ext_y_max*load_z_bar_err + M_P_load_y_err*Y_moment_z_max
             + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max
             + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_z_bar_max + REAL(5)*M_P_load_y_max*Y_moment_z_max
-            + REAL(4)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max + REAL(5)*h_P_y_max*h_base_z_bar_max
-            + REAL(5)*omega_P_y_bar_max*omega_z_max + STEWART_FABS(R_zy_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_z_bar_max + M_P_load_y_max*Y_moment_z_max
+            + REAL(4)*R_legs_zy_max + REAL(4)*alpha_P_y_bar_max*alpha_z_max + REAL(3)*h_P_y_max*h_base_z_bar_max
+            + REAL(2)*omega_P_y_bar_max*omega_z_max + STEWART_FABS(R_zy_bar));
         const stewart_real R_zy_bar_max = STEWART_FABS(R_zy_bar) + R_zy_bar_err;
         const stewart_real R_zz_bar = F_ext_z*load_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
             + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z - M_P_load_z*Y_moment_z;
         const stewart_real R_zz_bar_err = F_ext_z_max*load_z_bar_err + M_P_load_z_err*Y_moment_z_max
             + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max
             + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_z_bar_max + REAL(5)*M_P_load_z_max*Y_moment_z_max
-            + REAL(4)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max + REAL(5)*h_P_z_max*h_base_z_bar_max
-            + REAL(5)*omega_P_z_bar_max*omega_z_max + STEWART_FABS(R_zz_bar));
+            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_z_bar_max + M_P_load_z_max*Y_moment_z_max
+            + REAL(4)*R_legs_zz_max + REAL(4)*alpha_P_z_bar_max*alpha_z_max + REAL(3)*h_P_z_max*h_base_z_bar_max
+            + REAL(2)*omega_P_z_bar_max*omega_z_max + STEWART_FABS(R_zz_bar));
         const stewart_real R_zz_bar_max = STEWART_FABS(R_zz_bar) + R_zz_bar_err;
         const stewart_real M_P_bar = fall_x*load_x_bar + fall_y*load_y_bar + fall_z*load_z_bar;
         const stewart_real M_P_bar_err = fall_x_err*load_x_bar_max + fall_x_max*load_x_bar_err
             + fall_y_err*load_y_bar_max + fall_y_max*load_y_bar_err + fall_z_err*load_z_bar_max
             + fall_z_max*load_z_bar_err + STEWART_UNIT*(REAL(2)*fall_x_max*load_x_bar_max
-            + REAL(2)*fall_y_max*load_y_bar_max + REAL(2)*fall_z_max*load_z_bar_max + STEWART_FABS(M_P_bar));
+            + REAL(2)*fall_y_max*load_y_bar_max + fall_z_max*load_z_bar_max + STEWART_FABS(M_P_bar));
         const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
         const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
         const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
             + R_xx_max*h_base_x_bar_err + R_yx_max*h_base_y_bar_err + R_zx_max*h_base_z_bar_err
             + STEWART_UNIT*(REAL(2)*R_xx_max*h_base_x_bar_max + REAL(2)*R_yx_max*h_base_y_bar_max
-            + REAL(2)*R_zx_max*h_base_z_bar_max + STEWART_FABS(h_P_x_bar));
+            + R_zx_max*h_base_z_bar_max + STEWART_FABS(h_P_x_bar));
         const stewart_real h_P_x_bar_max = STEWART_FABS(h_P_x_bar) + h_P_x_bar_err;
         const stewart_real h_P_y_bar = R_xy*h_base_x_bar + R_yy*h_base_y_bar + R_zy*h_base_z_bar;
         const stewart_real h_P_y_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
             + R_xy_max*h_base_x_bar_err + R_yy_max*h_base_y_bar_err + R_zy_max*h_base_z_bar_err
             + STEWART_UNIT*(REAL(2)*R_xy_max*h_base_x_bar_max + REAL(2)*R_yy_max*h_base_y_bar_max
-            + REAL(2)*R_zy_max*h_base_z_bar_max + STEWART_FABS(h_P_y_bar));
+            + R_zy_max*h_base_z_bar_max + STEWART_FABS(h_P_y_bar));
         const stewart_real h_P_y_bar_max = STEWART_FABS(h_P_y_bar) + h_P_y_bar_err;
         const stewart_real h_P_z_bar = R_xz*h_base_x_bar + R_yz*h_base_y_bar + R_zz*h_base_z_bar;
         const stewart_real h_P_z_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
             + R_xz_max*h_base_x_bar_err + R_yz_max*h_base_y_bar_err + R_zz_max*h_base_z_bar_err
             + STEWART_UNIT*(REAL(2)*R_xz_max*h_base_x_bar_max + REAL(2)*R_yz_max*h_base_y_bar_max
-            + REAL(2)*R_zz_max*h_base_z_bar_max + STEWART_FABS(h_P_z_bar));
+            + R_zz_max*h_base_z_bar_max + STEWART_FABS(h_P_z_bar));
         const stewart_real h_P_z_bar_max = STEWART_FABS(h_P_z_bar) + h_P_z_bar_err;
         const stewart_real J_P_xx_bar = -M_P_load_x_bar*alpha_P_x;
         const stewart_real J_P_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
@@ -2182,7 +2179,7 @@ static void shared_errors(
             + alpha_P_x_max) + M_P_load_y_bar_max*P_yz_err + M_P_load_y_bar_max*alpha_P_x_err
             + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + M_P_load_z_bar_max*P_xx_err
             + M_P_load_z_bar_max*P_yy_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max + alpha_P_y_max)
-            + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(3)*M_P_load_z_bar_max*(P_xx_max
+            + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
             + P_yy_max) + STEWART_FABS(J_P_xy_bar));
         const stewart_real J_P_xy_bar_max = STEWART_FABS(J_P_xy_bar) + J_P_xy_bar_err;
         const stewart_real J_P_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
@@ -2193,7 +2190,7 @@ static void shared_errors(
             + M_P_load_z_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_z_bar_max*P_yz_err
             + M_P_load_z_bar_max*alpha_P_x_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max
             + alpha_P_z_max) + REAL(3)*M_P_load_y_bar_max*(P_xx_max + P_zz_max)
-            + REAL(3)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max) + STEWART_FABS(J_P_xz_bar));
+            + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max) + STEWART_FABS(J_P_xz_bar));
         const stewart_real J_P_xz_bar_max = STEWART_FABS(J_P_xz_bar) + J_P_xz_bar_err;
         const stewart_real J_P_yy_bar = -M_P_load_y_bar*alpha_P_y;
         const stewart_real J_P_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
@@ -2206,7 +2203,7 @@ static void shared_errors(
             + alpha_P_z_max) + M_P_load_y_bar_max*P_xy_err + M_P_load_y_bar_max*alpha_P_z_err
             + M_P_load_z_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_bar_max*P_xz_err
             + M_P_load_z_bar_max*alpha_P_y_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max)
-            + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(3)*M_P_load_z_bar_max*(P_xz_max
+            + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max
             + alpha_P_y_max) + STEWART_FABS(J_P_yz_bar));
         const stewart_real J_P_yz_bar_max = STEWART_FABS(J_P_yz_bar) + J_P_yz_bar_err;
         const stewart_real J_P_zz_bar = -M_P_load_z_bar*alpha_P_z;
@@ -2227,7 +2224,7 @@ static void shared_errors(
         const stewart_real dJ_P_z_bar_max = STEWART_FABS(dJ_P_z_bar) + dJ_P_z_bar_err;
         const stewart_real C_P_bar = Y_moment_x*omega_x + Y_moment_y*omega_y + Y_moment_z*omega_z;
         const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max
-            + REAL(2)*Y_moment_y_max*omega_y_max + REAL(2)*Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
+            + REAL(2)*Y_moment_y_max*omega_y_max + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
         const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
         error[i] = error[i] + R_xx_bar_max*R_err + R_xy_bar_max*R_err + R_xz_bar_max*R_err
             + R_yx_bar_max*R_err + R_yy_bar_max*R_err + R_yz_bar_max*R_err + R_zx_bar_max*R_err
@@ -2338,8 +2335,6 @@ static void leg_errors(
         omega_z_max = STEWART_FABS(omega_z);
     const stewart_real v_x_max = STEWART_FABS(v_x), v_y_max = STEWART_FABS(v_y),
         v_z_max = STEWART_FABS(v_z);
-    const stewart_real a_x_max = STEWART_FABS(a_x), a_y_max = STEWART_FABS(a_y),
-        a_z_max = STEWART_FABS(a_z);
     const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err,
         B_xy_max = STEWART_FABS(B_xy) + B_xy_err, B_xz_max = STEWART_FABS(B_xz) + B_xz_err,
         B_yx_max = STEWART_FABS(B_yx) + B_yx_err, B_yy_max = STEWART_FABS(B_yy) + B_yy_err,
@@ -2352,17 +2347,17 @@ static void leg_errors(
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
-        + REAL(2)*R_xz_max*p_z_max + STEWART_FABS(q_x));
+        + R_xz_max*p_z_max + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
-        + REAL(2)*R_yz_max*p_z_max + STEWART_FABS(q_y));
+        + R_yz_max*p_z_max + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
-        + REAL(2)*R_zz_max*p_z_max + STEWART_FABS(q_z));
+        + R_zz_max*p_z_max + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
     /* (1) platform point from base point 1, base frame */
@@ -2394,7 +2389,7 @@ static void leg_errors(
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
-        + REAL(2)*S_z_max*k_z_max + STEWART_FABS(zeta));
+        + S_z_max*k_z_max + STEWART_FABS(zeta));
     const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err
         + S_z_err*k_z_max + S_z_max*k_z_err + zeta_own;
     const stewart_real zeta_max = STEWART_FABS(zeta) + zeta_err;
@@ -2418,8 +2413,7 @@ static void leg_errors(
     const stewart_real k_cross_S_z_max = STEWART_FABS(k_cross_S_z) + k_cross_S_z_err;
     const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
     const stewart_real rho2_own = STEWART_UNIT*(REAL(2)*k_cross_S_x_max*k_cross_S_x_max
-        + REAL(2)*k_cross_S_y_max*k_cross_S_y_max + REAL(2)*k_cross_S_z_max*k_cross_S_z_max
-        + STEWART_FABS(rho2));
+        + REAL(2)*k_cross_S_y_max*k_cross_S_y_max + k_cross_S_z_max*k_cross_S_z_max + STEWART_FABS(rho2));
     const stewart_real rho2_err = REAL(2)*k_cross_S_x_err*k_cross_S_x_max
         + REAL(2)*k_cross_S_y_err*k_cross_S_y_max + REAL(2)*k_cross_S_z_err*k_cross_S_z_max + rho2_own;
     const stewart_real rho2_max = STEWART_FABS(rho2) + rho2_err;
@@ -2483,50 +2477,50 @@ static void leg_errors(
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + REAL(2)*omega_z_max*q_y_max
+    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max
         + v_x_max + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
     const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
+    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
         + v_y_max + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
     const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + REAL(2)*omega_y_max*q_x_max
+    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max
         + v_z_max + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
     const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
     const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max
-        + REAL(3)*B_xz_max*q_z_max + REAL(2)*a_x_max + STEWART_FABS(S_ddot_x));
+        + REAL(2)*B_xz_max*q_z_max + STEWART_FABS(S_ddot_x));
     const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max
         + B_xy_max*q_y_err + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
     const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
     const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max
-        + REAL(3)*B_yz_max*q_z_max + REAL(2)*a_y_max + STEWART_FABS(S_ddot_y));
+        + REAL(2)*B_yz_max*q_z_max + STEWART_FABS(S_ddot_y));
     const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max
         + B_yy_max*q_y_err + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
     const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
     const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max
-        + REAL(3)*B_zz_max*q_z_max + REAL(2)*a_z_max + STEWART_FABS(S_ddot_z));
+        + REAL(2)*B_zz_max*q_z_max + STEWART_FABS(S_ddot_z));
     const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max
         + B_zy_max*q_y_err + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
-        + REAL(2)*S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
+        + S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
     const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max
         + S_dot_y_max*s_y_err + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
     const stewart_real L_dot_max = STEWART_FABS(L_dot) + L_dot_err;
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
     const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max
-        + REAL(3)*S_dot_y_max*y_y_max + REAL(3)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
+        + REAL(3)*S_dot_y_max*y_y_max + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
     const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err
         + S_dot_y_err*inv_rho_max*y_y_max + S_dot_y_max*inv_rho_max*y_y_err
         + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
@@ -2534,7 +2528,7 @@ static void leg_errors(
     const stewart_real phi_dot_max = STEWART_FABS(phi_dot) + phi_dot_err;
     const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
     const stewart_real theta_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(4)*L_dot_max*k1_max
-        + REAL(4)*S_dot_x_max*k_x_max + REAL(4)*S_dot_y_max*k_y_max + REAL(4)*S_dot_z_max*k_z_max)
+        + REAL(4)*S_dot_x_max*k_x_max + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max)
         + STEWART_FABS(theta_dot));
     const stewart_real theta_dot_err = L_dot_err*inv_rho_max*k1_max + L_dot_max*inv_rho_max*k1_err
         + S_dot_x_err*inv_rho_max*k_x_max + S_dot_x_max*inv_rho_max*k_x_err
@@ -2574,7 +2568,7 @@ static void leg_errors(
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
     const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max)
         + L_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max
-        + REAL(3)*S_ddot_y_max*s_y_max + REAL(3)*S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
+        + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
     const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max)
         + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err
         + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max + S_ddot_y_max*s_y_err
@@ -2585,7 +2579,7 @@ static void leg_errors(
         - theta_dot*(L_share + rho_share);
     const stewart_real theta_ddot_own = STEWART_UNIT*(inv_rho_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
         + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + inv_rho_max*(REAL(4)*L_ddot_max*k1_max
-        + REAL(4)*S_ddot_x_max*k_x_max + REAL(4)*S_ddot_y_max*k_y_max + REAL(4)*S_ddot_z_max*k_z_max)
+        + REAL(4)*S_ddot_x_max*k_x_max + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max)
         + REAL(2)*theta_dot_max*(L_share_max + rho_share_max) + STEWART_FABS(theta_ddot));
     const stewart_real theta_ddot_err = L_ddot_err*inv_rho_max*k1_max + L_ddot_max*inv_rho_max*k1_err
         + L_share_err*theta_dot_max + S_ddot_x_err*inv_rho_max*k_x_max + S_ddot_x_max*inv_rho_max*k_x_err
@@ -2599,7 +2593,7 @@ static void leg_errors(
         - rho_share*two_phi_dot;
     const stewart_real phi_ddot_own = STEWART_UNIT*(inv_rho_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
         + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-        + REAL(3)*S_ddot_z_max*y_z_max) + rho_share_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
+        + REAL(2)*S_ddot_z_max*y_z_max) + rho_share_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
     const stewart_real phi_ddot_err = S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err
         + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
         + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err
@@ -2627,7 +2621,7 @@ static void leg_errors(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + REAL(2)*a2_max*k13_max
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max
         + STEWART_FABS(M_phi));
     const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max
         + a2_max*k13_err + M_phi_own;
@@ -2671,13 +2665,13 @@ static void leg_errors(
     /* gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
-        + REAL(2)*g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
+        + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
     const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max
         + g_x_k_y_max*y_y_err + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
     const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
-        + REAL(2)*g_z_max*y_z_max + STEWART_FABS(gamma_y));
+        + g_z_max*y_z_max + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
@@ -2695,12 +2689,12 @@ static void leg_errors(
     const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
         + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
         - M_phi_theta*phi_dot2;
-    const stewart_real tau_y_own = STEWART_UNIT*(REAL(8)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
+    const stewart_real tau_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
         + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max
-        + REAL(3)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
-        + REAL(8)*M_mixed_max*phi_ddot_max + REAL(8)*M_phi_theta_max*phi_dot2_max
-        + REAL(8)*M_theta_max*theta_ddot_max + REAL(8)*bend_max*h2_x_max + REAL(8)*g_k_max*w_n_max
-        + REAL(8)*gamma_n_max*w_k_max + STEWART_FABS(tau_y));
+        + REAL(2)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
+        + REAL(7)*M_mixed_max*phi_ddot_max + M_phi_theta_max*phi_dot2_max
+        + REAL(6)*M_theta_max*theta_ddot_max + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max
+        + REAL(3)*gamma_n_max*w_k_max + STEWART_FABS(tau_y));
     const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err
         + C_s_max*omega_z_max*y_z_err + C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max
         + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err
@@ -2711,12 +2705,12 @@ static void leg_errors(
     const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
         + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
         + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(REAL(9)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
+    const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
         + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
-        + REAL(3)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(9)*L_ddot_max*k3_h_max
-        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(9)*M_mixed_theta_max*theta_dot2_max
-        + REAL(9)*M_phi_max*phi_ddot_max + REAL(10)*bend_max*h2_y_max*k1_max + REAL(9)*gamma_n_max*w_y_max
-        + REAL(9)*gamma_y_max*w_n_max + REAL(9)*two_phi_dot_max*(L_dot_max*M_phi_L_max
+        + REAL(2)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max
+        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
+        + REAL(7)*M_phi_max*phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max
+        + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max
         + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max
         + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
@@ -2758,9 +2752,9 @@ static void leg_errors(
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
         - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(5)*M_phi_L_max*phi_dot2_max
-        + REAL(5)*Q_k_max*k1_max + REAL(5)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max
-        + REAL(5)*k3_h_max*phi_ddot_max + STEWART_FABS(D));
+    const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
+        + REAL(3)*Q_k_max*k1_max + REAL(2)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max
+        + k3_h_max*phi_ddot_max + STEWART_FABS(D));
     /* the leg's column of H, moment rows */
     const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
     const stewart_real H_moment_x_own = STEWART_UNIT*(r_y_max*s_z_max + r_z_max*s_y_max
@@ -2781,21 +2775,21 @@ static void leg_errors(
     const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
     const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_x_max*phi_dot_max
         + theta_dot_max*y_x_max) + C_s_max*(REAL(2)*k_x_max*phi_dot_max + REAL(2)*theta_dot_max*y_x_max)
-        + REAL(2)*K_y_max*S_1_z_max + REAL(2)*K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
+        + REAL(2)*K_y_max*S_1_z_max + K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_s_max*k_x_err*phi_dot_max + C_s_max*k_x_max*phi_dot_err
         + C_s_max*theta_dot_err*y_x_max + C_s_max*theta_dot_max*y_x_err + K_y_err*S_1_z_max
         + K_y_max*S_1_z_err + K_z_err*S_1_y_max + K_z_max*S_1_y_err + c_moment_x_own;
     const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
     const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_y_max*phi_dot_max
         + theta_dot_max*y_y_max) + C_s_max*(REAL(2)*k_y_max*phi_dot_max + REAL(2)*theta_dot_max*y_y_max)
-        + REAL(2)*K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
+        + K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_s_max*k_y_err*phi_dot_max + C_s_max*k_y_max*phi_dot_err
         + C_s_max*theta_dot_err*y_y_max + C_s_max*theta_dot_max*y_y_err + K_x_err*S_1_z_max
         + K_x_max*S_1_z_err + K_z_err*S_1_x_max + K_z_max*S_1_x_err + c_moment_y_own;
     const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
     const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_z_max*phi_dot_max
         + theta_dot_max*y_z_max) + C_s_max*(REAL(2)*k_z_max*phi_dot_max + REAL(2)*theta_dot_max*y_z_max)
-        + REAL(2)*K_x_max*S_1_y_max + REAL(2)*K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
+        + REAL(2)*K_x_max*S_1_y_max + K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_s_max*k_z_err*phi_dot_max + C_s_max*k_z_max*phi_dot_err
         + C_s_max*theta_dot_err*y_z_max + C_s_max*theta_dot_max*y_z_err + K_x_err*S_1_y_max
         + K_x_max*S_1_y_err + K_y_err*S_1_x_max + K_y_max*S_1_x_err + c_moment_z_own;
@@ -2856,30 +2850,30 @@ static void leg_errors(
         const stewart_real H_moment_z_bar_max = STEWART_FABS(H_moment_z_bar) + H_moment_z_bar_err;
         const stewart_real K_z_bar = S_1_y*Y_moment_x + Y_force_z - S_1_x*Y_moment_y;
         const stewart_real K_z_bar_err = S_1_x_err*Y_moment_y_max + S_1_y_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
+            + STEWART_UNIT*(S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
             + STEWART_FABS(K_z_bar));
         const stewart_real K_z_bar_max = STEWART_FABS(K_z_bar) + K_z_bar_err;
         const stewart_real K_y_bar = S_1_x*Y_moment_z + Y_force_y - S_1_z*Y_moment_x;
         const stewart_real K_y_bar_err = S_1_x_err*Y_moment_z_max + S_1_z_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_x_max + Y_force_y_max
+            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + S_1_z_max*Y_moment_x_max + Y_force_y_max
             + STEWART_FABS(K_y_bar));
         const stewart_real K_y_bar_max = STEWART_FABS(K_y_bar) + K_y_bar_err;
         const stewart_real K_x_bar = S_1_z*Y_moment_y + Y_force_x - S_1_y*Y_moment_z;
         const stewart_real K_x_bar_err = S_1_y_err*Y_moment_z_max + S_1_z_err*Y_moment_y_max
-            + STEWART_UNIT*(REAL(2)*S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
+            + STEWART_UNIT*(S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
             + STEWART_FABS(K_x_bar));
         const stewart_real K_x_bar_max = STEWART_FABS(K_x_bar) + K_x_bar_err;
         const stewart_real Q_y_bar = K_x_bar*y_x + K_y_bar*y_y + K_z_bar*y_z;
         const stewart_real Q_y_bar_err = K_x_bar_err*y_x_max + K_x_bar_max*y_x_err + K_y_bar_err*y_y_max
             + K_y_bar_max*y_y_err + K_z_bar_err*y_z_max + K_z_bar_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max
-            + REAL(2)*K_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
+            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max + K_z_bar_max*y_z_max
+            + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real Q_k_bar = K_x_bar*k_x + K_y_bar*k_y + K_z_bar*k_z - D_weight*k1;
         const stewart_real Q_k_bar_err = D_weight_max*k1_err + K_x_bar_err*k_x_max + K_x_bar_max*k_x_err
             + K_y_bar_err*k_y_max + K_y_bar_max*k_y_err + K_z_bar_err*k_z_max + K_z_bar_max*k_z_err
-            + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max + REAL(3)*K_x_bar_max*k_x_max
-            + REAL(3)*K_y_bar_max*k_y_max + REAL(3)*K_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
+            + STEWART_UNIT*(D_weight_max*k1_max + REAL(3)*K_x_bar_max*k_x_max + REAL(3)*K_y_bar_max*k_y_max
+            + REAL(2)*K_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
         const stewart_real Q_k_bar_max = STEWART_FABS(Q_k_bar) + Q_k_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
@@ -2973,20 +2967,20 @@ static void leg_errors(
         const stewart_real k13_bar = M_phi_bar*a2 + M_phi_theta_bar*a1 - M_phi_L_bar*h_z;
         const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err
             + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + M_phi_theta_bar_err*a1_max
-            + M_phi_theta_bar_max*a1_err + STEWART_UNIT*(REAL(2)*M_phi_L_bar_max*h_z_max
-            + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*M_phi_theta_bar_max*a1_max + STEWART_FABS(k13_bar));
+            + M_phi_theta_bar_max*a1_err + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max
+            + REAL(2)*M_phi_theta_bar_max*a1_max + STEWART_FABS(k13_bar));
         const stewart_real k13_bar_max = STEWART_FABS(k13_bar) + k13_bar_err;
         const stewart_real phi_ddot_bar = M_mixed*tau_y_bar + M_phi*tau_k_bar - D_weight*k3_h;
         const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max
             + M_mixed_max*tau_y_bar_err + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err
-            + STEWART_UNIT*(REAL(2)*D_weight_max*k3_h_max + REAL(2)*M_mixed_max*tau_y_bar_max
+            + STEWART_UNIT*(D_weight_max*k3_h_max + REAL(2)*M_mixed_max*tau_y_bar_max
             + REAL(2)*M_phi_max*tau_k_bar_max + STEWART_FABS(phi_ddot_bar));
         const stewart_real phi_ddot_bar_max = STEWART_FABS(phi_ddot_bar) + phi_ddot_bar_err;
         const stewart_real theta_ddot_bar = D_weight*h_z + M_mixed*tau_k_bar + M_theta*tau_y_bar;
         const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max
             + M_mixed_max*tau_k_bar_err + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err
             + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max + REAL(2)*M_mixed_max*tau_k_bar_max
-            + REAL(2)*M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
+            + M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
         const stewart_real c2 = inv_rho*k1;
         const stewart_real c2_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c2);
@@ -2995,7 +2989,7 @@ static void leg_errors(
         const stewart_real L_ddot_bar_err = c2_err*theta_ddot_bar_max + c2_max*theta_ddot_bar_err
             + h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err
             + STEWART_UNIT*(REAL(2)*c2_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
-            + REAL(2)*k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
+            + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
         const stewart_real c3 = L*L_ddot_bar;
         const stewart_real c3_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c3);
@@ -3005,7 +2999,7 @@ static void leg_errors(
             + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max
             + M_phi_theta_bar_max*a2_err + c3_err*phi_dot2_max + c3_max*phi_dot2_err
             + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + REAL(3)*M_phi_theta_bar_max*a2_max + REAL(3)*c3_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + M_phi_theta_bar_max*a2_max + REAL(2)*c3_max*phi_dot2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c4 = theta_ddot_bar*theta_dot;
         const stewart_real c4_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
@@ -3030,12 +3024,12 @@ static void leg_errors(
         const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + L_ddot_bar_err*L_max*k33_max
             + L_ddot_bar_max*L_err*k33_max + L_ddot_bar_max*L_max*k33_err + M_phi_theta_err*tau_y_bar_max
             + M_phi_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*M_phi_L_max
-            + REAL(3)*L_ddot_bar_max*L_max*k33_max + REAL(2)*M_phi_theta_max*tau_y_bar_max
+            + REAL(3)*L_ddot_bar_max*L_max*k33_max + M_phi_theta_max*tau_y_bar_max
             + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c3 - D_weight*h_x;
         const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c3_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max
+            + M_mixed_theta_max*tau_k_bar_err + c3_err + STEWART_UNIT*(D_weight_max*h_x_max
             + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c3_max + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real L_share_bar = rho_share_bar - c4;
@@ -3065,10 +3059,10 @@ static void leg_errors(
             + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max + theta_ddot_bar_err*(L_share_max
             + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
             + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(8)*C_us_max*tau_y_bar_max
-            + REAL(8)*L_dot_max*bend_bar_max + REAL(8)*M_phi_theta_max*c5_max + REAL(8)*c6_max*y_x_max
-            + REAL(8)*c7_max*y_y_max + REAL(8)*c8_max*y_z_max + REAL(8)*kappa_max*rho_share_bar_max
-            + REAL(9)*theta_ddot_bar_max*(L_share_max + rho_share_max)
-            + REAL(16)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+            + REAL(8)*L_dot_max*bend_bar_max + REAL(7)*M_phi_theta_max*c5_max + REAL(3)*c6_max*y_x_max
+            + REAL(2)*c7_max*y_y_max + c8_max*y_z_max + REAL(6)*kappa_max*rho_share_bar_max
+            + REAL(6)*theta_ddot_bar_max*(L_share_max + rho_share_max)
+            + REAL(8)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
         const stewart_real phi_dot_bar = C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar
             - c6*k_x - c7*k_y - c8*k_z;
@@ -3076,16 +3070,16 @@ static void leg_errors(
             + c6_max*k_x_err + c7_err*k_y_max + c7_max*k_y_err + c8_err*k_z_max + c8_max*k_z_err
             + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
             + REAL(2)*two_phi_dot_bar_err + STEWART_UNIT*(REAL(5)*C_us_max*tau_k_bar_max
-            + REAL(5)*c6_max*k_x_max + REAL(5)*c7_max*k_y_max + REAL(5)*c8_max*k_z_max
-            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(8)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
+            + REAL(3)*c6_max*k_x_max + REAL(2)*c7_max*k_y_max + c8_max*k_z_max
+            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(6)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
         const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c5 + bend_bar*theta_dot
             + c2*theta_dot_bar;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
             + M_phi_L_err*c5_max + M_phi_L_max*c5_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
             + c2_err*theta_dot_bar_max + c2_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
-            + REAL(4)*L_share_bar_max*inv_L_max + REAL(4)*M_phi_L_max*c5_max
-            + REAL(4)*bend_bar_max*theta_dot_max + REAL(4)*c2_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
+            + REAL(4)*L_share_bar_max*inv_L_max + REAL(3)*M_phi_L_max*c5_max
+            + REAL(2)*bend_bar_max*theta_dot_max + c2_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c9 = inv_rho*phi_ddot_bar;
         const stewart_real c9_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
@@ -3098,17 +3092,17 @@ static void leg_errors(
         const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c9*y_z - c10*k_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c10_err*k_z_max
             + c10_max*k_z_err + c9_err*y_z_max + c9_max*y_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c10_max*k_z_max + REAL(2)*c9_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
+            + c10_max*k_z_max + REAL(2)*c9_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
         const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
         const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c9*y_y - c10*k_y;
         const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c10_err*k_y_max
             + c10_max*k_y_err + c9_err*y_y_max + c9_max*y_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c10_max*k_y_max + REAL(2)*c9_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
+            + c10_max*k_y_max + REAL(2)*c9_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
         const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
         const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c9*y_x - c10*k_x;
         const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c10_err*k_x_max
             + c10_max*k_x_err + c9_err*y_x_max + c9_max*y_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c10_max*k_x_max + REAL(2)*c9_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
+            + c10_max*k_x_max + REAL(2)*c9_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c11 = inv_rho*phi_dot_bar;
         const stewart_real c11_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
@@ -3121,17 +3115,17 @@ static void leg_errors(
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c11*y_z - c12*k_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c11_err*y_z_max
             + c11_max*y_z_err + c12_err*k_z_max + c12_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c11_max*y_z_max + REAL(2)*c12_max*k_z_max + STEWART_FABS(S_dot_z_bar));
+            + REAL(2)*c11_max*y_z_max + c12_max*k_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
         const stewart_real S_dot_y_bar = L_dot_bar*s_y + c11*y_y - c12*k_y;
         const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c11_err*y_y_max
             + c11_max*y_y_err + c12_err*k_y_max + c12_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c11_max*y_y_max + REAL(2)*c12_max*k_y_max + STEWART_FABS(S_dot_y_bar));
+            + REAL(2)*c11_max*y_y_max + c12_max*k_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
         const stewart_real S_dot_x_bar = L_dot_bar*s_x + c11*y_x - c12*k_x;
         const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c11_err*y_x_max
             + c11_max*y_x_err + c12_err*k_x_max + c12_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c11_max*y_x_max + REAL(2)*c12_max*k_x_max + STEWART_FABS(S_dot_x_bar));
+            + REAL(2)*c11_max*y_x_max + c12_max*k_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real kappa_bar = rho_share_bar*theta_dot;
         const stewart_real kappa_bar_err = rho_share_bar_err*theta_dot_max + rho_share_bar_max*theta_dot_err
@@ -3144,8 +3138,8 @@ static void leg_errors(
             + h_y_max*k3_h_bar_err + k13_bar_err*k1_max + k13_bar_max*k1_err + REAL(2)*k33_bar_err*k3_max
             + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max
             + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
-            + REAL(6)*M_mixed_theta_bar_max*a3_max + REAL(6)*h_y_max*k3_h_bar_max + REAL(6)*k13_bar_max*k1_max
-            + REAL(12)*k33_bar_max*k3_max + REAL(6)*w_k_bar_max*w_z_max + REAL(6)*w_n_bar_max*w_x_max
+            + M_mixed_theta_bar_max*a3_max + REAL(6)*h_y_max*k3_h_bar_max + REAL(5)*k13_bar_max*k1_max
+            + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
             + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
         const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c10 + L_dot*c12 + M_mixed_bar*a3
@@ -3155,10 +3149,10 @@ static void leg_errors(
             + L_dot_max*c12_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c1_max
             + bend_max*c1_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
             + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err
-            + STEWART_UNIT*(REAL(8)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(8)*L_ddot_max*c10_max + REAL(8)*L_dot_max*c12_max + REAL(8)*M_mixed_bar_max*a3_max
-            + REAL(8)*bend_max*c1_max + REAL(8)*k13_bar_max*k3_max + REAL(8)*w_k_bar_max*w_x_max
-            + REAL(8)*w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
+            + STEWART_UNIT*(REAL(3)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max
+            + REAL(8)*L_ddot_max*c10_max + REAL(7)*L_dot_max*c12_max + REAL(6)*M_mixed_bar_max*a3_max
+            + REAL(2)*bend_max*c1_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
+            + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c13 = C_s*tau_y_bar;
         const stewart_real c13_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c13);
@@ -3169,9 +3163,9 @@ static void leg_errors(
             + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err + c13_err*omega_z_max
             + c8_err*theta_dot_max + c8_max*theta_dot_err + g_x_k_z_err*gamma_n_bar_max
             + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_z_bar_max*Q_y_max
-            + REAL(6)*S_ddot_z_max*c9_max + REAL(6)*S_dot_z_max*c11_max + REAL(6)*c13_max*omega_z_max
-            + REAL(6)*c8_max*theta_dot_max + REAL(6)*g_x_k_z_max*gamma_n_bar_max
-            + REAL(6)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
+            + REAL(6)*S_ddot_z_max*c9_max + REAL(5)*S_dot_z_max*c11_max + REAL(2)*c13_max*omega_z_max
+            + c8_max*theta_dot_max + REAL(4)*g_x_k_z_max*gamma_n_bar_max + REAL(3)*g_z_max*gamma_y_bar_max
+            + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
         const stewart_real y_y_bar = K_y_bar*Q_y + S_ddot_y*c9 + S_dot_y*c11 + g_x_k_y*gamma_n_bar
             + g_y*gamma_y_bar - c13*omega_y - c7*theta_dot;
@@ -3179,9 +3173,9 @@ static void leg_errors(
             + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err + c13_err*omega_y_max
             + c7_err*theta_dot_max + c7_max*theta_dot_err + g_x_k_y_err*gamma_n_bar_max
             + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_y_bar_max*Q_y_max
-            + REAL(6)*S_ddot_y_max*c9_max + REAL(6)*S_dot_y_max*c11_max + REAL(6)*c13_max*omega_y_max
-            + REAL(6)*c7_max*theta_dot_max + REAL(6)*g_x_k_y_max*gamma_n_bar_max
-            + REAL(6)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
+            + REAL(6)*S_ddot_y_max*c9_max + REAL(5)*S_dot_y_max*c11_max + REAL(2)*c13_max*omega_y_max
+            + c7_max*theta_dot_max + REAL(4)*g_x_k_y_max*gamma_n_bar_max + REAL(3)*g_y_max*gamma_y_bar_max
+            + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
         const stewart_real y_x_bar = K_x_bar*Q_y + S_ddot_x*c9 + S_dot_x*c11 + g_x*gamma_y_bar
             + g_x_k_x*gamma_n_bar - c13*omega_x - c6*theta_dot;
@@ -3189,9 +3183,9 @@ static void leg_errors(
             + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err + c13_err*omega_x_max
             + c6_err*theta_dot_max + c6_max*theta_dot_err + g_x_k_x_err*gamma_n_bar_max
             + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_x_bar_max*Q_y_max
-            + REAL(6)*S_ddot_x_max*c9_max + REAL(6)*S_dot_x_max*c11_max + REAL(6)*c13_max*omega_x_max
-            + REAL(6)*c6_max*theta_dot_max + REAL(6)*g_x_k_x_max*gamma_n_bar_max
-            + REAL(6)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
+            + REAL(6)*S_ddot_x_max*c9_max + REAL(5)*S_dot_x_max*c11_max + REAL(2)*c13_max*omega_x_max
+            + c6_max*theta_dot_max + REAL(3)*g_x_k_x_max*gamma_n_bar_max + REAL(4)*g_x_max*gamma_y_bar_max
+            + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
             + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
@@ -3220,20 +3214,20 @@ static void leg_errors(
             + y_x_err*(S_ddot_x_max*phi_ddot_bar_max + S_dot_x_max*phi_dot_bar_max)
             + y_y_err*(S_ddot_y_max*phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
             + y_z_err*(S_ddot_z_max*phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max)
-            + STEWART_UNIT*(REAL(9)*Q_k_bar_max*tau_y_max + REAL(9)*Q_y_bar_max*tau_k_max
-            + REAL(9)*k_cross_S_x_max*y_x_bar_max + REAL(9)*k_cross_S_y_max*y_y_bar_max
-            + REAL(9)*k_cross_S_z_max*y_z_bar_max + REAL(9)*kappa_bar_max*zeta_max
-            + REAL(9)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + STEWART_UNIT*(Q_k_bar_max*tau_y_max + REAL(9)*Q_y_bar_max*tau_k_max
+            + REAL(9)*k_cross_S_x_max*y_x_bar_max + REAL(8)*k_cross_S_y_max*y_y_bar_max
+            + REAL(7)*k_cross_S_z_max*y_z_bar_max + REAL(6)*kappa_bar_max*zeta_max
+            + REAL(5)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
             + phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-            + REAL(3)*S_ddot_z_max*y_z_max) + REAL(9)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
+            + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
             + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(3)*S_dot_z_max*y_z_max) + REAL(9)*theta_ddot_bar_max*(L_ddot_max*k1_max
+            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*theta_ddot_bar_max*(L_ddot_max*k1_max
             + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max)
             + theta_ddot_bar_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
-            + REAL(4)*S_ddot_y_max*k_y_max + REAL(4)*S_ddot_z_max*k_z_max)
-            + REAL(9)*theta_dot_bar_max*(L_dot_max*k1_max + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max
+            + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max)
+            + REAL(2)*theta_dot_bar_max*(L_dot_max*k1_max + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max
             + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max + REAL(4)*S_dot_x_max*k_x_max
-            + REAL(4)*S_dot_y_max*k_y_max + REAL(4)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
+            + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
             + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
@@ -3241,17 +3235,17 @@ static void leg_errors(
             + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
             + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
             + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(REAL(3)*H_force_z_bar_max
-            + REAL(4)*H_moment_x_bar_max*r_y_max + REAL(4)*H_moment_y_bar_max*r_x_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_z_max + REAL(4)*L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
+            + REAL(4)*H_moment_x_bar_max*r_y_max + H_moment_y_bar_max*r_x_max
+            + REAL(3)*L_ddot_bar_max*S_ddot_z_max + REAL(2)*L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
         const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
             + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
         const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
             + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
             + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(REAL(3)*H_force_y_bar_max
-            + REAL(4)*H_moment_x_bar_max*r_z_max + REAL(4)*H_moment_z_bar_max*r_x_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_y_max + REAL(4)*L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
+            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(REAL(3)*H_force_y_bar_max + H_moment_x_bar_max*r_z_max
+            + REAL(4)*H_moment_z_bar_max*r_x_max + REAL(3)*L_ddot_bar_max*S_ddot_y_max
+            + REAL(2)*L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
         const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
             + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
@@ -3259,8 +3253,8 @@ static void leg_errors(
             + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
             + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
             + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(REAL(3)*H_force_x_bar_max
-            + REAL(4)*H_moment_y_bar_max*r_z_max + REAL(4)*H_moment_z_bar_max*r_y_max
-            + REAL(4)*L_ddot_bar_max*S_ddot_x_max + REAL(4)*L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
+            + REAL(4)*H_moment_y_bar_max*r_z_max + H_moment_z_bar_max*r_y_max
+            + REAL(3)*L_ddot_bar_max*S_ddot_x_max + REAL(2)*L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
@@ -3268,8 +3262,8 @@ static void leg_errors(
             + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err
             + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err + k1_bar_err*zeta_max + k1_bar_max*zeta_err
             + k3_bar_err*rho_max + k3_bar_max*rho_err + STEWART_UNIT*(REAL(5)*L_dot_max*L_share_bar_max
-            + REAL(5)*S_x_max*s_x_bar_max + REAL(5)*S_y_max*s_y_bar_max + REAL(5)*S_z_max*s_z_bar_max
-            + REAL(5)*k1_bar_max*zeta_max + REAL(5)*k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
+            + REAL(5)*S_x_max*s_x_bar_max + REAL(4)*S_y_max*s_y_bar_max + REAL(3)*S_z_max*s_z_bar_max
+            + REAL(2)*k1_bar_max*zeta_max + k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
         const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err
@@ -3286,8 +3280,8 @@ static void leg_errors(
             + inv_L_bar_err*inv_L_max*inv_L_max + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max
             + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max + theta_dot2_max)
             + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
-            + REAL(4)*a2_bar_max*h2_z_max + REAL(4)*a3_bar_max*h_y_max
-            + REAL(5)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
+            + REAL(3)*a2_bar_max*h2_z_max + REAL(2)*a3_bar_max*h_y_max
+            + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real c14 = L_bar*inv_L;
         const stewart_real c14_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c14);
@@ -3318,43 +3312,43 @@ static void leg_errors(
         const stewart_real zeta_bar = c14*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
         const stewart_real zeta_bar_err = c14_err*zeta_max + c14_max*zeta_err + inv_L_err*k1_bar_max
             + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err
-            + STEWART_UNIT*(REAL(2)*c14_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max
-            + REAL(2)*inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
+            + STEWART_UNIT*(REAL(2)*c14_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max
+            + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real S_z_bar = inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
         const stewart_real S_z_bar_err = inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err
             + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max
             + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max + k_z_max*zeta_bar_err
             + STEWART_UNIT*(REAL(3)*inv_L_max*s_z_bar_max + REAL(3)*k_cross_S_x_bar_max*k_y_max
-            + REAL(3)*k_cross_S_y_bar_max*k_x_max + REAL(3)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
+            + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
         const stewart_real S_y_bar = inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar - k_cross_S_x_bar*k_z;
         const stewart_real S_y_bar_err = inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err
             + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max
             + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max + k_y_max*zeta_bar_err
-            + STEWART_UNIT*(REAL(3)*inv_L_max*s_y_bar_max + REAL(3)*k_cross_S_x_bar_max*k_z_max
-            + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(3)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
+            + STEWART_UNIT*(REAL(3)*inv_L_max*s_y_bar_max + k_cross_S_x_bar_max*k_z_max
+            + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
         const stewart_real S_x_bar = inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar - k_cross_S_z_bar*k_y;
         const stewart_real S_x_bar_err = inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err
             + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max
             + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max + k_x_max*zeta_bar_err
             + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
-            + REAL(3)*k_cross_S_z_bar_max*k_y_max + REAL(3)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
+            + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
         const stewart_real S_1_z_bar = K_x*Y_moment_y + S_z_bar - K_y*Y_moment_x;
         const stewart_real S_1_z_bar_err = K_x_err*Y_moment_y_max + K_y_err*Y_moment_x_max + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + REAL(2)*K_y_max*Y_moment_x_max + S_z_bar_max
+            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + K_y_max*Y_moment_x_max + S_z_bar_max
             + STEWART_FABS(S_1_z_bar));
         const stewart_real S_1_z_bar_max = STEWART_FABS(S_1_z_bar) + S_1_z_bar_err;
         const stewart_real S_1_y_bar = K_z*Y_moment_x + S_y_bar - K_x*Y_moment_z;
         const stewart_real S_1_y_bar_err = K_x_err*Y_moment_z_max + K_z_err*Y_moment_x_max + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
+            + STEWART_UNIT*(K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
             + STEWART_FABS(S_1_y_bar));
         const stewart_real S_1_y_bar_max = STEWART_FABS(S_1_y_bar) + S_1_y_bar_err;
         const stewart_real S_1_x_bar = K_y*Y_moment_z + S_x_bar - K_z*Y_moment_y;
         const stewart_real S_1_x_bar_err = K_y_err*Y_moment_z_max + K_z_err*Y_moment_y_max + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_y_max + S_x_bar_max
+            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + K_z_max*Y_moment_y_max + S_x_bar_max
             + STEWART_FABS(S_1_x_bar));
         const stewart_real S_1_x_bar_max = STEWART_FABS(S_1_x_bar) + S_1_x_bar_err;
         const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_1_z_bar
@@ -3363,9 +3357,8 @@ static void leg_errors(
             + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
             + B_zz_max*S_ddot_z_bar_err + S_1_z_bar_err + S_dot_x_bar_err*omega_y_max
             + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xz_max*S_ddot_x_bar_max
-            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_1_z_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_y_max + REAL(5)*S_dot_y_bar_max*omega_x_max
-            + STEWART_FABS(q_z_bar));
+            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max + REAL(2)*S_1_z_bar_max
+            + REAL(2)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
         const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_1_y_bar
             + S_dot_z_bar*omega_x - S_dot_x_bar*omega_z;
@@ -3373,9 +3366,8 @@ static void leg_errors(
             + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
             + B_zy_max*S_ddot_z_bar_err + S_1_y_bar_err + S_dot_x_bar_err*omega_z_max
             + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xy_max*S_ddot_x_bar_max
-            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + REAL(4)*S_1_y_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_x_max
-            + STEWART_FABS(q_y_bar));
+            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max + REAL(2)*S_1_y_bar_max
+            + S_dot_x_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
         const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_1_x_bar
             + S_dot_y_bar*omega_z - S_dot_z_bar*omega_y;
@@ -3383,9 +3375,8 @@ static void leg_errors(
             + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
             + B_zx_max*S_ddot_z_bar_err + S_1_x_bar_err + S_dot_y_bar_err*omega_z_max
             + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*B_xx_max*S_ddot_x_bar_max
-            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_1_x_bar_max
-            + REAL(5)*S_dot_y_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_y_max
-            + STEWART_FABS(q_x_bar));
+            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max + REAL(2)*S_1_x_bar_max
+            + REAL(2)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c16 = C_s*tau_k_bar;
         const stewart_real c16_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c16);
@@ -3397,9 +3388,9 @@ static void leg_errors(
             + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err
             + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err + c16_err*omega_x_max
             + c6_err*phi_dot_max + c6_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_x_bar_max*Q_k_max
-            + REAL(7)*S_ddot_x_max*c10_max + REAL(7)*S_dot_x_max*c12_max + REAL(7)*S_x_max*zeta_bar_max
-            + REAL(7)*S_y_max*k_cross_S_z_bar_max + REAL(7)*S_z_max*k_cross_S_y_bar_max
-            + REAL(7)*c16_max*omega_x_max + REAL(7)*c6_max*phi_dot_max + STEWART_FABS(k_x_bar));
+            + REAL(5)*S_ddot_x_max*c10_max + REAL(4)*S_dot_x_max*c12_max + REAL(7)*S_x_max*zeta_bar_max
+            + REAL(6)*S_y_max*k_cross_S_z_bar_max + REAL(3)*S_z_max*k_cross_S_y_bar_max
+            + REAL(2)*c16_max*omega_x_max + c6_max*phi_dot_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
         const stewart_real k_y_bar = K_y_bar*Q_k + S_y*zeta_bar + S_z*k_cross_S_x_bar - S_ddot_y*c10
             - S_dot_y*c12 - S_x*k_cross_S_z_bar - c16*omega_y - c7*phi_dot;
@@ -3408,9 +3399,9 @@ static void leg_errors(
             + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err
             + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err + c16_err*omega_y_max
             + c7_err*phi_dot_max + c7_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_y_bar_max*Q_k_max
-            + REAL(7)*S_ddot_y_max*c10_max + REAL(7)*S_dot_y_max*c12_max + REAL(7)*S_x_max*k_cross_S_z_bar_max
-            + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(7)*c16_max*omega_y_max
-            + REAL(7)*c7_max*phi_dot_max + STEWART_FABS(k_y_bar));
+            + REAL(5)*S_ddot_y_max*c10_max + REAL(4)*S_dot_y_max*c12_max + REAL(3)*S_x_max*k_cross_S_z_bar_max
+            + REAL(7)*S_y_max*zeta_bar_max + REAL(6)*S_z_max*k_cross_S_x_bar_max + REAL(2)*c16_max*omega_y_max
+            + c7_max*phi_dot_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
         const stewart_real k_z_bar = K_z_bar*Q_k + S_x*k_cross_S_y_bar + S_z*zeta_bar - S_ddot_z*c10
             - S_dot_z*c12 - S_y*k_cross_S_x_bar - c16*omega_z - c8*phi_dot;
@@ -3418,10 +3409,10 @@ static void leg_errors(
             + S_ddot_z_max*c10_err + S_dot_z_err*c12_max + S_dot_z_max*c12_err + S_x_err*k_cross_S_y_bar_max
             + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err
             + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + c16_err*omega_z_max + c8_err*phi_dot_max
-            + c8_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_z_bar_max*Q_k_max + REAL(7)*S_ddot_z_max*c10_max
-            + REAL(7)*S_dot_z_max*c12_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
-            + REAL(7)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(7)*c16_max*omega_z_max
-            + REAL(7)*c8_max*phi_dot_max + STEWART_FABS(k_z_bar));
+            + c8_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_z_bar_max*Q_k_max + REAL(5)*S_ddot_z_max*c10_max
+            + REAL(4)*S_dot_z_max*c12_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
+            + REAL(3)*S_y_max*k_cross_S_x_bar_max + REAL(6)*S_z_max*zeta_bar_max + REAL(2)*c16_max*omega_z_max
+            + c8_max*phi_dot_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
         const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max
@@ -3437,7 +3428,7 @@ static void leg_errors(
         const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max
             + L_ddot_max*tau_y_bar_err + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err
             + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max + REAL(2)*L_ddot_max*tau_y_bar_max
-            + REAL(2)*M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+            + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
         const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
         const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max
@@ -3542,19 +3533,19 @@ static void leg_errors(
         const stewart_real r_x_bar_err = H_moment_y_bar_err*s_z_max + H_moment_y_bar_max*s_z_err
             + H_moment_z_bar_err*s_y_max + H_moment_z_bar_max*s_y_err + S_x_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_y_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_y_max
-            + S_x_bar_max + STEWART_FABS(r_x_bar));
+            + STEWART_FABS(r_x_bar));
         const stewart_real r_x_bar_max = STEWART_FABS(r_x_bar) + r_x_bar_err;
         const stewart_real r_y_bar = H_moment_x_bar*s_z - H_moment_z_bar*s_x - S_y_bar;
         const stewart_real r_y_bar_err = H_moment_x_bar_err*s_z_max + H_moment_x_bar_max*s_z_err
             + H_moment_z_bar_err*s_x_max + H_moment_z_bar_max*s_x_err + S_y_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_x_max
-            + S_y_bar_max + STEWART_FABS(r_y_bar));
+            + STEWART_FABS(r_y_bar));
         const stewart_real r_y_bar_max = STEWART_FABS(r_y_bar) + r_y_bar_err;
         const stewart_real r_z_bar = H_moment_y_bar*s_x - H_moment_x_bar*s_y - S_z_bar;
         const stewart_real r_z_bar_err = H_moment_x_bar_err*s_y_max + H_moment_x_bar_max*s_y_err
             + H_moment_y_bar_err*s_x_max + H_moment_y_bar_max*s_x_err + S_z_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_y_max + REAL(2)*H_moment_y_bar_max*s_x_max
-            + S_z_bar_max + STEWART_FABS(r_z_bar));
+            + STEWART_FABS(r_z_bar));
         const stewart_real r_z_bar_max = STEWART_FABS(r_z_bar) + r_z_bar_err;
         error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
             + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
@@ -3697,8 +3688,6 @@ static void leg_errors_near_singularity(
         omega_z_max = STEWART_FABS(omega_z);
     const stewart_real v_x_max = STEWART_FABS(v_x), v_y_max = STEWART_FABS(v_y),
         v_z_max = STEWART_FABS(v_z);
-    const stewart_real a_x_max = STEWART_FABS(a_x), a_y_max = STEWART_FABS(a_y),
-        a_z_max = STEWART_FABS(a_z);
     const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err,
         B_xy_max = STEWART_FABS(B_xy) + B_xy_err, B_xz_max = STEWART_FABS(B_xz) + B_xz_err,
         B_yx_max = STEWART_FABS(B_yx) + B_yx_err, B_yy_max = STEWART_FABS(B_yy) + B_yy_err,
@@ -3711,17 +3700,17 @@ static void leg_errors_near_singularity(
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
-        + REAL(2)*R_xz_max*p_z_max + STEWART_FABS(q_x));
+        + R_xz_max*p_z_max + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
-        + REAL(2)*R_yz_max*p_z_max + STEWART_FABS(q_y));
+        + R_yz_max*p_z_max + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
-        + REAL(2)*R_zz_max*p_z_max + STEWART_FABS(q_z));
+        + R_zz_max*p_z_max + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
     /* (1) platform point from base point 1, base frame */
@@ -3753,7 +3742,7 @@ static void leg_errors_near_singularity(
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
-        + REAL(2)*S_z_max*k_z_max + STEWART_FABS(zeta));
+        + S_z_max*k_z_max + STEWART_FABS(zeta));
     const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err
         + S_z_err*k_z_max + S_z_max*k_z_err + zeta_own;
     const stewart_real zeta_max = STEWART_FABS(zeta) + zeta_err;
@@ -3778,10 +3767,10 @@ static void leg_errors_near_singularity(
     /* (2) leg length, and distance of its tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
-        + REAL(3)*S_z_max*S_z_max));
+        + REAL(2)*S_z_max*S_z_max));
     const stewart_real L_err = root_error(L, REAL(2)*S_x_err*S_x_max + REAL(2)*S_y_err*S_y_max
         + REAL(2)*S_z_err*S_z_max + STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
-        + REAL(3)*S_z_max*S_z_max));
+        + REAL(2)*S_z_max*S_z_max));
     const stewart_real L_max = STEWART_FABS(L) + L_err;
     const stewart_real inv_L = REAL(1)/L;
     const stewart_real inv_L_own = STEWART_UNIT*STEWART_FABS(inv_L);
@@ -3824,13 +3813,13 @@ static void leg_errors_near_singularity(
         + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
     const stewart_real rho_own = root_error(rho, STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
         + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
-        + REAL(3)*s_cross_normal_z_max*s_cross_normal_z_max));
+        + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
     const stewart_real rho_err = root_error(rho, REAL(2)*s_cross_normal_x_err*s_cross_normal_x_max
         + REAL(2)*s_cross_normal_y_err*s_cross_normal_y_max
         + REAL(2)*s_cross_normal_z_err*s_cross_normal_z_max
         + STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
         + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
-        + REAL(3)*s_cross_normal_z_max*s_cross_normal_z_max));
+        + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
     const stewart_real rho_max = STEWART_FABS(rho) + rho_err;
     const stewart_real inv_rho = REAL(1)/rho;
     const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
@@ -3884,50 +3873,50 @@ static void leg_errors_near_singularity(
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + REAL(2)*omega_z_max*q_y_max
+    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max
         + v_x_max + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
     const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
+    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
         + v_y_max + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
     const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + REAL(2)*omega_y_max*q_x_max
+    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max
         + v_z_max + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
     const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
     const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max
-        + REAL(3)*B_xz_max*q_z_max + REAL(2)*a_x_max + STEWART_FABS(S_ddot_x));
+        + REAL(2)*B_xz_max*q_z_max + STEWART_FABS(S_ddot_x));
     const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max
         + B_xy_max*q_y_err + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
     const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
     const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max
-        + REAL(3)*B_yz_max*q_z_max + REAL(2)*a_y_max + STEWART_FABS(S_ddot_y));
+        + REAL(2)*B_yz_max*q_z_max + STEWART_FABS(S_ddot_y));
     const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max
         + B_yy_max*q_y_err + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
     const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
     const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max
-        + REAL(3)*B_zz_max*q_z_max + REAL(2)*a_z_max + STEWART_FABS(S_ddot_z));
+        + REAL(2)*B_zz_max*q_z_max + STEWART_FABS(S_ddot_z));
     const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max
         + B_zy_max*q_y_err + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
-        + REAL(2)*S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
+        + S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
     const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max
         + S_dot_y_max*s_y_err + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
     const stewart_real L_dot_max = STEWART_FABS(L_dot) + L_dot_err;
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
     const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max
-        + REAL(3)*S_dot_y_max*y_y_max + REAL(3)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
+        + REAL(3)*S_dot_y_max*y_y_max + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
     const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err
         + S_dot_y_err*inv_rho_max*y_y_max + S_dot_y_max*inv_rho_max*y_y_err
         + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
@@ -3935,7 +3924,7 @@ static void leg_errors_near_singularity(
     const stewart_real phi_dot_max = STEWART_FABS(phi_dot) + phi_dot_err;
     const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
     const stewart_real theta_dot_own = STEWART_UNIT*(inv_L_max*(REAL(3)*S_dot_x_max*z_x_max
-        + REAL(3)*S_dot_y_max*z_y_max + REAL(3)*S_dot_z_max*z_z_max) + STEWART_FABS(theta_dot));
+        + REAL(3)*S_dot_y_max*z_y_max + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(theta_dot));
     const stewart_real theta_dot_err = S_dot_x_err*inv_L_max*z_x_max + S_dot_x_max*inv_L_max*z_x_err
         + S_dot_y_err*inv_L_max*z_y_max + S_dot_y_max*inv_L_max*z_y_err + S_dot_z_err*inv_L_max*z_z_max
         + S_dot_z_max*inv_L_max*z_z_err + inv_L_err*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max
@@ -3969,7 +3958,7 @@ static void leg_errors_near_singularity(
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
     const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max)
         + L_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max
-        + REAL(3)*S_ddot_y_max*s_y_max + REAL(3)*S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
+        + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
     const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max)
         + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err
         + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max + S_ddot_y_max*s_y_err
@@ -3981,7 +3970,7 @@ static void leg_errors_near_singularity(
     const stewart_real own_theta_ddot_own = STEWART_UNIT*(REAL(2)*L_share_max*theta_dot_max
         + inv_L_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
         + inv_L_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max
-        + REAL(3)*S_ddot_z_max*z_z_max) + STEWART_FABS(own_theta_ddot));
+        + REAL(2)*S_ddot_z_max*z_z_max) + STEWART_FABS(own_theta_ddot));
     const stewart_real own_theta_ddot_err = REAL(2)*L_share_err*theta_dot_max
         + REAL(2)*L_share_max*theta_dot_err + S_ddot_x_err*inv_L_max*z_x_max
         + S_ddot_x_max*inv_L_max*z_x_err + S_ddot_y_err*inv_L_max*z_y_max + S_ddot_y_max*inv_L_max*z_y_err
@@ -3993,7 +3982,7 @@ static void leg_errors_near_singularity(
     const stewart_real own_phi_ddot_own = STEWART_UNIT*(L_share_max*two_phi_dot_max
         + inv_rho_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
         + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-        + REAL(3)*S_ddot_z_max*y_z_max) + STEWART_FABS(own_phi_ddot));
+        + REAL(2)*S_ddot_z_max*y_z_max) + STEWART_FABS(own_phi_ddot));
     const stewart_real own_phi_ddot_err = L_share_err*two_phi_dot_max + L_share_max*two_phi_dot_err
         + S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err
         + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
@@ -4043,7 +4032,7 @@ static void leg_errors_near_singularity(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + REAL(2)*a2_max*k13_max
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max
         + STEWART_FABS(M_phi));
     const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max
         + a2_max*k13_err + M_phi_own;
@@ -4081,13 +4070,13 @@ static void leg_errors_near_singularity(
     /* gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
-        + REAL(2)*g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
+        + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
     const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max
         + g_x_k_y_max*y_y_err + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
     const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
-        + REAL(2)*g_z_max*y_z_max + STEWART_FABS(gamma_y));
+        + g_z_max*y_z_max + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
@@ -4105,12 +4094,12 @@ static void leg_errors_near_singularity(
     const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
         + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
         - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_y_own = STEWART_UNIT*(REAL(8)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
+    const stewart_real tau_y_own = STEWART_UNIT*(C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
         + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max
-        + REAL(3)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
-        + REAL(8)*M_mixed_max*phi_ddot_max + REAL(8)*M_theta_max*own_theta_ddot_max
-        + REAL(8)*bend_max*h2_x_max + REAL(8)*g_k_max*w_n_max + REAL(8)*gamma_n_max*w_k_max
-        + REAL(8)*phi_dot2_max*(c3_max*(k33_max + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max))
+        + REAL(2)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
+        + REAL(7)*M_mixed_max*phi_ddot_max + REAL(6)*M_theta_max*own_theta_ddot_max
+        + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max
+        + REAL(2)*phi_dot2_max*(c3_max*(k33_max + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max))
         + phi_dot2_max*(REAL(3)*c3_max*(k33_max + STEWART_HALF) + REAL(3)*k13_max*(J_yy_max + dJ_zx_max))
         + STEWART_FABS(tau_y));
     const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err
@@ -4126,16 +4115,16 @@ static void leg_errors_near_singularity(
         + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
         - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
         - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(REAL(9)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
+    const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
         + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
-        + REAL(3)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(9)*L_ddot_max*k3_h_max
-        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(9)*M_mixed_theta_max*theta_dot2_max
-        + REAL(9)*M_phi_max*own_phi_ddot_max + REAL(10)*bend_max*h2_y_max*k1_max
-        + REAL(9)*gamma_n_max*w_y_max + REAL(9)*gamma_y_max*w_n_max
-        + REAL(9)*two_phi_dot_max*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
-        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max
-        + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max + STEWART_HALF*c2_max)
-        + theta_dot_max*(J2_xz_max + REAL(3)*J_xx_max*kappa_max + c2_max)) + STEWART_FABS(tau_k));
+        + REAL(2)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max
+        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
+        + REAL(7)*M_phi_max*own_phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max
+        + REAL(2)*gamma_n_max*w_y_max + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max
+        + theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max + STEWART_HALF*c2_max))
+        + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max) + theta_dot_max*(J2_xz_max + REAL(3)*J_xx_max*kappa_max
+        + STEWART_HALF*c2_max)) + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
         + C_s_max*k_z_err*omega_z_max + C_us_err*phi_dot_max + C_us_max*phi_dot_err
         + STEWART_HALF*J2_xz_err*theta_dot_max*two_phi_dot_max
@@ -4177,8 +4166,8 @@ static void leg_errors_near_singularity(
     const stewart_real K_z_max = STEWART_FABS(K_z) + K_z_err;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
-        + REAL(4)*h_x_max*theta_dot2_max + REAL(4)*h_z_max*theta_ddot_max + REAL(4)*k3_h_max*phi_ddot_max
+    const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max
+        + REAL(2)*h_x_max*theta_dot2_max + REAL(4)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max
         + STEWART_FABS(D));
     /* the leg's column of H, moment rows */
     const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
@@ -4200,21 +4189,21 @@ static void leg_errors_near_singularity(
     const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
     const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_x_max*phi_dot_max
         + theta_dot_max*y_x_max) + C_s_max*(REAL(2)*k_x_max*phi_dot_max + REAL(2)*theta_dot_max*y_x_max)
-        + REAL(2)*K_y_max*S_1_z_max + REAL(2)*K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
+        + REAL(2)*K_y_max*S_1_z_max + K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_s_max*k_x_err*phi_dot_max + C_s_max*k_x_max*phi_dot_err
         + C_s_max*theta_dot_err*y_x_max + C_s_max*theta_dot_max*y_x_err + K_y_err*S_1_z_max
         + K_y_max*S_1_z_err + K_z_err*S_1_y_max + K_z_max*S_1_y_err + c_moment_x_own;
     const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
     const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_y_max*phi_dot_max
         + theta_dot_max*y_y_max) + C_s_max*(REAL(2)*k_y_max*phi_dot_max + REAL(2)*theta_dot_max*y_y_max)
-        + REAL(2)*K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
+        + K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_s_max*k_y_err*phi_dot_max + C_s_max*k_y_max*phi_dot_err
         + C_s_max*theta_dot_err*y_y_max + C_s_max*theta_dot_max*y_y_err + K_x_err*S_1_z_max
         + K_x_max*S_1_z_err + K_z_err*S_1_x_max + K_z_max*S_1_x_err + c_moment_y_own;
     const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
     const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_z_max*phi_dot_max
         + theta_dot_max*y_z_max) + C_s_max*(REAL(2)*k_z_max*phi_dot_max + REAL(2)*theta_dot_max*y_z_max)
-        + REAL(2)*K_x_max*S_1_y_max + REAL(2)*K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
+        + REAL(2)*K_x_max*S_1_y_max + K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_s_max*k_z_err*phi_dot_max + C_s_max*k_z_max*phi_dot_err
         + C_s_max*theta_dot_err*y_z_max + C_s_max*theta_dot_max*y_z_err + K_x_err*S_1_y_max
         + K_x_max*S_1_y_err + K_y_err*S_1_x_max + K_y_max*S_1_x_err + c_moment_z_own;
@@ -4275,30 +4264,30 @@ static void leg_errors_near_singularity(
         const stewart_real H_moment_z_bar_max = STEWART_FABS(H_moment_z_bar) + H_moment_z_bar_err;
         const stewart_real K_z_bar = S_1_y*Y_moment_x + Y_force_z - S_1_x*Y_moment_y;
         const stewart_real K_z_bar_err = S_1_x_err*Y_moment_y_max + S_1_y_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
+            + STEWART_UNIT*(S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
             + STEWART_FABS(K_z_bar));
         const stewart_real K_z_bar_max = STEWART_FABS(K_z_bar) + K_z_bar_err;
         const stewart_real K_y_bar = S_1_x*Y_moment_z + Y_force_y - S_1_z*Y_moment_x;
         const stewart_real K_y_bar_err = S_1_x_err*Y_moment_z_max + S_1_z_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_x_max + Y_force_y_max
+            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + S_1_z_max*Y_moment_x_max + Y_force_y_max
             + STEWART_FABS(K_y_bar));
         const stewart_real K_y_bar_max = STEWART_FABS(K_y_bar) + K_y_bar_err;
         const stewart_real K_x_bar = S_1_z*Y_moment_y + Y_force_x - S_1_y*Y_moment_z;
         const stewart_real K_x_bar_err = S_1_y_err*Y_moment_z_max + S_1_z_err*Y_moment_y_max
-            + STEWART_UNIT*(REAL(2)*S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
+            + STEWART_UNIT*(S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
             + STEWART_FABS(K_x_bar));
         const stewart_real K_x_bar_max = STEWART_FABS(K_x_bar) + K_x_bar_err;
         const stewart_real Q_z_bar = K_x_bar*z_x + K_y_bar*z_y + K_z_bar*z_z;
         const stewart_real Q_z_bar_err = K_x_bar_err*z_x_max + K_x_bar_max*z_x_err + K_y_bar_err*z_y_max
             + K_y_bar_max*z_y_err + K_z_bar_err*z_z_max + K_z_bar_max*z_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*z_x_max + REAL(2)*K_y_bar_max*z_y_max
-            + REAL(2)*K_z_bar_max*z_z_max + STEWART_FABS(Q_z_bar));
+            + STEWART_UNIT*(REAL(2)*K_x_bar_max*z_x_max + REAL(2)*K_y_bar_max*z_y_max + K_z_bar_max*z_z_max
+            + STEWART_FABS(Q_z_bar));
         const stewart_real Q_z_bar_max = STEWART_FABS(Q_z_bar) + Q_z_bar_err;
         const stewart_real Q_y_bar = K_x_bar*y_x + K_y_bar*y_y + K_z_bar*y_z;
         const stewart_real Q_y_bar_err = K_x_bar_err*y_x_max + K_x_bar_max*y_x_err + K_y_bar_err*y_y_max
             + K_y_bar_max*y_y_err + K_z_bar_err*y_z_max + K_z_bar_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max
-            + REAL(2)*K_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
+            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max + K_z_bar_max*y_z_max
+            + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
@@ -4404,8 +4393,8 @@ static void leg_errors_near_singularity(
         const stewart_real k13_bar = M_phi_bar*a2 + c6*c8 - M_phi_L_bar*h_z;
         const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err
             + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + c6_err*c8_max + c6_max*c8_err
-            + STEWART_UNIT*(REAL(2)*M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max
-            + REAL(2)*c6_max*c8_max + STEWART_FABS(k13_bar));
+            + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*c6_max*c8_max
+            + STEWART_FABS(k13_bar));
         const stewart_real phi_ddot_bar = M_mixed*tau_y_bar - D_weight*k3_h;
         const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max
             + M_mixed_max*tau_y_bar_err + STEWART_UNIT*(D_weight_max*k3_h_max + M_mixed_max*tau_y_bar_max
@@ -4441,12 +4430,12 @@ static void leg_errors_near_singularity(
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
             + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + c3_err*c6_max + c3_max*c6_err + c9_err*phi_dot2_max
             + c9_max*phi_dot2_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + REAL(3)*c3_max*c6_max + REAL(3)*c9_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + REAL(2)*c3_max*c6_max + c9_max*phi_dot2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c10 = STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2;
         const stewart_real c10_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err
             + STEWART_HALF*c2_err + STEWART_UNIT*(STEWART_HALF*J2_xz_max + REAL(2)*J_xx_max*kappa_max
-            + STEWART_HALF*c2_max + STEWART_FABS(c10));
+            + STEWART_FABS(c10));
         const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
         const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c10*theta_dot)
             - L_share*own_phi_ddot_bar - lean*phi_ddot_bar;
@@ -4455,7 +4444,7 @@ static void leg_errors_near_singularity(
             + L_share_max*own_phi_ddot_bar_err + c10_err*tau_k_bar_max*theta_dot_max
             + c10_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err
             + tau_k_bar_err*(L_dot_max*M_phi_L_max + c10_max*theta_dot_max)
-            + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + REAL(2)*lean_max*phi_ddot_bar_max
+            + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + lean_max*phi_ddot_bar_max
             + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c10_max*theta_dot_max)
             + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*c10_max*theta_dot_max)
             + STEWART_FABS(two_phi_dot_bar));
@@ -4465,14 +4454,14 @@ static void leg_errors_near_singularity(
         const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c1_err*theta_ddot_bar_max
             + c1_max*theta_ddot_bar_err + c3_err*c5_max*tau_y_bar_max + c3_max*c5_err*tau_y_bar_max
             + c8_err*k13_max*tau_y_bar_max + c8_max*k13_err*tau_y_bar_max + c9_err*k33_max + c9_max*k33_err
-            + tau_y_bar_err*(c3_max*c5_max + c8_max*k13_max) + STEWART_UNIT*(REAL(3)*D_weight_max*M_phi_L_max
-            + REAL(3)*c1_max*theta_ddot_bar_max + REAL(3)*c9_max*k33_max + REAL(3)*tau_y_bar_max*(c3_max*c5_max
+            + tau_y_bar_err*(c3_max*c5_max + c8_max*k13_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
+            + REAL(3)*c1_max*theta_ddot_bar_max + REAL(3)*c9_max*k33_max + REAL(2)*tau_y_bar_max*(c3_max*c5_max
             + c8_max*k13_max) + tau_y_bar_max*(REAL(2)*c3_max*c5_max + REAL(2)*c8_max*k13_max)
             + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c9 - D_weight*h_x;
         const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c9_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max
+            + M_mixed_theta_max*tau_k_bar_err + c9_err + STEWART_UNIT*(D_weight_max*h_x_max
             + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c9_max + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real lean_bar = -phi_ddot_bar*two_phi_dot;
@@ -4509,9 +4498,9 @@ static void leg_errors_near_singularity(
             + c13_max*y_y_err + c14_err*y_z_max + c14_max*y_z_err + kappa_err*lean_bar_max
             + kappa_max*lean_bar_err + REAL(2)*theta_dot2_bar_err*theta_dot_max
             + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(8)*C_us_max*tau_y_bar_max
-            + REAL(8)*L_dot_max*bend_bar_max + REAL(8)*L_share_max*c11_max + REAL(8)*c10_max*c15_max
-            + REAL(8)*c12_max*y_x_max + REAL(8)*c13_max*y_y_max + REAL(8)*c14_max*y_z_max
-            + REAL(8)*kappa_max*lean_bar_max + REAL(16)*theta_dot2_bar_max*theta_dot_max
+            + REAL(8)*L_dot_max*bend_bar_max + REAL(5)*L_share_max*c11_max + REAL(4)*c10_max*c15_max
+            + REAL(3)*c12_max*y_x_max + REAL(2)*c13_max*y_y_max + c14_max*y_z_max
+            + REAL(7)*kappa_max*lean_bar_max + REAL(12)*theta_dot2_bar_max*theta_dot_max
             + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
         const stewart_real phi_dot_bar = C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar
@@ -4520,15 +4509,15 @@ static void leg_errors_near_singularity(
             + c12_max*k_x_err + c13_err*k_y_max + c13_max*k_y_err + c14_err*k_z_max + c14_max*k_z_err
             + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
             + REAL(2)*two_phi_dot_bar_err + STEWART_UNIT*(REAL(5)*C_us_max*tau_k_bar_max
-            + REAL(5)*c12_max*k_x_max + REAL(5)*c13_max*k_y_max + REAL(5)*c14_max*k_z_max
-            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(8)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
+            + REAL(3)*c12_max*k_x_max + REAL(2)*c13_max*k_y_max + c14_max*k_z_max
+            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(6)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
         const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c15 + bend_bar*theta_dot;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
             + M_phi_L_err*c15_max + M_phi_L_max*c15_err + bend_bar_err*theta_dot_max
             + bend_bar_max*theta_dot_err + STEWART_UNIT*(REAL(3)*C_p_max*D_weight_max
-            + REAL(3)*L_share_bar_max*inv_L_max + REAL(3)*M_phi_L_max*c15_max
-            + REAL(3)*bend_bar_max*theta_dot_max + STEWART_FABS(L_dot_bar));
+            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c15_max + bend_bar_max*theta_dot_max
+            + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c16 = inv_rho*own_phi_ddot_bar;
         const stewart_real c16_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err
@@ -4541,17 +4530,17 @@ static void leg_errors_near_singularity(
         const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c16*y_z - c17*z_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c16_err*y_z_max
             + c16_max*y_z_err + c17_err*z_z_max + c17_max*z_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c16_max*y_z_max + REAL(2)*c17_max*z_z_max + STEWART_FABS(S_ddot_z_bar));
+            + REAL(2)*c16_max*y_z_max + c17_max*z_z_max + STEWART_FABS(S_ddot_z_bar));
         const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
         const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c16*y_y - c17*z_y;
         const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c16_err*y_y_max
             + c16_max*y_y_err + c17_err*z_y_max + c17_max*z_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c16_max*y_y_max + REAL(2)*c17_max*z_y_max + STEWART_FABS(S_ddot_y_bar));
+            + REAL(2)*c16_max*y_y_max + c17_max*z_y_max + STEWART_FABS(S_ddot_y_bar));
         const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
         const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c16*y_x - c17*z_x;
         const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c16_err*y_x_max
             + c16_max*y_x_err + c17_err*z_x_max + c17_max*z_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c16_max*y_x_max + REAL(2)*c17_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
+            + REAL(2)*c16_max*y_x_max + c17_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c18 = inv_rho*phi_dot_bar;
         const stewart_real c18_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
@@ -4564,17 +4553,17 @@ static void leg_errors_near_singularity(
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c18*y_z - c19*z_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c18_err*y_z_max
             + c18_max*y_z_err + c19_err*z_z_max + c19_max*z_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c18_max*y_z_max + REAL(2)*c19_max*z_z_max + STEWART_FABS(S_dot_z_bar));
+            + REAL(2)*c18_max*y_z_max + c19_max*z_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
         const stewart_real S_dot_y_bar = L_dot_bar*s_y + c18*y_y - c19*z_y;
         const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c18_err*y_y_max
             + c18_max*y_y_err + c19_err*z_y_max + c19_max*z_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c18_max*y_y_max + REAL(2)*c19_max*z_y_max + STEWART_FABS(S_dot_y_bar));
+            + REAL(2)*c18_max*y_y_max + c19_max*z_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
         const stewart_real S_dot_x_bar = L_dot_bar*s_x + c18*y_x - c19*z_x;
         const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c18_err*y_x_max
             + c18_max*y_x_err + c19_err*z_x_max + c19_max*z_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c18_max*y_x_max + REAL(2)*c19_max*z_x_max + STEWART_FABS(S_dot_x_bar));
+            + REAL(2)*c18_max*y_x_max + c19_max*z_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real c20 = c15*theta_dot;
         const stewart_real c20_err = c15_err*theta_dot_max + c15_max*theta_dot_err
@@ -4592,8 +4581,8 @@ static void leg_errors_near_singularity(
             + c1_bar_max*k1_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err + REAL(2)*k33_bar_err*k3_max
             + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max
             + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
-            + REAL(6)*M_mixed_theta_bar_max*a3_max + REAL(6)*c1_bar_max*k1_max + REAL(6)*h_y_max*k3_h_bar_max
-            + REAL(12)*k33_bar_max*k3_max + REAL(6)*w_k_bar_max*w_z_max + REAL(6)*w_n_bar_max*w_x_max
+            + M_mixed_theta_bar_max*a3_max + REAL(6)*c1_bar_max*k1_max + REAL(5)*h_y_max*k3_h_bar_max
+            + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
             + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
         const stewart_real k1_bar = J_yz*M_mixed_theta_bar + M_mixed_bar*a3 + c1_bar*k3 + w_k_bar*w_x - bend*c4
@@ -4602,8 +4591,8 @@ static void leg_errors_near_singularity(
             + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c4_max + bend_max*c4_err
             + c1_bar_err*k3_max + c1_bar_max*k3_err + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err
             + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(5)*M_mixed_bar_max*a3_max + REAL(5)*bend_max*c4_max + REAL(5)*c1_bar_max*k3_max
-            + REAL(5)*w_k_bar_max*w_x_max + REAL(5)*w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
+            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c4_max + REAL(4)*c1_bar_max*k3_max
+            + REAL(3)*w_k_bar_max*w_x_max + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c21 = C_s*tau_y_bar;
         const stewart_real c21_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c21);
@@ -4614,9 +4603,9 @@ static void leg_errors_near_singularity(
             + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err + c14_err*theta_dot_max
             + c14_max*theta_dot_err + c21_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
             + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_z_bar_max*Q_y_max
-            + REAL(6)*S_ddot_z_max*c16_max + REAL(6)*S_dot_z_max*c18_max + REAL(6)*c14_max*theta_dot_max
-            + REAL(6)*c21_max*omega_z_max + REAL(6)*g_x_k_z_max*gamma_n_bar_max
-            + REAL(6)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
+            + REAL(6)*S_ddot_z_max*c16_max + REAL(5)*S_dot_z_max*c18_max + REAL(2)*c14_max*theta_dot_max
+            + c21_max*omega_z_max + REAL(4)*g_x_k_z_max*gamma_n_bar_max + REAL(3)*g_z_max*gamma_y_bar_max
+            + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
         const stewart_real y_y_bar = K_y_bar*Q_y + S_ddot_y*c16 + S_dot_y*c18 + g_x_k_y*gamma_n_bar
             + g_y*gamma_y_bar - c13*theta_dot - c21*omega_y;
@@ -4624,9 +4613,9 @@ static void leg_errors_near_singularity(
             + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err + c13_err*theta_dot_max
             + c13_max*theta_dot_err + c21_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
             + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_y_bar_max*Q_y_max
-            + REAL(6)*S_ddot_y_max*c16_max + REAL(6)*S_dot_y_max*c18_max + REAL(6)*c13_max*theta_dot_max
-            + REAL(6)*c21_max*omega_y_max + REAL(6)*g_x_k_y_max*gamma_n_bar_max
-            + REAL(6)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
+            + REAL(6)*S_ddot_y_max*c16_max + REAL(5)*S_dot_y_max*c18_max + REAL(2)*c13_max*theta_dot_max
+            + c21_max*omega_y_max + REAL(4)*g_x_k_y_max*gamma_n_bar_max + REAL(3)*g_y_max*gamma_y_bar_max
+            + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
         const stewart_real y_x_bar = K_x_bar*Q_y + S_ddot_x*c16 + S_dot_x*c18 + g_x*gamma_y_bar
             + g_x_k_x*gamma_n_bar - c12*theta_dot - c21*omega_x;
@@ -4634,32 +4623,32 @@ static void leg_errors_near_singularity(
             + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err + c12_err*theta_dot_max
             + c12_max*theta_dot_err + c21_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
             + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_x_bar_max*Q_y_max
-            + REAL(6)*S_ddot_x_max*c16_max + REAL(6)*S_dot_x_max*c18_max + REAL(6)*c12_max*theta_dot_max
-            + REAL(6)*c21_max*omega_x_max + REAL(6)*g_x_k_x_max*gamma_n_bar_max
-            + REAL(6)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
+            + REAL(6)*S_ddot_x_max*c16_max + REAL(5)*S_dot_x_max*c18_max + REAL(2)*c12_max*theta_dot_max
+            + c21_max*omega_x_max + REAL(3)*g_x_k_x_max*gamma_n_bar_max + REAL(4)*g_x_max*gamma_y_bar_max
+            + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real z_z_bar = K_z_bar*Q_z + s_x*y_y_bar - S_ddot_z*c17 - S_dot_z*c19 - s_y*y_x_bar;
         const stewart_real z_z_bar_err = K_z_bar_err*Q_z_max + K_z_bar_max*Q_z_err + S_ddot_z_err*c17_max
             + S_ddot_z_max*c17_err + S_dot_z_err*c19_max + S_dot_z_max*c19_err + s_x_err*y_y_bar_max
             + s_x_max*y_y_bar_err + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*K_z_bar_max*Q_z_max + REAL(4)*S_ddot_z_max*c17_max
-            + REAL(4)*S_dot_z_max*c19_max + REAL(4)*s_x_max*y_y_bar_max + REAL(4)*s_y_max*y_x_bar_max
+            + STEWART_UNIT*(REAL(4)*K_z_bar_max*Q_z_max + REAL(3)*S_ddot_z_max*c17_max
+            + REAL(2)*S_dot_z_max*c19_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max
             + STEWART_FABS(z_z_bar));
         const stewart_real z_z_bar_max = STEWART_FABS(z_z_bar) + z_z_bar_err;
         const stewart_real z_y_bar = K_y_bar*Q_z + s_z*y_x_bar - S_ddot_y*c17 - S_dot_y*c19 - s_x*y_z_bar;
         const stewart_real z_y_bar_err = K_y_bar_err*Q_z_max + K_y_bar_max*Q_z_err + S_ddot_y_err*c17_max
             + S_ddot_y_max*c17_err + S_dot_y_err*c19_max + S_dot_y_max*c19_err + s_x_err*y_z_bar_max
             + s_x_max*y_z_bar_err + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*K_y_bar_max*Q_z_max + REAL(4)*S_ddot_y_max*c17_max
-            + REAL(4)*S_dot_y_max*c19_max + REAL(4)*s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max
+            + STEWART_UNIT*(REAL(4)*K_y_bar_max*Q_z_max + REAL(3)*S_ddot_y_max*c17_max
+            + REAL(2)*S_dot_y_max*c19_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max
             + STEWART_FABS(z_y_bar));
         const stewart_real z_y_bar_max = STEWART_FABS(z_y_bar) + z_y_bar_err;
         const stewart_real z_x_bar = K_x_bar*Q_z + s_y*y_z_bar - S_ddot_x*c17 - S_dot_x*c19 - s_z*y_y_bar;
         const stewart_real z_x_bar_err = K_x_bar_err*Q_z_max + K_x_bar_max*Q_z_err + S_ddot_x_err*c17_max
             + S_ddot_x_max*c17_err + S_dot_x_err*c19_max + S_dot_x_max*c19_err + s_y_err*y_z_bar_max
             + s_y_max*y_z_bar_err + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err
-            + STEWART_UNIT*(REAL(4)*K_x_bar_max*Q_z_max + REAL(4)*S_ddot_x_max*c17_max
-            + REAL(4)*S_dot_x_max*c19_max + REAL(4)*s_y_max*y_z_bar_max + REAL(4)*s_z_max*y_y_bar_max
+            + STEWART_UNIT*(REAL(4)*K_x_bar_max*Q_z_max + REAL(3)*S_ddot_x_max*c17_max
+            + REAL(2)*S_dot_x_max*c19_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max
             + STEWART_FABS(z_x_bar));
         const stewart_real z_x_bar_max = STEWART_FABS(z_x_bar) + z_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + kappa_bar*zeta + own_phi_ddot_bar*(S_ddot_x*y_x
@@ -4678,12 +4667,12 @@ static void leg_errors_near_singularity(
             + y_y_err*(S_ddot_y_max*own_phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
             + y_z_err*(S_ddot_z_max*own_phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max)
             + STEWART_UNIT*(REAL(6)*Q_y_bar_max*tau_k_max + REAL(6)*kappa_bar_max*zeta_max
-            + REAL(6)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + REAL(5)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
             + own_phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-            + REAL(3)*S_ddot_z_max*y_z_max) + REAL(6)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
+            + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
             + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(3)*S_dot_z_max*y_z_max) + REAL(6)*s_cross_normal_x_max*z_x_bar_max
-            + REAL(6)*s_cross_normal_y_max*z_y_bar_max + REAL(6)*s_cross_normal_z_max*z_z_bar_max
+            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*s_cross_normal_x_max*z_x_bar_max
+            + REAL(2)*s_cross_normal_y_max*z_y_bar_max + s_cross_normal_z_max*z_z_bar_max
             + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
@@ -4727,11 +4716,11 @@ static void leg_errors_near_singularity(
             + k_cross_S_x_max*s_cross_normal_y_bar_err + k_cross_S_y_err*s_cross_normal_x_bar_max
             + k_cross_S_y_max*s_cross_normal_x_bar_err + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err
             + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err + STEWART_UNIT*(REAL(7)*H_force_z_bar_max
-            + REAL(8)*H_moment_x_bar_max*r_y_max + REAL(8)*H_moment_y_bar_max*r_x_max
-            + REAL(8)*L_ddot_bar_max*S_ddot_z_max + REAL(8)*L_dot_bar_max*S_dot_z_max
-            + REAL(8)*k_cross_S_x_max*s_cross_normal_y_bar_max
-            + REAL(8)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(8)*y_x_bar_max*z_y_max
-            + REAL(8)*y_y_bar_max*z_x_max + STEWART_FABS(s_z_bar));
+            + REAL(8)*H_moment_x_bar_max*r_y_max + REAL(3)*H_moment_y_bar_max*r_x_max
+            + REAL(7)*L_ddot_bar_max*S_ddot_z_max + REAL(6)*L_dot_bar_max*S_dot_z_max
+            + REAL(5)*k_cross_S_x_max*s_cross_normal_y_bar_max
+            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(4)*y_x_bar_max*z_y_max
+            + y_y_bar_max*z_x_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
         const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
             + L_dot_bar*S_dot_y + k_cross_S_z*s_cross_normal_x_bar + y_z_bar*z_x - H_moment_x_bar*r_z
@@ -4743,11 +4732,11 @@ static void leg_errors_near_singularity(
             + k_cross_S_x_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_x_bar_max
             + k_cross_S_z_max*s_cross_normal_x_bar_err + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err
             + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err + STEWART_UNIT*(REAL(7)*H_force_y_bar_max
-            + REAL(8)*H_moment_x_bar_max*r_z_max + REAL(8)*H_moment_z_bar_max*r_x_max
-            + REAL(8)*L_ddot_bar_max*S_ddot_y_max + REAL(8)*L_dot_bar_max*S_dot_y_max
-            + REAL(8)*k_cross_S_x_max*s_cross_normal_z_bar_max
-            + REAL(8)*k_cross_S_z_max*s_cross_normal_x_bar_max + REAL(8)*y_x_bar_max*z_z_max
-            + REAL(8)*y_z_bar_max*z_x_max + STEWART_FABS(s_y_bar));
+            + REAL(3)*H_moment_x_bar_max*r_z_max + REAL(8)*H_moment_z_bar_max*r_x_max
+            + REAL(7)*L_ddot_bar_max*S_ddot_y_max + REAL(6)*L_dot_bar_max*S_dot_y_max
+            + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
+            + REAL(5)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max
+            + REAL(4)*y_z_bar_max*z_x_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
         const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
             + L_dot_bar*S_dot_x + k_cross_S_y*s_cross_normal_z_bar + y_y_bar*z_z - H_moment_z_bar*r_y
@@ -4759,11 +4748,11 @@ static void leg_errors_near_singularity(
             + k_cross_S_y_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_y_bar_max
             + k_cross_S_z_max*s_cross_normal_y_bar_err + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err
             + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err + STEWART_UNIT*(REAL(7)*H_force_x_bar_max
-            + REAL(8)*H_moment_y_bar_max*r_z_max + REAL(8)*H_moment_z_bar_max*r_y_max
-            + REAL(8)*L_ddot_bar_max*S_ddot_x_max + REAL(8)*L_dot_bar_max*S_dot_x_max
-            + REAL(8)*k_cross_S_y_max*s_cross_normal_z_bar_max
-            + REAL(8)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(8)*y_y_bar_max*z_z_max
-            + REAL(8)*y_z_bar_max*z_y_max + STEWART_FABS(s_x_bar));
+            + REAL(8)*H_moment_y_bar_max*r_z_max + REAL(3)*H_moment_z_bar_max*r_y_max
+            + REAL(7)*L_ddot_bar_max*S_ddot_x_max + REAL(6)*L_dot_bar_max*S_dot_x_max
+            + REAL(5)*k_cross_S_y_max*s_cross_normal_z_bar_max
+            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(4)*y_y_bar_max*z_z_max
+            + y_z_bar_max*z_y_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho + own_theta_ddot_bar*(-S_ddot_x*z_x - S_ddot_y*z_y - S_ddot_z*z_z)
@@ -4780,15 +4769,15 @@ static void leg_errors_near_singularity(
             + z_x_err*(S_ddot_x_max*own_theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max)
             + z_y_err*(S_ddot_y_max*own_theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max)
             + z_z_err*(S_ddot_z_max*own_theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max)
-            + STEWART_UNIT*(REAL(8)*L_dot_max*L_share_bar_max + REAL(8)*Q_z_bar_max*tau_y_max
-            + REAL(8)*S_x_max*s_x_bar_max + REAL(8)*S_y_max*s_y_bar_max + REAL(8)*S_z_max*s_z_bar_max
-            + REAL(8)*k1_bar_max*zeta_max + REAL(8)*k3_bar_max*rho_max
-            + REAL(8)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
+            + STEWART_UNIT*(REAL(8)*L_dot_max*L_share_bar_max + Q_z_bar_max*tau_y_max
+            + REAL(8)*S_x_max*s_x_bar_max + REAL(7)*S_y_max*s_y_bar_max + REAL(6)*S_z_max*s_z_bar_max
+            + REAL(5)*k1_bar_max*zeta_max + REAL(4)*k3_bar_max*rho_max
+            + REAL(3)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
             + S_ddot_z_max*z_z_max) + own_theta_ddot_bar_max*(REAL(3)*S_ddot_x_max*z_x_max
-            + REAL(3)*S_ddot_y_max*z_y_max + REAL(3)*S_ddot_z_max*z_z_max)
-            + REAL(8)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
+            + REAL(3)*S_ddot_y_max*z_y_max + REAL(2)*S_ddot_z_max*z_z_max)
+            + REAL(2)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
             + theta_dot_bar_max*(REAL(3)*S_dot_x_max*z_x_max + REAL(3)*S_dot_y_max*z_y_max
-            + REAL(3)*S_dot_z_max*z_z_max) + STEWART_FABS(inv_L_bar));
+            + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
         const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x + c2_bar*h2_z
             - a3_bar*h_y - inv_L_bar*inv_L*inv_L;
@@ -4799,8 +4788,8 @@ static void leg_errors_near_singularity(
             + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max
             + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max + theta_dot2_max)
             + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
-            + REAL(4)*a3_bar_max*h_y_max + REAL(4)*c2_bar_max*h2_z_max
-            + REAL(5)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
+            + REAL(2)*a3_bar_max*h_y_max + REAL(3)*c2_bar_max*h2_z_max
+            + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real k_cross_S_z_bar = s_cross_normal_x_bar*s_y - s_cross_normal_y_bar*s_x;
         const stewart_real k_cross_S_z_bar_err = s_cross_normal_x_bar_err*s_y_max
@@ -4834,8 +4823,8 @@ static void leg_errors_near_singularity(
             + inv_L_max*s_z_bar_err + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err
             + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max
             + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c23_max + REAL(4)*inv_L_max*s_z_bar_max
-            + REAL(4)*k_cross_S_x_bar_max*k_y_max + REAL(4)*k_cross_S_y_bar_max*k_x_max
-            + REAL(4)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
+            + REAL(3)*k_cross_S_x_bar_max*k_y_max + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max
+            + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
         const stewart_real S_y_bar = S_y*c23 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar
             - k_cross_S_x_bar*k_z;
@@ -4843,8 +4832,8 @@ static void leg_errors_near_singularity(
             + inv_L_max*s_y_bar_err + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err
             + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max
             + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c23_max + REAL(4)*inv_L_max*s_y_bar_max
-            + REAL(4)*k_cross_S_x_bar_max*k_z_max + REAL(4)*k_cross_S_z_bar_max*k_x_max
-            + REAL(4)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
+            + k_cross_S_x_bar_max*k_z_max + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max
+            + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
         const stewart_real S_x_bar = S_x*c23 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar
             - k_cross_S_z_bar*k_y;
@@ -4852,22 +4841,22 @@ static void leg_errors_near_singularity(
             + inv_L_max*s_x_bar_err + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err
             + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max
             + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c23_max + REAL(4)*inv_L_max*s_x_bar_max
-            + REAL(4)*k_cross_S_y_bar_max*k_z_max + REAL(4)*k_cross_S_z_bar_max*k_y_max
-            + REAL(4)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
+            + REAL(3)*k_cross_S_y_bar_max*k_z_max + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max
+            + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
         const stewart_real S_1_z_bar = K_x*Y_moment_y + S_z_bar - K_y*Y_moment_x;
         const stewart_real S_1_z_bar_err = K_x_err*Y_moment_y_max + K_y_err*Y_moment_x_max + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + REAL(2)*K_y_max*Y_moment_x_max + S_z_bar_max
+            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + K_y_max*Y_moment_x_max + S_z_bar_max
             + STEWART_FABS(S_1_z_bar));
         const stewart_real S_1_z_bar_max = STEWART_FABS(S_1_z_bar) + S_1_z_bar_err;
         const stewart_real S_1_y_bar = K_z*Y_moment_x + S_y_bar - K_x*Y_moment_z;
         const stewart_real S_1_y_bar_err = K_x_err*Y_moment_z_max + K_z_err*Y_moment_x_max + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
+            + STEWART_UNIT*(K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
             + STEWART_FABS(S_1_y_bar));
         const stewart_real S_1_y_bar_max = STEWART_FABS(S_1_y_bar) + S_1_y_bar_err;
         const stewart_real S_1_x_bar = K_y*Y_moment_z + S_x_bar - K_z*Y_moment_y;
         const stewart_real S_1_x_bar_err = K_y_err*Y_moment_z_max + K_z_err*Y_moment_y_max + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_y_max + S_x_bar_max
+            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + K_z_max*Y_moment_y_max + S_x_bar_max
             + STEWART_FABS(S_1_x_bar));
         const stewart_real S_1_x_bar_max = STEWART_FABS(S_1_x_bar) + S_1_x_bar_err;
         const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_1_z_bar
@@ -4876,9 +4865,8 @@ static void leg_errors_near_singularity(
             + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
             + B_zz_max*S_ddot_z_bar_err + S_1_z_bar_err + S_dot_x_bar_err*omega_y_max
             + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xz_max*S_ddot_x_bar_max
-            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_1_z_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_y_max + REAL(5)*S_dot_y_bar_max*omega_x_max
-            + STEWART_FABS(q_z_bar));
+            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max + REAL(2)*S_1_z_bar_max
+            + REAL(2)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
         const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_1_y_bar
             + S_dot_z_bar*omega_x - S_dot_x_bar*omega_z;
@@ -4886,9 +4874,8 @@ static void leg_errors_near_singularity(
             + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
             + B_zy_max*S_ddot_z_bar_err + S_1_y_bar_err + S_dot_x_bar_err*omega_z_max
             + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xy_max*S_ddot_x_bar_max
-            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + REAL(4)*S_1_y_bar_max
-            + REAL(5)*S_dot_x_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_x_max
-            + STEWART_FABS(q_y_bar));
+            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max + REAL(2)*S_1_y_bar_max
+            + S_dot_x_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
         const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_1_x_bar
             + S_dot_y_bar*omega_z - S_dot_z_bar*omega_y;
@@ -4896,9 +4883,8 @@ static void leg_errors_near_singularity(
             + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
             + B_zx_max*S_ddot_z_bar_err + S_1_x_bar_err + S_dot_y_bar_err*omega_z_max
             + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*B_xx_max*S_ddot_x_bar_max
-            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_1_x_bar_max
-            + REAL(5)*S_dot_y_bar_max*omega_z_max + REAL(5)*S_dot_z_bar_max*omega_y_max
-            + STEWART_FABS(q_x_bar));
+            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max + REAL(2)*S_1_x_bar_max
+            + REAL(2)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c24 = C_s*tau_k_bar;
         const stewart_real c24_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c24);
@@ -4909,7 +4895,7 @@ static void leg_errors_near_singularity(
             + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max
             + S_z_max*k_cross_S_y_bar_err + c12_err*phi_dot_max + c12_max*phi_dot_err + c24_err*omega_x_max
             + STEWART_UNIT*(REAL(4)*S_x_max*zeta_bar_max + REAL(4)*S_y_max*k_cross_S_z_bar_max
-            + REAL(4)*S_z_max*k_cross_S_y_bar_max + REAL(4)*c12_max*phi_dot_max + REAL(4)*c24_max*omega_x_max
+            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*c12_max*phi_dot_max + c24_max*omega_x_max
             + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
         const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar - c13*phi_dot
@@ -4917,8 +4903,8 @@ static void leg_errors_near_singularity(
         const stewart_real k_y_bar_err = S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err
             + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max
             + S_z_max*k_cross_S_x_bar_err + c13_err*phi_dot_max + c13_max*phi_dot_err + c24_err*omega_y_max
-            + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
-            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(4)*c13_max*phi_dot_max + REAL(4)*c24_max*omega_y_max
+            + STEWART_UNIT*(REAL(3)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
+            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*c13_max*phi_dot_max + c24_max*omega_y_max
             + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
         const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - S_y*k_cross_S_x_bar - c14*phi_dot
@@ -4926,8 +4912,8 @@ static void leg_errors_near_singularity(
         const stewart_real k_z_bar_err = S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err
             + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max
             + S_z_max*zeta_bar_err + c14_err*phi_dot_max + c14_max*phi_dot_err + c24_err*omega_z_max
-            + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(4)*S_y_max*k_cross_S_x_bar_max
-            + REAL(4)*S_z_max*zeta_bar_max + REAL(4)*c14_max*phi_dot_max + REAL(4)*c24_max*omega_z_max
+            + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(3)*S_y_max*k_cross_S_x_bar_max
+            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*c14_max*phi_dot_max + c24_max*omega_z_max
             + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
@@ -4944,7 +4930,7 @@ static void leg_errors_near_singularity(
         const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max
             + L_ddot_max*tau_y_bar_err + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err
             + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max + REAL(2)*L_ddot_max*tau_y_bar_max
-            + REAL(2)*M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+            + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
         const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
         const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max
@@ -5064,19 +5050,19 @@ static void leg_errors_near_singularity(
         const stewart_real r_x_bar_err = H_moment_y_bar_err*s_z_max + H_moment_y_bar_max*s_z_err
             + H_moment_z_bar_err*s_y_max + H_moment_z_bar_max*s_y_err + S_x_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_y_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_y_max
-            + S_x_bar_max + STEWART_FABS(r_x_bar));
+            + STEWART_FABS(r_x_bar));
         const stewart_real r_x_bar_max = STEWART_FABS(r_x_bar) + r_x_bar_err;
         const stewart_real r_y_bar = H_moment_x_bar*s_z - H_moment_z_bar*s_x - S_y_bar;
         const stewart_real r_y_bar_err = H_moment_x_bar_err*s_z_max + H_moment_x_bar_max*s_z_err
             + H_moment_z_bar_err*s_x_max + H_moment_z_bar_max*s_x_err + S_y_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_x_max
-            + S_y_bar_max + STEWART_FABS(r_y_bar));
+            + STEWART_FABS(r_y_bar));
         const stewart_real r_y_bar_max = STEWART_FABS(r_y_bar) + r_y_bar_err;
         const stewart_real r_z_bar = H_moment_y_bar*s_x - H_moment_x_bar*s_y - S_z_bar;
         const stewart_real r_z_bar_err = H_moment_x_bar_err*s_y_max + H_moment_x_bar_max*s_y_err
             + H_moment_y_bar_err*s_x_max + H_moment_y_bar_max*s_x_err + S_z_bar_err
             + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_y_max + REAL(2)*H_moment_y_bar_max*s_x_max
-            + S_z_bar_max + STEWART_FABS(r_z_bar));
+            + STEWART_FABS(r_z_bar));
         const stewart_real r_z_bar_max = STEWART_FABS(r_z_bar) + r_z_bar_err;
         error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
             + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
@@ -5136,8 +5122,8 @@ static void leg_errors_near_singularity(
     }
 }
 
-/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path near
- * the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
+/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
+ * near the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
 static int equations_of_pose(
     const stewart_exact_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
     int *near, stewart_real D[6], platform_equations *out)
@@ -5152,7 +5138,8 @@ static int equations_of_pose(
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        (path ? leg_of_pose_near_singularity : leg_of_pose)(&model->platform, &model->leg[i], at, shared, &leg);
+        (path ? leg_of_pose_near_singularity : leg_of_pose)(
+            &model->platform, &model->leg[i], at, shared, &leg);
         if (path == 0 && leg.status != STEWART_OK) {
             return leg.status;
         }
