@@ -100,7 +100,9 @@ def helpers(c: str, rng: np.random.Generator) -> Names:
         lines = python(re.sub(r"const stewart_real (\w+)", r"\1", body)).replace(";", "")
         lines = re.sub(r"return (.*) \? (.*) : (.*)", r"return where(\1, \2, \3)", lines)
         arguments = ", ".join(re.findall(r"stewart_real (\w+)", heads))
-        code = f"def {name}({arguments}):\n" + "\n".join(f" {line.strip()}" for line in lines.strip().split("\n"))
+        code = f"def {name}({arguments}):\n" + "\n".join(
+            f" {line.strip()}" for line in lines.strip().split("\n")
+        )
         exec(code, known)
     return known
 
@@ -166,7 +168,9 @@ def _exact(node: ast.BinOp) -> bool:
 
 
 def _value(node: ast.expr, known: Names) -> Array:
-    return np.asarray(eval(compile(ast.Expression(node), "", "eval"), known), dtype=np.float64) + np.zeros(SAMPLES)  # type: ignore[no-any-return]
+    return np.asarray(eval(compile(ast.Expression(node), "", "eval"), known), dtype=np.float64) + np.zeros(
+        SAMPLES
+    )  # type: ignore[no-any-return]
 
 
 # ---------------------------------------------------------------- claims held to numbers
@@ -232,9 +236,10 @@ def _vary(text: str, told: Callable[[str], None]) -> None:
     for i, term in enumerate(terms):
         rest = [*terms[:i], *terms[i + 1 :]]
         told(" + ".join(rest) or "REAL(0)")
-        whole = re.match(r"REAL\((\d+)\)\*", term)
+        whole = re.match(r"(?:REAL\()?(\d+)\)?( ?\*)", term)
         if whole:
-            told(" + ".join([*terms[:i], f"REAL({int(whole[1]) / 2}){term[whole.end() - 1 :]}", *terms[i + 1 :]]))
+            half = f"REAL({int(whole[1]) / 2}){term[whole.end(1) :].removeprefix(')')}"
+            told(" + ".join([*terms[:i], half, *terms[i + 1 :]]))
         for start, end in _brackets(term):
             inner = term[start:end]
             if inner.isdigit():

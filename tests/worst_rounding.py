@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from bound_statements import mutants
 from numpy.typing import NDArray
 
 from stewart_sym.kernel import MOTION, c_sources, robot_numbers
@@ -28,24 +29,21 @@ Real = np.longdouble
 UNIT = {"double": 2.0**-53, "float": 2.0**-24}
 """Largest relative error of one operation."""
 
+EVERY, NONE = -1, -2
+"""In place of a group of operations: all of them round, or none does."""
+
 _STATEMENT = re.compile(r"^( +)const stewart_real (\w+) =", re.M)
 _ADDITION = re.compile(r"^( +)add\(&([^,]+), ", re.M)
 _FUNCTION = re.compile(r"^(?:static )?(?:int|void|stewart_real) (\w+)\(", re.M)
 
 
 @dataclass(frozen=True)
-class Worst:
-    """One pose, every operation rounded for the worst; (6,) each, N.
+class Mutant:
+    """A change of one expression of the C: in a function, what stands there and what stands in its place."""
 
-    error: distance of each force from the exact one when all is rounded against it; first_order: what the
-    slopes say it would be; bound: what the same run, rounded against this force, gives for it.
-    of_group: (6, groups), what each group of operations adds to first_order.
-    """
-
-    error: Array
-    first_order: Array
-    bound: Array
-    of_group: Array
+    function: str
+    whole: str
+    variant: str
 
 
 def block_of(function: str) -> str:
@@ -76,28 +74,92 @@ def marked(text: str) -> tuple[str, list[str]]:
         body = _ADDITION.sub(lambda m: f"{m[1]}{at(f'sum {m[2]}')} add(&{m[2]}, ", body)
         mark = {"rotation_error": "rotation", "solve_pose": "solution", "solution_error": "solution"}
         if function in mark:
-            body = re.sub(r"\n(    for|    scale)", lambda m: f"\n    {at(mark[function])}\n{m[1]}", body, count=1)
+            body = re.sub(
+                r"\n(    for|    scale)", lambda m: f"\n    {at(mark[function])}\n{m[1]}", body, count=1
+            )
         if function == "forces_of_pose":
             body = body.replace("        found[i] = D", f"        {at('force')} found[i] = D")
         if function == "bound_of_pose":
-            body = body.replace("        bound[i] = STEWART_SLACK", f"        {at('force')} bound[i] = STEWART_SLACK")
+            body = re.sub(r"\n        (bound\[i\] = (?!0))", rf"\n        {at('force')} \1", body)
         return body
 
-    pieces, names, last = [], ["" ], 0
-    for found in _FUNCTION.finditer(text):
-        pieces.append(text[last : found.start()])
-        names.append(found[1])
-        last = found.start()
-    pieces.append(text[last:])
-    return "".join(part(name, body) for name, body in zip(names, pieces, strict=True)), list(groups)
+    return "".join(part(name, body) for name, body in _functions(text)), list(groups)
+
+
+def switched(text: str) -> tuple[str, list[Mutant]]:
+    """The C in which ``mutant`` chooses among changes of what weighs and collects the errors."""
+    made: list[Mutant] = []
+
+    def choice(function: str, whole: str, variants: list[str]) -> str:
+        for variant in variants:
+            made.append(Mutant(function, whole, variant))
+            whole = f"mutant == {len(made) - 1} ? ({variant}) : {whole}"
+        return f"({whole})"
+
+    def term(function: str, text: str) -> str:
+        return choice(function, text, ["Number(0)"])
+
+    def weighed(function: str, body: str) -> str:
+        def total(found: re.Match[str]) -> str:
+            first, *terms = " ".join(found[2].split()).split(" + ")
+            return f"{found[1]}{' + '.join([first, *(term(function, each) for each in terms)])};"
+
+        def addition(found: re.Match[str]) -> str:
+            start, slope, error = (each.strip() for each in found[1].rsplit(", ", 2))
+            name = re.findall(r"[.](\w+)_legs\[(\d+)\]", start)[0]
+            made_here = Mutant(function, f"slope of {''.join(name)}", "none")
+            made.append(made_here)
+            return f"add({start}, mutant == {len(made) - 1} ? Number(0) : {slope}, {error});"
+
+        body = re.sub(r"(        error\[i\] = )(error\[i\] \+ [^;]+);", total, body)
+        return re.sub(r"add\((&slopes[^;]+)\);", addition, body)
+
+    def by_hand(function: str, body: str) -> str:
+        def statement(found: re.Match[str]) -> str:
+            if (
+                re.fullmatch(r"\w+|STEWART_INFINITY|.*\?.*", found[3])
+                or " sum" in found[1]
+                or "product" in found[1]
+            ):
+                return found[0]
+            return f"{found[1]}{choice(function, found[3], mutants(found[3]))};"
+
+        return re.sub(r"(\n +(?:const )?(?:stewart_real )?([\w.>\[\]-]+ = ))([^;{]+);", statement, body)
+
+    pieces = _functions(text)
+    for i, (name, body) in enumerate(pieces):
+        if name.startswith(("shared_errors", "leg_errors")):
+            pieces[i] = name, weighed(name, body)
+        elif name in ("solution_error", "rotation_error", "bound_of_pose"):
+            pieces[i] = name, by_hand(name, body)
+    return "".join(body for _, body in pieces), made
+
+
+def _one_entry(found: re.Match[str]) -> str:
+    """The weighed error of one entry of R, which can be left out."""
+    return f"({found[0]}*entry_counts({3 * 'xyz'.index(found[1]) + 'xyz'.index(found[2])}))"
+
+
+def _functions(text: str) -> list[tuple[str, str]]:
+    """The text cut before each function, each part with that function's name."""
+    starts = [(found.start(), found[1]) for found in _FUNCTION.finditer(text)]
+    ends = [start for start, _ in starts[1:]] + [len(text)]
+    parts = [(name, text[start:end]) for (start, name), end in zip(starts, ends, strict=True)]
+    return [("", text[: starts[0][0]]), *parts]
 
 
 @functools.cache
-def _traced() -> tuple[ctypes.CDLL, list[str]]:
+def _traced() -> tuple[ctypes.CDLL, list[str], list[Mutant]]:
     sources = c_sources("exact_bounds")
-    text, groups = marked(sources["stewart_exact_bounds.c"])
+    text, made = switched(sources["stewart_exact_bounds.c"])
+    text, groups = marked(text)
+    text = re.sub(r"R_([xyz])([xyz])_bar_max\*R_err", _one_entry, text)
     text = text.replace("#define STEWART_UNIT (STEWART_EPSILON *", "#define STEWART_UNIT (epsilon_here() *")
-    return _compiled({**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}), groups
+    return (
+        _compiled({**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}),
+        groups,
+        made,
+    )
 
 
 def _compiled(sources: dict[str, str]) -> ctypes.CDLL:
@@ -112,34 +174,67 @@ def _compiled(sources: dict[str, str]) -> ctypes.CDLL:
 
 
 def groups() -> list[str]:
-    """Names of the groups of operations, as ``Worst.of_group`` has them."""
+    """Names of the groups of operations, as ``Pose.of_group`` has them."""
     return _traced()[1]
 
 
-def worst(robot: Robot, motion: Motion, unit: float) -> Worst | None:
-    """The worst rounding of one pose by ``unit`` an operation; None for an unsolvable pose."""
-    library, names = _traced()
-    numbers = robot_numbers(robot).astype(Real)
-    at = [np.zeros(3) if getattr(motion, name) is None else getattr(motion, name) for name in MOTION]
-    R = _rotation(at[0].astype(Real))
-    rest = np.concatenate([np.ravel(values) for values in at[1:]]).astype(Real)
-    F, first, bound = (np.zeros(6, Real) for _ in range(3))
-    slopes, shares = np.zeros((6, 3, 3), Real), np.zeros((6, len(names)), Real)
-    library.set_unit(ctypes.c_double(unit))
-    given = np.concatenate([R.ravel(), rest])
-    args = (numbers, given, F, first, slopes, shares)
-    if library.record(ctypes.c_int(len(names)), *map(_pointer, args)):
-        return None
-    errors, bounds = np.zeros(6, Real), np.zeros(6, Real)
-    for i in range(6):
-        turned, share = _turned(R, slopes[i], unit)
-        first[i] += share
-        found = np.zeros(6, Real)
-        given = np.concatenate([turned.ravel(), rest])
-        if library.perturbed(ctypes.c_int(i), *map(_pointer, (numbers, given, found, bound))):
-            return None
-        errors[i], bounds[i] = abs(found[i] - F[i]), bound[i]
-    return Worst(errors.astype(float), first.astype(float), bounds.astype(float), shares.astype(float))
+def all_mutants() -> list[Mutant]:
+    """Every change that ``Pose.bound`` knows by its number."""
+    return _traced()[2]
+
+
+class Pose:
+    """One pose: the record of its operations, and what the worst rounding of all or of some makes of it.
+
+    F: forces without rounding, N, (6,). first_order: (6,), N, what the slopes say that the worst rounding does
+    to each; of_group: (6, groups), the same by groups. Raises ValueError for an unsolvable pose.
+    """
+
+    def __init__(self, robot: Robot, motion: Motion, unit: float) -> None:
+        self._library, names, _ = _traced()
+        self._unit = unit
+        self._numbers = robot_numbers(robot).astype(Real)
+        at = [np.zeros(3) if getattr(motion, name) is None else getattr(motion, name) for name in MOTION]
+        self._R = _rotation(at[0].astype(Real))
+        self._rest = np.concatenate([np.ravel(values) for values in at[1:]]).astype(Real)
+        self.F, first = np.zeros(6, Real), np.zeros(6, Real)
+        self._slopes, shares = np.zeros((6, 3, 3), Real), np.zeros((6, len(names)), Real)
+        found = (self.F, first, self._slopes, shares)
+        if self._record(names, found):
+            raise ValueError("motion: expected a pose that can be solved")
+        of_R = [_turned(self._R, slope, unit)[1] for slope in self._slopes]
+        self.first_order = (first + of_R).astype(float)
+        self.of_group = shares.astype(float)
+
+    def _record(self, names: list[str], found: tuple[Array, ...]) -> int:
+        self._library.set_unit(ctypes.c_double(self._unit))
+        given = np.concatenate([self._R.ravel(), self._rest])
+        arguments = map(_pointer, (self._numbers, given, *found))
+        status: int = self._library.record(ctypes.c_int(len(names)), *arguments)
+        return status
+
+    def worst(self, force: int, group: int = EVERY, mutant: int = -1) -> tuple[float, float]:
+        """Error and bound of one force, N, when all that rounds does so against it.
+
+        group: only these operations round, and are counted, and R is a rotation. Runs on the record of the
+        pose that was made last.
+        """
+        R = _turned(self._R, self._slopes[force], self._unit)[0] if group == EVERY else self._R
+        F, bound = self._perturbed(force, group, -1, mutant, R)
+        return float(abs(F[force] - self.F[force])), float(bound[force])
+
+    def worst_entry(self, force: int, entry: int, mutant: int = -1) -> tuple[float, float]:
+        """The same with no rounding, and one entry of R off as far as any entry may be."""
+        R = _turned(self._R, self._slopes[force], self._unit)[0]
+        _, bound = self._perturbed(force, NONE, entry, mutant, R)
+        return float(self._unit * abs(self._slopes[force].flat[entry])), float(bound[force])
+
+    def _perturbed(self, force: int, group: int, entry: int, mutant: int, R: Array) -> tuple[Array, Array]:
+        given, F, bound = np.concatenate([R.ravel(), self._rest]), np.zeros(6, Real), np.zeros(6, Real)
+        chosen = map(ctypes.c_int, (force, group, entry, mutant))
+        if self._library.perturbed(*chosen, *map(_pointer, (self._numbers, given, F, bound))):
+            raise ValueError("motion: expected a pose that can be solved however it is rounded")
+        return F, bound
 
 
 def _rotation(R: Array) -> Array:
@@ -172,12 +267,15 @@ struct Operation {
     bool exact;
 };
 
+enum { EVERY = -1, NONE = -2 };
+
 static std::vector<Operation> tape;
 static std::vector<signed char> against[6];
-static int force = -1, group_here = 0;
+static int force = -1, group_here = 0, only = EVERY, mutant = -1;
 static long double unit;
 
 static void MARK(int group) { group_here = group; }
+static bool counted() { return only == EVERY || only == group_here; }
 
 struct Number {
     long double value;
@@ -202,7 +300,7 @@ static Number done(long double value, const Number &l, long double by_l, const N
         return made;
     }
     made.id = (int)tape.size();
-    if (force >= 0 && !exact && (size_t)made.id < against[force].size()) {
+    if (force >= 0 && !exact && counted() && (size_t)made.id < against[force].size()) {
         made.value *= 1 + against[force][made.id] * unit;
     }
     tape.push_back({l.id, r.id, group_here, by_l, by_r, value, exact});
@@ -245,7 +343,9 @@ static bool operator>(const Number &l, const Number &r) { return l.value > r.val
 static bool operator<(const Number &l, const Number &r) { return l.value < r.value; }
 static bool operator>=(const Number &l, const Number &r) { return l.value >= r.value; }
 static bool operator<=(const Number &l, const Number &r) { return l.value <= r.value; }
-static Number epsilon_here() { return Number(2 * unit); }
+static int entry = -1;
+static Number entry_counts(int which) { return Number(entry < 0 || entry == which ? 1 : 0); }
+static Number epsilon_here() { return Number(counted() ? 2 * unit : 0); }
 
 #define STEWART_REAL Number
 #define STEWART_SQRT(x) ::root_of(x)
@@ -323,12 +423,17 @@ extern "C" int record(
     return 0;
 }
 
-extern "C" int perturbed(int of, const long double *numbers, const long double *motion, long double *F, long double *bound)
+extern "C" int perturbed(
+    int of, int group, int entry_of_R, int changed, const long double *numbers, const long double *motion, long double *F, long double *bound)
 {
     Number found[6], limits[6];
     force = of;
+    only = group;
+    entry = entry_of_R;
+    mutant = changed;
     const int status = run(numbers, motion, found, limits, NULL);
-    force = -1;
+    force = mutant = entry = -1;
+    only = EVERY;
     for (int i = 0; i < 6; ++i) {
         F[i] = found[i].value;
         bound[i] = limits[i].value;
