@@ -73,7 +73,7 @@ def _entries(build: Builder, quantity: Quantity, weights: Weights) -> list[sp.Ex
     values = weights[quantity]
     entries = list(values) if isinstance(values, sp.MatrixBase) else [values]
     return [
-        build.scalar(component_name(quantity.name, key) + _SLOPE, value)
+        build.scalar(component_name(quantity.name, key) + "_weight", value)
         for key, value in zip(quantity.keys, entries, strict=True)
     ]
 

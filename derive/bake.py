@@ -47,7 +47,7 @@ class _Constants:
 
 def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
-    kernel = replace(kernel, per_length=_per_length(robot))
+    kernel = replace(kernel, per_length=_per_length(robot), size=_size(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
     kernel = without_zeros(kernel.changed(lambda block: _with_numbers(block, simple, constants)))
@@ -73,6 +73,12 @@ def _per_length(robot: Numbers) -> float:
     largest = max(abs(float(x)) for point in robot[n.p.name] for x in point)
     fraction, exponent = math.frexp(largest)
     return math.ldexp(1.0, (fraction == 0.5) - exponent) if largest else 1.0
+
+
+def _size(robot: Numbers) -> float:
+    """Largest coordinate of the platform points from the first, platform frame."""
+    points = [[float(x) for x in point] for point in robot[n.p.name]]
+    return max(abs(x - first) for point in points for x, first in zip(point, points[0], strict=True))
 
 
 def _is_simple(values: tuple[mpf, ...]) -> bool:

@@ -86,7 +86,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     riding = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
     kernel = regroup.with_constants(form, level.friction, _platform(level), _leg(level), riding)
     near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
-    kernel = regroup.about_base_point(replace(kernel, leg_near_pole=near))
+    kernel = regroup.about_tip(replace(kernel, leg_near_pole=near))
     if not level.moving:
         kernel = kernel.changed(lambda block: specialised(block, _AT_REST))
     kernel = regroup.without_zeros(kernel)
@@ -94,7 +94,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     return replace(
         final,
         leg_near_pole=kernel.leg_near_pole,
-        about_base_point=True,
+        about_tip=True,
         fidelity=level.name,
         meaning=level.meaning,
     )

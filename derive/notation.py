@@ -42,6 +42,7 @@ I_p = Quantity(
 g = Quantity("g", (3,), "m/s^2", "acceleration due to gravity, base frame")
 PLATFORM = (M, R_0, I_p, g)
 b_1 = Quantity("b_1", (3,), "m", "base point 1, base frame")
+p_1 = Quantity("p_1", (3,), "m", "platform point 1, platform frame")
 
 # What one leg gives to the platform's equations.
 q = Quantity("q", (3,), "m", "platform point from the reference point, base frame")

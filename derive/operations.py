@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from . import notation as n
 from .block import Operations
 from .kernels import Kernel
+from .prepared import arm_c
 from .regroup import ForceKernel
 
 LEGS = 6
@@ -16,24 +17,27 @@ LEGS = 6
 
 @dataclass(frozen=True)
 class KernelOperations:
-    """Counts of one pose of inverse dynamics, part by part."""
+    """Counts of one pose of inverse dynamics, part by part; moments: of those of legs 2 to 6 made apart."""
 
     leg: Operations
     platform: Operations
     sum_c: Operations
     solve: Operations
     forces: Operations
+    moments: Operations = Operations()
 
     @property
     def total(self) -> Operations:
-        """Everything: six legs, the platform's part, the sum of c, the solve, F = D - x."""
-        return LEGS * self.leg + self.platform + self.sum_c + self.solve + self.forces
+        """Everything: six legs, the platform's part, moments, the sum of c, the solve, F = D - x."""
+        parts = self.platform + (LEGS - 1) * self.moments + self.sum_c + self.solve + self.forces
+        return LEGS * self.leg + parts
 
     def parts(self) -> dict[str, Operations]:
         """The counts by name, the total last."""
         return {
             "leg": self.leg,
             "platform": self.platform,
+            **({"moments": self.moments} if self.moments.total else {}),
             "sum of c": self.sum_c,
             "solve": self.solve,
             "forces": self.forces,
@@ -68,14 +72,21 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
 def force_operations(kernel: ForceKernel) -> KernelOperations:
     """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
 
-    What a leg does not have, its part of c or its D, costs nothing to add.
+    What a leg does not have, its part of c or its D, costs nothing to add. The solve includes the product of
+    the pivots.
     """
     given = {out.quantity for out in kernel.leg.outputs}
-    parts = sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
+    sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
+    moments, shift = Operations(), Operations()
+    if kernel.about_tip:
+        moments, shift = kernel.moments.operations(), kernel.shift.operations()
+        sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
+    solve = elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True)
     return KernelOperations(
         leg=kernel.leg.operations(),
-        platform=kernel.shared.operations(),
-        sum_c=Operations(add=parts * LEGS),
-        solve=elimination(LEGS, 3 if kernel.about_base_point else LEGS, last_divided=True),
+        platform=kernel.shared.operations() + shift,
+        sum_c=Operations(add=sums),
+        solve=solve + Operations(mul=LEGS - 1),
         forces=Operations(add=LEGS if n.D in given else 0),
+        moments=moments,
     )

@@ -58,8 +58,8 @@ _ORDER: tuple[tuple[str, str, Callable[[bool], ForceKernel]], ...] = (
         lambda friction: shared_blocks(regrouped(EXACT, friction)),
     ),
     (
-        "pole at base point 1",
-        "moments about base point 1: elimination begins with three rows",
+        "moments about platform point 1",
+        "leg 1 has none: elimination begins with three rows, and five legs have moments",
         lambda friction: shared_blocks(force_kernel(EXACT, friction)),
     ),
 )

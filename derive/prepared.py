@@ -63,6 +63,10 @@ C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
 # What the pose hands to the legs.
 B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
 t_1 = Quantity("t_1", (3,), "m", "reference point from base point 1, base frame")
+q_1 = Quantity("q_1", (3,), "m", "platform point 1 from the reference point, base frame")
+arm = Quantity("arm", (3,), "m", "platform point from platform point 1, base frame")
+c_tip = Quantity("c_tip", (3,), "N m", "the platform's part of c, moment rows, about platform point 1")
+arm_c = Quantity("arm_c", (3,), "N m", "moment of the leg's part of c, force rows, about platform point 1")
 
 
 def point_inertia(mass: sp.Expr, at: sp.Matrix) -> sp.Matrix:

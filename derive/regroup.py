@@ -8,14 +8,15 @@ Each change leaves the forces as they are:
 - ``exact`` legs are written in the coordinates of their joints (``joint_leg``), `paper` legs in their frame
   (``printed_leg``); legs with spherical base joints stay as ``kernels`` has them;
 - the force K on the leg may carry any part along s, since x takes up the rest: F = D - x with D to match;
-- moments are taken about base point 1, so that the first column of H has no moment and elimination begins
-  with three rows; platform points from there, S_1, are needed for S anyhow.
+- moments are taken about platform point 1, so that leg 1 has none, elimination begins with three rows, and
+  no moment is larger than the platform, however long the legs are.
 
 ``passes`` shows what each is worth. Knows nothing of sharing or printing.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -50,12 +51,13 @@ class ForceKernel:
     shared: Block
     leg: Block
     leg_near_pole: Block | None = None
-    about_base_point: bool = False
+    about_tip: bool = False
     fidelity: str = "general"
     meaning: str = ""
     constants: Mapping[Quantity, tuple[float, ...]] | None = None
     baked_name: str = ""
     per_length: float | None = None
+    size: float | None = None
 
     @property
     def name(self) -> str:
@@ -64,6 +66,23 @@ class ForceKernel:
             return self.baked_name
         own = self.formulation.kernel_name
         return own if self.fidelity == "general" else f"{own}_{self.fidelity}"
+
+    @property
+    def moments(self) -> Block:
+        """Moments about platform point 1 of one leg, of all but leg 1."""
+        return _leg_moments(n.c_force in {out.quantity for out in self.leg.outputs})
+
+    @property
+    def shift(self) -> Block:
+        """The platform's part of c with moments about platform point 1."""
+        return _platform_moments()
+
+    def whole(self) -> "ForceKernel":
+        """The kernel with ``moments`` and ``shift`` in the blocks of legs and pose: the same operations.
+
+        Leg 1 then has moments like any other, all of them zero, and the pose has q_1 from p_1, a constant.
+        """
+        return _whole(self)
 
     def literals(self) -> dict[Quantity, float]:
         """Constants of a baked kernel that all legs share."""
@@ -98,7 +117,7 @@ class ForceKernel:
 
 def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
     """Derive the regrouped blocks of a formulation."""
-    return about_base_point(regrouped(form, friction))
+    return about_tip(regrouped(form, friction))
 
 
 def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
@@ -162,17 +181,17 @@ def _is_not_zero(out: Output) -> bool:
     return any(expr != 0 for expr in out.exprs)
 
 
-# ---------------------------------------------------------------- moments about base point 1
+# ---------------------------------------------------------------- moments about platform point 1
 
 
-def about_base_point(kernel: ForceKernel) -> ForceKernel:
-    """The same kernel with moments about base point 1: S_1 = q + t_1, S = S_1 - r."""
-    leg = _leg_about_base_point(kernel.leg)
-    pose = _pose_about_base_point(kernel.shared)
+def about_tip(kernel: ForceKernel) -> ForceKernel:
+    """The same kernel with moments about platform point 1, and S = S_1 - r, S_1 = q + t_1."""
+    leg = _leg_without_moments(kernel.leg)
+    pose = _pose_with_base_point(kernel.shared)
     riding = p.riding(kernel.prepare_leg)
     moved = with_constants(kernel.formulation, kernel.friction, pose, leg, riding)
-    near = None if kernel.leg_near_pole is None else _leg_about_base_point(kernel.leg_near_pole)
-    return replace(moved, leg_near_pole=near, about_base_point=True, fidelity=kernel.fidelity)
+    near = None if kernel.leg_near_pole is None else _leg_without_moments(kernel.leg_near_pole)
+    return replace(moved, leg_near_pole=near, about_tip=True, fidelity=kernel.fidelity)
 
 
 def from_base_point(leg: Block) -> Block:
@@ -192,35 +211,83 @@ def from_base_point(leg: Block) -> Block:
     return rebuilt(leg, steps, outputs, (*leg.inputs, p.t_1, p.r))
 
 
-def _leg_about_base_point(leg: Block) -> Block:
+def _leg_without_moments(leg: Block) -> Block:
+    """The leg from base point 1, with q, and of the moments nothing but friction."""
     moved = from_base_point(leg)
-    # Any point of the leg's line serves as arm of its axial force; r makes the moment of leg 1 exactly zero.
-    arms = {
-        quantity: dict(zip(n.q.symbols, arm, strict=True))
-        for quantity, arm in ((n.H_moment, p.r.symbols), (n.c_moment, n.S_1.symbols))
-    }
-    outputs = [
-        Output(out.quantity, tuple(e.xreplace(arms.get(out.quantity, {})) for e in out.exprs))
-        for out in moved.outputs
-    ]
-    return rebuilt(moved, list(moved.steps), outputs, (*moved.inputs, p.t_1, p.r))
+    given = {out.quantity: out.exprs for out in moved.outputs}
+    force = sp.Matrix(given[n.c_force])
+    friction = sp.Matrix(given[n.c_moment]) - cross(n.q.value, force)
+    outputs = [Output(n.q, n.q.symbols)]
+    for quantity, exprs in given.items():
+        if quantity == n.c_moment:
+            exprs = tuple(friction.applyfunc(sp.expand))
+        if quantity not in (n.S_1, n.H_moment) and (quantity != n.c_moment or any(e != 0 for e in exprs)):
+            outputs.append(Output(quantity, exprs))
+    return rebuilt(moved, list(moved.steps), outputs, moved.inputs)
 
 
-def _pose_about_base_point(pose: Block) -> Block:
+def _pose_with_base_point(pose: Block) -> Block:
     build = Builder(list(pose.steps))
     values = {out.quantity: out.exprs for out in pose.outputs}
     t_1 = build.vector("t_1", n.t.value - n.b_1.value, "", p.t_1.meaning)
-    force = build.vector(
-        "load", sp.Matrix(values[n.c_force]), "(33)", "the platform's part of c, force and moment"
-    )
-    moment = sp.Matrix(values[n.c_moment]) + cross(t_1, force)
-    outputs = [
-        *((q, as_value(q, exprs)) for q, exprs in values.items() if q not in (n.c_force, n.c_moment)),
-        (p.t_1, t_1),
-        (n.c_force, force),
-        (n.c_moment, moment),
-    ]
+    outputs = [*((q, as_value(q, exprs)) for q, exprs in values.items()), (p.t_1, t_1)]
     return build.block(pose.name, pose.meaning, (*pose.inputs, n.t, n.b_1), outputs)
+
+
+@cache
+def _leg_moments(with_force: bool) -> Block:
+    build = Builder()
+    arm = build.vector("arm", n.q.value - p.q_1.value, "", p.arm.meaning)
+    outputs = [(n.H_moment, cross(arm, n.H_force.value))]
+    if with_force:
+        outputs.append((p.arm_c, cross(arm, n.c_force.value)))
+    return build.block(
+        "moments_of", "moments of one leg", (n.q, p.q_1, n.H_force, n.c_force), outputs
+    )
+
+
+@cache
+def _platform_moments() -> Block:
+    moved = n.c_moment.value - cross(p.q_1.value, n.c_force.value)
+    inputs = (p.q_1, n.c_force, n.c_moment)
+    return Builder().block("shift", "the platform's part of c", inputs, [(p.c_tip, moved)])
+
+
+def _whole(kernel: ForceKernel) -> ForceKernel:
+    turned = zip(p.q_1.names, n.R.value * n.p_1.value, strict=True)
+    tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
+    pose = _joined(kernel.shared, kernel.shift, tip, (n.R, n.p_1))
+    pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
+    near = None if kernel.leg_near_pole is None else _joined(kernel.leg_near_pole, kernel.moments)
+    before = kernel.prepare_platform
+    given = replace(
+        before, inputs=(*before.inputs, n.p_1), outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols))
+    )
+    leg = _joined(kernel.leg, kernel.moments)
+    return replace(
+        kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False
+    )
+
+
+def _joined(
+    first: Block, second: Block, between: Iterable[Step] = (), inputs: Iterable[Quantity] = ()
+) -> Block:
+    """Two blocks as one; what the second reads of the first keeps its name, and so the order of its sums."""
+    read = {out.quantity: out for out in first.outputs if out.quantity in second.inputs}
+    renamed = [
+        Step(name, expr)
+        for out in read.values()
+        for name, symbol, expr in zip(out.quantity.names, out.quantity.symbols, out.exprs, strict=True)
+        if symbol != expr
+    ]
+    steps = (*first.steps, *renamed, *between, *second.steps)
+    outputs = [
+        Output(out.quantity, out.quantity.symbols) if out.quantity in read else out for out in first.outputs
+    ]
+    given = [q for q in second.inputs if q not in read]
+    named = {step.name for step in steps}
+    needed = [q for q in (*first.inputs, *given, *inputs) if not named.intersection(q.names)]
+    return replace(first, inputs=tuple(dict.fromkeys(needed)), steps=steps, outputs=(*outputs, *second.outputs))
 
 
 # ---------------------------------------------------------------- pose and platform

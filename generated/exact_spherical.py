@@ -44,23 +44,25 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 # The same of stewart_exact_spherical_forces.h, and how many numbers its prepared model holds.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
-        "leg": (140, 100, 1, 1),
+        "leg": (128, 91, 1, 1),
         "platform": (96, 93, 0, 0),
-        "sum of c": (0, 36, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "moments": (12, 9, 0, 0),
+        "sum of c": (0, 51, 0, 0),
+        "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1020, 802, 12, 6),
+        "total": (1013, 808, 12, 6),
     },
     "frictionless": {
-        "leg": (99, 74, 1, 1),
+        "leg": (87, 68, 1, 1),
         "platform": (96, 93, 0, 0),
-        "sum of c": (0, 36, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "moments": (12, 9, 0, 0),
+        "sum of c": (0, 33, 0, 0),
+        "solve": (89, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (774, 646, 12, 6),
+        "total": (767, 652, 12, 6),
     },
 }
-MODEL_NUMBERS = 251
+MODEL_NUMBERS = 252
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -63,13 +63,13 @@ def functions(c: str) -> list[Function]:
 def _assigned(body: str) -> dict[str, str]:
     texts = {}
     for found in _DECLARED.finditer(re.sub(r"/\*.*?\*/", "", body, flags=re.S)):
-        for part in _split(" ".join(found[1].split()), ", "):
+        for part in split(" ".join(found[1].split()), ", "):
             name, _, text = part.partition(" = ")
             texts[name] = text
     return texts
 
 
-def _split(text: str, mark: str) -> list[str]:
+def split(text: str, mark: str) -> list[str]:
     """The text split at a mark outside of brackets."""
     parts, depth, start = [], 0, 0
     for i, sign in enumerate(text):
@@ -232,7 +232,7 @@ def mutants(text: str) -> list[str]:
 
 
 def _vary(text: str, told: Callable[[str], None]) -> None:
-    terms = _split(text, " + ")
+    terms = split(text, " + ")
     for i, term in enumerate(terms):
         rest = [*terms[:i], *terms[i + 1 :]]
         told(" + ".join(rest) or "REAL(0)")
@@ -244,8 +244,8 @@ def _vary(text: str, told: Callable[[str], None]) -> None:
             inner = term[start:end]
             if inner.isdigit():
                 continue
-            for j, part in enumerate(_split(inner, ", ")):
-                parts = _split(inner, ", ")
+            for j, part in enumerate(split(inner, ", ")):
+                parts = split(inner, ", ")
 
                 def inside(new: str, j: int = j, parts: list[str] = parts) -> None:
                     args = ", ".join([*parts[:j], new, *parts[j + 1 :]])

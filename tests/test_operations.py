@@ -43,12 +43,15 @@ static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
 static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
 static Threshold operator*(Real, Threshold t) { return t; }
 static Real operator/(Threshold, Threshold) { return Real(1e-130); }
+static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_REAL Real
 #define STEWART_SQRT(v) root(v)
 #define STEWART_FABS(v) Real(std::fabs((v).value))
 #define STEWART_EPSILON Threshold()
 #define STEWART_MAX Real(1e308)
 #define STEWART_SHORTEST Threshold()
+#define STEWART_SUSPECT Threshold()
+#define STEWART_CUBE(v) Threshold()
 @INCLUDES@
 int main() {
     static stewart_robot robot;

@@ -105,9 +105,11 @@ def by_group(pose: rounding.Pose, group: int, mutant: int = -1) -> float | None:
     return bound / error
 
 
-def by_entry(pose: rounding.Pose, entry: int, mutant: int = -1) -> float:
-    """The same when one entry of R alone is off; the least of all forces."""
-    found = [pose.worst_entry(force, entry, mutant) for force in range(6)]
+def by_strain(pose: rounding.Pose, entry: int, mutant: int = -1) -> float:
+    """The same when R is stretched by one entry of a symmetric matrix; the least of all forces."""
+    strain = np.zeros((3, 3))
+    strain.flat[entry] = 1.0
+    found = [pose.stretched(force, np.maximum(strain, strain.T), mutant) for force in range(6)]
     return min(bound / error for error, bound in found)
 
 
@@ -120,7 +122,7 @@ def test_every_quantity_is_bounded_by_itself() -> None:
             if found is not None:
                 seen.add(name)
                 assert found >= 1 - HAIR, name
-        assert min(by_entry(pose, entry) for entry in range(9)) >= 1 - HAIR
+        assert min(by_strain(pose, entry) for entry in range(9)) >= 1 - HAIR
     assert len(seen) > 200
 
 
@@ -200,18 +202,16 @@ def test_values_are_handed_on_with_the_errors_of_the_same_values() -> None:
 
 
 def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
-    """Groups, or entries of R, whose error the mutant may lose: its own if that can be told."""
+    """Groups, or strains of R, whose error the mutant may lose: its own if that can be told."""
     groups = rounding.groups()
     own = re.search(r"(\w+)_own$", mutant.whole.strip())
-    handed = re.match(r"slope of (R|B|t_1)(\d)", mutant.whole)
+    handed = re.match(r"slope of (R|B|t_1|q_1)(\d)", mutant.whole)
     entry = re.search(r"R_([xyz])([xyz])_bar_max\*R_err$", mutant.whole)
     block = rounding.block_of(mutant.function)
     if own and f"{block} {own[1]}" in groups:
         yield "group", groups.index(f"{block} {own[1]}")
-    elif entry:
-        yield "entry", 3 * "xyz".index(entry[1]) + "xyz".index(entry[2])
     elif handed and handed[1] == "R":
-        yield "entry", int(handed[2])
+        yield from (("strain", n) for n in range(9))
     elif handed:
         n = int(handed[2])
         axes = "xyz"[n // 3] + "xyz"[n % 3] if handed[1] == "B" else "xyz"[n]
@@ -219,16 +219,14 @@ def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
     elif "prepare" in block or block.startswith(("leg", "shared")):
         yield from (("group", n) for n, name in enumerate(groups) if name.startswith(("prepare", "sum sum")))
     else:
-        yield from (
-            ("group", n) for n, name in enumerate(groups) if name in ("solution", "force", "rotation")
-        )
-        yield from (("entry", n) for n in range(9))
+        yield from (("group", n) for n, name in enumerate(groups) if name in ("solution", "force"))
+        yield from (("strain", n) for n in range(9))
         yield from (("group", n) for n, name in enumerate(groups) if name.startswith("sum out"))
 
 
 def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant) -> bool:
     for kind, which in candidates(mutant):
-        found = (by_group if kind == "group" else by_entry)(pose, which, number)
+        found = (by_group if kind == "group" else by_strain)(pose, which, number)
         if found is not None and found < 1 - HAIR:
             return True
     return False

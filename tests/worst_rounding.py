@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from bound_statements import mutants
+from bound_statements import mutants, split
 from numpy.typing import NDArray
 
 from stewart_sym.kernel import MOTION, c_sources, robot_numbers
@@ -31,6 +31,9 @@ UNIT = {"double": 2.0**-53, "float": 2.0**-24}
 
 EVERY, NONE = -1, -2
 """In place of a group of operations: all of them round, or none does."""
+
+_VALUES = "sum|product|one|other|small|high|low|shift|grid|rest|Y_force|Y_moment|Y_arm|D_weight|x|numbers"
+"""What stands for numbers and not for bounds of errors, in functions that no block makes."""
 
 _STATEMENT = re.compile(r"^( +)const stewart_real (\w+) =", re.M)
 _ADDITION = re.compile(r"^( +)add\(&([^,]+), ", re.M)
@@ -72,7 +75,7 @@ def marked(text: str) -> tuple[str, list[str]]:
         if function.startswith(("prepare_", "shared_", "leg_")) and "{" in body:
             body = _STATEMENT.sub(statement, body)
         body = _ADDITION.sub(lambda m: f"{m[1]}{at(f'sum {m[2]}')} add(&{m[2]}, ", body)
-        mark = {"rotation_error": "rotation", "solve_pose": "solution", "solution_error": "solution"}
+        mark = {"solve_pose": "solution", "solution_error": "solution"}
         if function in mark:
             body = re.sub(
                 r"\n(    for|    scale)", lambda m: f"\n    {at(mark[function])}\n{m[1]}", body, count=1
@@ -116,28 +119,21 @@ def switched(text: str) -> tuple[str, list[Mutant]]:
 
     def by_hand(function: str, body: str) -> str:
         def statement(found: re.Match[str]) -> str:
-            if (
-                re.fullmatch(r"\w+|STEWART_INFINITY|.*\?.*", found[3])
-                or " sum" in found[1]
-                or "product" in found[1]
-            ):
+            of_value = re.search(rf"[ *]({_VALUES})\b\S* = $", found[1])
+            if of_value or len(split(found[2], ", ")) > 1 or re.fullmatch(r"\w+|.*\?.*", found[2]):
                 return found[0]
-            return f"{found[1]}{choice(function, found[3], mutants(found[3]))};"
+            return f"{found[1]}{choice(function, found[2], mutants(found[2]))};"
 
-        return re.sub(r"(\n +(?:const )?(?:stewart_real )?([\w.>\[\]-]+ = ))([^;{]+);", statement, body)
+        assigned = r"(?:const )?(?:stewart_real )?[\w.>+* \[\]-]+ = |return (?=total)"
+        return re.sub(rf"(\n +(?:{assigned}))([^;={{]+);", statement, body)
 
     pieces = _functions(text)
     for i, (name, body) in enumerate(pieces):
         if name.startswith(("shared_errors", "leg_errors")):
             pieces[i] = name, weighed(name, body)
-        elif name in ("solution_error", "rotation_error", "bound_of_pose"):
+        elif name in ("solution_error", "rotation_error", "stretch_error", "bound_of_pose"):
             pieces[i] = name, by_hand(name, body)
     return "".join(body for _, body in pieces), made
-
-
-def _one_entry(found: re.Match[str]) -> str:
-    """The weighed error of one entry of R, which can be left out."""
-    return f"({found[0]}*entry_counts({3 * 'xyz'.index(found[1]) + 'xyz'.index(found[2])}))"
 
 
 def _functions(text: str) -> list[tuple[str, str]]:
@@ -153,7 +149,6 @@ def _traced() -> tuple[ctypes.CDLL, list[str], list[Mutant]]:
     sources = c_sources("exact_bounds")
     text, made = switched(sources["stewart_exact_bounds.c"])
     text, groups = marked(text)
-    text = re.sub(r"R_([xyz])([xyz])_bar_max\*R_err", _one_entry, text)
     text = text.replace("#define STEWART_UNIT (STEWART_EPSILON *", "#define STEWART_UNIT (epsilon_here() *")
     return (
         _compiled({**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}),
@@ -202,7 +197,7 @@ class Pose:
         found = (self.F, first, self._slopes, shares)
         if self._record(names, found):
             raise ValueError("motion: expected a pose that can be solved")
-        of_R = [_turned(self._R, slope, unit)[1] for slope in self._slopes]
+        of_R = [unit * _worst_strain(self._R, slope)[1] for slope in self._slopes]
         self.first_order = (first + of_R).astype(float)
         self.of_group = shares.astype(float)
 
@@ -219,22 +214,20 @@ class Pose:
         group: only these operations round, and are counted, and R is a rotation. Runs on the record of the
         pose that was made last.
         """
-        R = _turned(self._R, self._slopes[force], self._unit)[0] if group == EVERY else self._R
-        F, bound = self._perturbed(force, group, -1, mutant, R)
-        return float(abs(F[force] - self.F[force])), float(bound[force])
+        strain = _worst_strain(self._R, self._slopes[force])[0] if group == EVERY else np.zeros((3, 3))
+        return self._perturbed(force, group, mutant, strain)
 
-    def worst_entry(self, force: int, entry: int, mutant: int = -1) -> tuple[float, float]:
-        """The same with no rounding, and one entry of R off as far as any entry may be."""
-        R = _turned(self._R, self._slopes[force], self._unit)[0]
-        _, bound = self._perturbed(force, NONE, entry, mutant, R)
-        return float(self._unit * abs(self._slopes[force].flat[entry])), float(bound[force])
+    def stretched(self, force: int, strain: Array, mutant: int = -1) -> tuple[float, float]:
+        """The same with no rounding, R stretched by the symmetric ``strain`` times the unit."""
+        return self._perturbed(force, NONE, mutant, strain)
 
-    def _perturbed(self, force: int, group: int, entry: int, mutant: int, R: Array) -> tuple[Array, Array]:
+    def _perturbed(self, force: int, group: int, mutant: int, strain: Array) -> tuple[float, float]:
+        R = self._R @ (np.eye(3, dtype=Real) + self._unit * strain.astype(Real))
         given, F, bound = np.concatenate([R.ravel(), self._rest]), np.zeros(6, Real), np.zeros(6, Real)
-        chosen = map(ctypes.c_int, (force, group, entry, mutant))
+        chosen = map(ctypes.c_int, (force, group, mutant))
         if self._library.perturbed(*chosen, *map(_pointer, (self._numbers, given, F, bound))):
             raise ValueError("motion: expected a pose that can be solved however it is rounded")
-        return F, bound
+        return float(abs(F[force] - self.F[force])), float(bound[force])
 
 
 def _rotation(R: Array) -> Array:
@@ -244,12 +237,11 @@ def _rotation(R: Array) -> Array:
     return R
 
 
-def _turned(R: Array, slope: Array, unit: float) -> tuple[Array, Array]:
-    """R off the rotation by ``unit`` in the norm of largest singular values, where the force feels it most."""
+def _worst_strain(R: Array, slope: Array) -> tuple[Array, float]:
+    """The strain of R, 1 in the norm of largest singular values, that a force feels most, and how much."""
     along = (R.T @ slope).astype(float)
     values, vectors = np.linalg.eigh((along + along.T) / 2)
-    strain = (vectors * np.sign(values)) @ vectors.T
-    return R @ (np.eye(3, dtype=Real) + unit * strain.astype(Real)), unit * np.abs(values).sum()
+    return (vectors * np.sign(values)) @ vectors.T, float(np.abs(values).sum())
 
 
 def _pointer(array: Array) -> ctypes.c_void_p:
@@ -338,13 +330,15 @@ static Number root_of(const Number &of)
     const long double value = sqrtl(of.value);
     return done(value, of, 0.5L / value, Number(), 0, false);
 }
-static Number magnitude(const Number &of) { return of.value < 0 ? -of : of; }
+/* One operation whatever the sign, so that every run of a pose counts alike. */
+static Number magnitude(const Number &of)
+{
+    return done(fabsl(of.value), of, of.value < 0 ? -1 : 1, Number(), 0, true);
+}
 static bool operator>(const Number &l, const Number &r) { return l.value > r.value; }
 static bool operator<(const Number &l, const Number &r) { return l.value < r.value; }
 static bool operator>=(const Number &l, const Number &r) { return l.value >= r.value; }
 static bool operator<=(const Number &l, const Number &r) { return l.value <= r.value; }
-static int entry = -1;
-static Number entry_counts(int which) { return Number(entry < 0 || entry == which ? 1 : 0); }
 static Number epsilon_here() { return Number(counted() ? 2 * unit : 0); }
 
 #define STEWART_REAL Number
@@ -424,15 +418,14 @@ extern "C" int record(
 }
 
 extern "C" int perturbed(
-    int of, int group, int entry_of_R, int changed, const long double *numbers, const long double *motion, long double *F, long double *bound)
+    int of, int group, int changed, const long double *numbers, const long double *motion, long double *F, long double *bound)
 {
     Number found[6], limits[6];
     force = of;
     only = group;
-    entry = entry_of_R;
     mutant = changed;
     const int status = run(numbers, motion, found, limits, NULL);
-    force = mutant = entry = -1;
+    force = mutant = -1;
     only = EVERY;
     for (int i = 0; i < 6; ++i) {
         F[i] = found[i].value;

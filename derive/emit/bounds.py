@@ -14,17 +14,18 @@ import sympy as sp
 from .. import notation as n
 from ..adjoint import Adjoint, adjoint
 from ..block import Output, Quantity
-from ..prepared import ADDED, B, t_1
+from ..prepared import ADDED, B, arm, arm_c, c_tip, q_1, t_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, stores
+from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, raw_member, stores
 from .lanes import reach_terms, solve_pose
 
 _SQRT = "STEWART_SQRT"
-_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment)
+_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 
 
 def header(kernel: ForceKernel, version: str) -> str:
@@ -33,7 +34,7 @@ def header(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     parts = {
         "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
-        "@PLATFORM@": _members(blocks.prepare_platform, kernel.platform_constants(), comment=True),
+        "@PLATFORM@": _members(blocks.prepare_platform, blocks.kernel.platform_constants(), comment=True),
     }
     text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
     return filled(text, parts).replace("@NAME@", name)
@@ -44,7 +45,15 @@ def source(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     prepared = blocks.prepare_leg, blocks.prepare_platform
     parts = [
-        _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS + _MACROS + "\n" + SWITCH + "\n" + IS_FINITE,
+        _TOP.replace("@VERSION@", version)
+        + ARITHMETIC
+        + MACROS
+        + singular.MACROS
+        + _MACROS
+        + "\n"
+        + SWITCH
+        + "\n"
+        + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
         *(
@@ -54,6 +63,9 @@ def source(kernel: ForceKernel, version: str) -> str:
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
         UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
+        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model").replace(
+            "STEWART_OVER_LENGTH(largest)", "(largest * model->per_length)"
+        ),
         filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
         _LEG_STATUS,
@@ -61,7 +73,8 @@ def source(kernel: ForceKernel, version: str) -> str:
             _function(_LEG, [*_values(leg, blocks.pose_owner), *_status(kernel, leg)]).replace("@NEAR@", near)
             for near, leg in blocks.legs.items()
         ),
-        solve_pose(kernel.about_base_point),
+        solve_pose(kernel.about_tip),
+        singular.FUNCTION,
         _BOUND,
         _CONDITION,
         _function(_SHARED_ERRORS, *blocks.shared_errors()),
@@ -79,7 +92,7 @@ def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
     blocks = _Blocks(kernel)
     leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
-    return 6 * leg + _numbers(blocks.prepare_platform, kernel.platform_constants()) + 2
+    return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 3
 
 
 def python_module(kernel: ForceKernel, version: str) -> str:
@@ -95,8 +108,9 @@ class _Blocks:
     """The kernel's blocks with their errors: exact are the robot's and the motion's numbers but R."""
 
     def __init__(self, kernel: ForceKernel) -> None:
-        if not kernel.about_base_point or kernel.leg_near_pole is None:
-            raise ValueError("kernel: expected one with moments about base point 1 and universal joints")
+        if not kernel.about_tip or kernel.leg_near_pole is None:
+            raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
+        kernel = kernel.whole()
         self.kernel = kernel
         # R stands for the rotation nearest to it; one bound for all its entries.
         R = dict.fromkeys(n.R.names, error_symbol(n.R.name))
@@ -109,7 +123,7 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        inexact = R | constants | component_errors((B, t_1))
+        inexact = R | constants | component_errors((B, t_1, q_1))
         # By the ending of the functions' names: away from the joint singularity and near it.
         self.legs = {
             end: rounded(leg, inexact)
@@ -138,14 +152,16 @@ class _Blocks:
     def leg_errors(self, leg: RoundedBlock) -> tuple[list[str], list[str]]:
         """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
         force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
+        by_arm = _Y_ARM.value
         weights = {
             n.D: D,
             n.c_force: -force,
             n.c_moment: -moment,
+            arm_c: -by_arm,
             n.H_force: x * force,
-            n.H_moment: x * moment,
+            n.H_moment: x * by_arm,
         }
-        given = (_Y_FORCE, _Y_MOMENT, _D_WEIGHT, n.x)
+        given = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
         found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = [
@@ -159,11 +175,18 @@ class _Blocks:
     def shared_errors(self) -> tuple[list[str], list[str]]:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
-        weights = {n.c_force: -_Y_FORCE.value, n.c_moment: -_Y_MOMENT.value}
-        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1)}
+        weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
-        return self._with_errors(self.shared, found, component_errors(_LEGS_SLOPES.values()), {}, [])
+        slopes = {name: found.slopes[name] for name in n.R.names}
+        handed = [
+            f"        slopes[i].R_legs{part}[{j}] = {text};"
+            for j, slope in enumerate(slopes.values())
+            for part, text in (("", infix(slope, _SQRT)), ("_err", f"{_only_name(slope)}_err"))
+        ]
+        errors = component_errors(_LEGS_SLOPES.values())
+        return self._with_errors(self.shared, found, errors, slopes, handed)
 
     def _with_errors(
         self,
@@ -201,8 +224,9 @@ class _Blocks:
 
 _Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
 _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
+_Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
-_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1)}
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
 
 
@@ -303,13 +327,17 @@ def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
 
 
 def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
-    """What tells the status of a leg, and whether it is near its joint singularity."""
+    """What tells the status of a leg and of the pose."""
     terms, _ = reach_terms(kernel)
     length, sine = judged(leg.block)
+    arms = [f"STEWART_FABS({name})" for name in arm.names]
     return [
-        wrap_list(f"    const stewart_real reach[{len(terms)}] = {{{', '.join(terms)}}};"),
-        f"    out->status = leg_status({length}, {sine}, reach);",
+        wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
+        f"    const stewart_real arms[3] = {{{', '.join(arms)}}};",
+        f"    out->L = {length};",
         f"    out->sine = {sine};",
+        f"    out->reach = largest(terms, {len(terms)}, STEWART_SHORTEST / STEWART_ROUNDING);",
+        "    out->arm = largest(arms, 3, 0);",
     ]
 
 
@@ -325,7 +353,7 @@ def _inputs(block: RoundedBlock, owner: Callable[[Quantity], str], ready: Contai
 
 
 def _loads(block: RoundedBlock, quantity: Quantity, owner: str, used: Container[str]) -> list[str]:
-    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
+    member = raw_member(quantity, owner)
     values, errors = [], []
     for i, name in enumerate(quantity.names):
         index = f"[{i}]" if quantity.shape else ""
@@ -447,6 +475,7 @@ typedef struct {
     stewart_@NAME@_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
     stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 } stewart_@NAME@_bounds_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the
@@ -532,23 +561,35 @@ static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, ste
     *sum_err = *sum_err + term_err + STEWART_UNIT * STEWART_FABS(*sum);
 }
 
-/* Bounds the entries of R less the rotation nearest to it, by the largest distance of a singular value from
- * 1: half of |R^T R - 1| in the norm of row sums, with a 64th more for the terms of higher order. */
-static stewart_real rotation_error(const stewart_real R[9])
+/* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
+ * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms of
+ * higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no rounding
+ * error, nor has their sum less 1. */
+static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
-    stewart_real worst = 0;
+    stewart_real high[9], low[9], grid = 1, worst = 0;
     int i, j, k;
+    while (STEWART_HALF * grid * STEWART_HALF * grid >= STEWART_EPSILON) {
+        grid = STEWART_HALF * grid;
+    }
+    for (i = 0; i < 9; ++i) {
+        const stewart_real shift = (stewart_real)1.5 * (grid / STEWART_EPSILON);
+        high[i] = (R[i] + shift) - shift;
+        low[i] = R[i] - high[i];
+    }
     for (i = 0; i < 3; ++i) {
         stewart_real row = 0;
         for (j = 0; j < 3; ++j) {
-            stewart_real sum = 0, sizes = 0;
-            for (k = 0; k < 3; ++k) {
-                const stewart_real product = R[3 * k + i] * R[3 * k + j];
-                sum = sum + product;
-                sizes = sizes + STEWART_FABS(product) + STEWART_FABS(sum);
+            stewart_real sum = i == j ? -1 : 0, rest = 0, sizes = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real small = high[k + i] * low[k + j] + low[k + i] * R[k + j];
+                sum = sum + high[k + i] * high[k + j];
+                rest = rest + small;
+                sizes = sizes + STEWART_FABS(high[k + i] * low[k + j]) + STEWART_FABS(low[k + i] * R[k + j]);
             }
-            sum = i == j ? sum - 1 : sum;
-            row = row + STEWART_FABS(sum) + STEWART_UNIT * (sizes + STEWART_FABS(sum));
+            sum = sum + rest;
+            stretch[3 * i + j] = STEWART_FABS(sum) + STEWART_UNIT * (5 * sizes + STEWART_FABS(sum));
+            row = row + stretch[3 * i + j];
         }
         worst = row > worst ? row : worst;
     }
@@ -569,20 +610,25 @@ typedef struct {
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D, sine; /* of the angle between the leg and the fixed axis */
+    stewart_real D, L;
+    stewart_real sine; /* of the angle between the leg and the fixed axis */
+    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
 @TERMS@
-    int status;
 } leg_terms;
 
-/* The platform's equations H x = c, moments about base point 1; c_own: what the sums in c round away. */
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
+ * away. */
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
+    stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
 /* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
 typedef struct {
     stewart_real Y_force[3], Y_moment[3]; /* its row of the inverse of H */
+    stewart_real Y_arm[3]; /* Y_moment, but 0 for leg 1: its force has no moment about platform point 1 */
     stewart_real D_weight, x;
 } force_row;
 
@@ -634,6 +680,7 @@ int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bou
 #if defined(STEWART_SCALED)
     made.per_length = 1 / unit_of_length(&made);
 #endif
+    made.least = least_pivots(&made);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -652,21 +699,27 @@ static void shared_of_pose(
 """
 
 _LEG_STATUS = """\
-/* The leg vector is known to within rounding of its largest term. */
-static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
+/* The largest of some numbers and `least`. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
-    stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+    stewart_real found = least;
     int i;
-    for (i = 0; i < 9; ++i) {
-        reach = STEWART_LARGER(terms[i], reach);
+    for (i = 0; i < count; ++i) {
+        found = STEWART_LARGER(values[i], found);
     }
-    if (!(L <= STEWART_MAX)) {
+    return found;
+}
+
+/* The leg vector is known to within rounding of its largest term, `reach`. */
+static int leg_status(const leg_terms *leg)
+{
+    if (!(leg->L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach)) {
+    if (!(leg->L > STEWART_ROUNDING * leg->reach)) {
         return STEWART_SHORT_LEG;
     }
-    return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
+    return leg->sine > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 """
 
@@ -682,11 +735,11 @@ static void leg_of_pose@NEAR@(
 
 _SHARED_ERRORS = """\
 /* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where there are slopes of
- * the legs, adds to the error of each force what these errors do to it: each by the slope of the force along
- * it, at its largest. */
+ * the legs, adds to the error of each force what these errors do to it, each by the slope of the force along
+ * it, at its largest; and adds to the slopes along R. */
 static void shared_errors(
     const stewart_@NAME@_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
-    const force_row rows[6], const slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
+    const force_row rows[6], slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
 {
     int i;
 @BODY@
@@ -716,6 +769,31 @@ static void leg_errors@NEAR@(
 """
 
 _BOUND = """\
+/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 + ...)
+ * with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part of
+ * R^T times them counts; turning R as a whole is no error. */
+static stewart_real stretch_error(
+    const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
+{
+    stewart_real total = 0, slopes = 0;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            stewart_real sum = 0, doubt = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real one = R[k + i] * of->R_legs[k + j], other = R[k + j] * of->R_legs[k + i];
+                sum = sum + (one + other);
+                doubt = doubt + 5 * STEWART_UNIT * (STEWART_FABS(one) + STEWART_FABS(other));
+                doubt = doubt + STEWART_FABS(R[k + i]) * of->R_legs_err[k + j];
+                doubt = doubt + STEWART_FABS(R[k + j]) * of->R_legs_err[k + i];
+            }
+            total = total + stretch[3 * i + j] * (STEWART_FABS(sum) + doubt) / 4;
+            slopes = slopes + STEWART_FABS(of->R_legs[3 * i + j]) + of->R_legs_err[3 * i + j];
+        }
+    }
+    return total + 2 * R_err * R_err * slopes;
+}
+
 /* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
  * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,
  *     d <= b + G d,    b = |Y| (|c - H x| + E_H |x| + e_c),    G = |1 - Y H| + |Y| E_H,
@@ -787,9 +865,9 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from base point 1 to the reference point, t away, and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
 static stewart_real reciprocal_condition(
-    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real t[3], stewart_real length)
+    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
     stewart_real A[6][6], B[6][6];
     int i, j;
@@ -797,8 +875,8 @@ static stewart_real reciprocal_condition(
         const int next = (j + 1) % 3, last = (j + 2) % 3;
         for (i = 0; i < 6; ++i) {
             A[j][i] = H[j][i];
-            A[j + 3][i] = (H[j + 3][i] - (t[next] * H[last][i] - t[last] * H[next][i])) / length;
-            B[i][j] = Y[i][j] + (Y[i][3 + next] * t[last] - Y[i][3 + last] * t[next]);
+            A[j + 3][i] = (H[j + 3][i] + (q[next] * H[last][i] - q[last] * H[next][i])) / length;
+            B[i][j] = Y[i][j] - (Y[i][3 + next] * q[last] - Y[i][3 + last] * q[next]);
             B[i][j + 3] = Y[i][j + 3] * length;
         }
     }
@@ -808,52 +886,73 @@ static stewart_real reciprocal_condition(
 
 _POSE = """\
 /* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
- * near the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
+ * near the joint singularity, legs having been found to be neither at it nor too short. */
 static int equations_of_pose(
     const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
-    int *near, stewart_real D[6], platform_equations *out)
+    int near, stewart_real D[6], platform_equations *out)
 {
-    const int path = *near;
     leg_terms leg;
     int i, j;
+    out->near = near;
+    out->close = near != 0 ? out->close : 0;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
-        out->c[j + 3] = shared->c_moment[j];
+        out->c[j + 3] = shared->c_tip[j];
         out->c_own[j] = 0;
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        (path ? leg_of_pose_near_singularity : leg_of_pose)(
+        (near != 0 ? leg_of_pose_near_singularity : leg_of_pose)(
             &model->platform, &model->leg[i], at, shared, &leg);
-        if (path == 0 && leg.status != STEWART_OK) {
-            return leg.status;
+        if (near == 0) {
+            const int status = leg_status(&leg);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            out->near = leg.sine > STEWART_NEAR_POLE ? out->near : 1;
+            out->close = leg.L > STEWART_SHORT_SHARE * leg.reach ? out->close : 1;
         }
-        *near = leg.sine > STEWART_NEAR_POLE ? *near : 1;
         D[i] = leg.D;
+        out->L[i] = leg.L;
+        out->reach[i] = leg.reach;
+        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
-            out->H[j + 3][i] = leg.H_moment[j];
+            out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
             add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+            if (i > 0) {
+                add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
+            }
         }
     }
     return STEWART_OK;
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel; `per_length`: of its moment rows. */
-static int solution(
-    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+/* Status of the platform's equations by the product of their pivots. */
+static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real moment = 0;
-    int column, i, j;
-    for (i = 3; i < 6; ++i) {
+    stewart_real H[6][6];
+    int i, j;
+    if (of->close == 0 && STEWART_FABS(pivots) > least) {
+        return STEWART_OK;
+    }
+    for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(of->H[i][j]), moment);
+            H[i][j] = of->H[i][j];
         }
     }
+    return singular_status(H, of->L, of->reach, of->arm);
+}
+
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */
+static stewart_real solution(
+    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+{
+    stewart_real pivots = 0;
+    int column, i, j;
     for (column = 0; column < 7; ++column) {
         stewart_real A[6][LANES], found[6];
-        int status;
         for (i = 0; i < 6; ++i) {
             const stewart_real unit = i < 3 ? 1 : per_length;
             for (j = 0; j < 6; ++j) {
@@ -862,21 +961,18 @@ static int solution(
             A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
             A[i][7] = 0;
         }
-        status = solve_pose(A, per_length * moment, found);
-        if (status != STEWART_OK) {
-            return status;
-        }
+        pivots = solve_pose(A, found);
         for (i = 0; i < 6; ++i) {
             *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
  * and that of the difference. Completes the errors of the platform's equations. */
 static void bound_of_pose(
-    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, int near, const stewart_real x[6],
+    const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
     stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])
 {
     shared_terms shared;
@@ -884,9 +980,10 @@ static void bound_of_pose(
     force_row rows[6];
     slopes_of_legs slopes[6];
     stewart_real *numbers = (stewart_real *)slopes;
-    const stewart_real R_err = rotation_error(at->R);
+    stewart_real stretch[9];
+    const stewart_real R_err = rotation_error(at->R, stretch);
     size_t number;
-    int i, j;
+    int i, j, k;
     for (number = 0; number < 6 * (sizeof(slopes_of_legs) / sizeof(stewart_real)); ++number) {
         numbers[number] = 0;
     }
@@ -900,23 +997,29 @@ static void bound_of_pose(
     shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
-        of->c_err[j + 3] = shared.c_moment_err[j];
+        of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             rows[j].D_weight = i == j ? 1 : 0;
             rows[j].x = x[i];
+            for (k = 0; k < 3; ++k) {
+                rows[j].Y_arm[k] = i > 0 ? rows[j].Y_moment[k] : 0;
+            }
         }
-        (near ? leg_errors_near_singularity : leg_errors)(
+        (of->near != 0 ? leg_errors_near_singularity : leg_errors)(
             &model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
-            of->H_err[j + 3][i] = leg.H_moment_err[j];
+            of->H_err[j + 3][i] = i > 0 ? leg.H_moment_err[j] : 0;
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + (i > 0 ? leg.arm_c_err[j] : 0);
         }
     }
     shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
+    for (i = 0; i < 6; ++i) {
+        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes[i]);
+    }
     solution_error(of, x, Y, bound);
     for (i = 0; i < 6; ++i) {
         bound[i] = STEWART_SLACK * (bound[i] + STEWART_UNIT * STEWART_FABS(F[i]));
@@ -934,14 +1037,14 @@ static int forces_of_pose(
     shared_terms shared;
     platform_equations equations;
     stewart_real Y[6][6], x[6], D[6], found[6];
-    int i, status, near = 0;
+    int i, status;
     shared_of_pose(&model->platform, at, &shared);
-    status = equations_of_pose(model, at, &shared, &near, D, &equations);
-    if (status == STEWART_OK && near != 0) {
-        status = equations_of_pose(model, at, &shared, &near, D, &equations);
+    status = equations_of_pose(model, at, &shared, 0, D, &equations);
+    if (status == STEWART_OK && equations.near != 0) {
+        status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        status = solution(&equations, model->per_length, x, Y);
+        status = pose_status(&equations, solution(&equations, model->per_length, x, Y), model->least);
     }
     if (status != STEWART_OK) {
         return status;
@@ -956,10 +1059,10 @@ static int forces_of_pose(
         F[i] = found[i];
     }
     if (bound) {
-        bound_of_pose(model, at, near, x, Y, F, &equations, bound);
+        bound_of_pose(model, at, x, Y, F, &equations, bound);
     }
     if (rcond) {
-        *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
+        *rcond = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
     }
     return STEWART_OK;
 }

@@ -10,6 +10,7 @@ from ..formulation import UNIVERSAL
 from ..kernels import Kernel
 from ..operations import KernelOperations
 from ..thresholds import comment
+from . import singular
 from .infix import infix, wrap
 
 STATUS = (
@@ -139,7 +140,7 @@ def source(kernel: Kernel, version: str) -> str:
     name = kernel.formulation.kernel_name
     has_pole = any(out.quantity == n.k3 for out in kernel.leg.outputs)
     parts = [
-        _SOURCE_TOP.format(name=name, version=version) + ARITHMETIC,
+        _SOURCE_TOP.format(name=name, version=version) + ARITHMETIC + _APART + singular.MACROS,
         _output_struct(kernel.leg, "leg_terms"),
         _output_struct(kernel.platform, "platform_terms"),
         _output_struct(kernel.reactions, "reaction_terms"),
@@ -148,6 +149,7 @@ def source(kernel: Kernel, version: str) -> str:
         block_function(kernel.reactions, "reaction_terms"),
         _STATUS_CHECK.replace("@FINITE@", IS_FINITE).replace("@POLE@", _POLE_CHECK if has_pole else ""),
         _SOLVE,
+        singular.FUNCTION,
         _POSE,
         _PUBLIC.replace("@NAME@", name),
     ]
@@ -388,7 +390,7 @@ ARITHMETIC = """\
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -409,6 +411,14 @@ ARITHMETIC = """\
 #define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 """
 """Macros that every source needs: square root, size, rounding unit and range of the arithmetic."""
+
+_APART = """
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+"""
 
 _SOURCE_TOP = """\
 /* stewart_{name}.c: see stewart_{name}.h.
@@ -454,15 +464,12 @@ static stewart_real largest(const stewart_real *values, int count, stewart_real 
 }
 
 @FINITE@
-/* S = q + t - b is known to within rounding of its largest term. */
-static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
+/* S = q + t - b is known to within rounding of its largest term, `reach`. */
+static int leg_status(const leg_terms *terms, stewart_real reach)
 {
-    stewart_real reach = largest(terms->q, 3, REAL(0));
     if (is_finite(&terms->L, 1) == 0) {
         return STEWART_NOT_FINITE;
     }
-    reach = largest(at->t, 3, reach);
-    reach = largest(leg->b, 3, reach);
     if (!(terms->L > STEWART_ROUNDING * reach && terms->L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
@@ -471,34 +478,25 @@ static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stew
 """
 
 _SOLVE = """\
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). `moment` is the size
- * of the moment rows; a pivot that is rounding error beside its row means that H is singular. */
-static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product of
+ * the pivots. */
+static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
-    stewart_real scale[6] = {REAL(1), REAL(1), REAL(1), REAL(1), REAL(1), REAL(1)};
-    stewart_real inverse[6];
+    stewart_real inverse[6], pivots = REAL(1);
     int i, j, k;
-    for (i = 3; i < 6; ++i) {
-        scale[i] = moment;
-    }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
                 pivot = i;
             }
         }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
         for (j = k; j < 7; ++j) {
             const stewart_real moved = A[k][j];
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(&A[k][k], 1) != 0 ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
+        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
         inverse[k] = REAL(1) / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -514,7 +512,7 @@ static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
         }
         x[i] = sum * inverse[i];
     }
-    return STEWART_OK;
+    return pivots;
 }
 """
 
@@ -559,9 +557,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 {
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7];
-    stewart_real moment = REAL(0);
+    stewart_real A[6][7], arm[6], reach[6], L[6];
+    stewart_real pivots, least, size = REAL(0);
     int i, j, status;
+    int close = 0;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
         out->c[j] = own.c_force[j];
@@ -569,10 +568,15 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        status = leg_status(&terms, &robot->leg[i], at);
+        arm[i] = largest(terms.q, 3, REAL(0));
+        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, arm[i]));
+        L[i] = terms.L;
+        size = STEWART_LARGER(arm[i], size);
+        status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
         }
+        close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
             out->K[i][j] = terms.K[j];
@@ -588,12 +592,19 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    for (i = 3; i < 6; ++i) {
-        moment = largest(out->H[i], 6, moment);
-    }
-    status = solve(A, moment, out->x);
-    if (status != STEWART_OK) {
-        return status;
+    pivots = solve(A, out->x);
+    least = STEWART_SUSPECT * STEWART_CUBE(size);
+    if (close != 0 || !(STEWART_FABS(pivots) > least)) {
+        stewart_real H[6][6];
+        for (i = 0; i < 6; ++i) {
+            for (j = 0; j < 6; ++j) {
+                H[i][j] = out->H[i][j];
+            }
+        }
+        status = singular_status(H, L, reach, arm);
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
     for (i = 0; i < 6; ++i) {
         out->F[i] = out->D[i] - out->x[i];

@@ -63,6 +63,32 @@ static stewart_real unit_of_length(const @MODEL@ *model)
 #endif
 """
 
+_LEAST_PIVOTS = """\
+/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
+static stewart_real least_pivots(const @MODEL@ *model)
+{
+    stewart_real largest = REAL(0);
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 1; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(@POINT@ - @FIRST@), largest);
+        }
+    }
+    largest = STEWART_OVER_LENGTH(largest);
+    return STEWART_SUSPECT * STEWART_CUBE(largest);
+}
+"""
+
+LEAST_PIVOTS = (
+    _LEAST_PIVOTS.replace("@POINT@", "model->p[j][i]")
+    .replace("@FIRST@", "model->p[j][0]")
+    .replace("@MODEL@", "stewart_@NAME@_model")
+)
+LEAST_PIVOTS_BY_LEGS = _LEAST_PIVOTS.replace("@POINT@", "model->leg[i].p[j]").replace(
+    "@FIRST@", "model->leg[0].p[j]"
+)
+"""The same for a model in which the legs stand one after the other, its type still to be named."""
+
 UNIT_OF_LENGTH = _UNIT_OF_LENGTH.replace("@POINT@", "model->p[j][i]").replace(
     "@MODEL@", "stewart_@NAME@_model"
 )

@@ -35,13 +35,18 @@ def entries(quantities: Iterable[Quantity]) -> list[str]:
 
 def loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
     """``const stewart_real p_x = leg->p[0]<lane>, ...;`` for the components that are used."""
-    member = "leg[0].b" if quantity == n.b_1 and owner == "robot" else quantity.name
+    member = raw_member(quantity, owner)
     if not quantity.shape:
         return [f"{indent}const stewart_real {quantity.name} = {owner}->{member}{lane};"]
     parts = [
         f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
     ]
     return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
+
+
+def raw_member(quantity: Quantity, owner: str) -> str:
+    """Where a quantity stands; those of leg 1 alone are members of it where they are read from the robot."""
+    return {n.b_1: "leg[0].b", n.p_1: "leg[0].p"}.get(quantity, quantity.name) if owner == "robot" else quantity.name
 
 
 def stores(outputs: tuple[Output, ...], lane: str, indent: str) -> list[str]:
@@ -81,13 +86,18 @@ def reach_lines(terms: list[str]) -> list[str]:
 
 
 def fault_lines(
-    length: str, sine: str | None, before: str, after: str, least_sine: str = "STEWART_POLE_SINE"
+    length: str,
+    sine: str | None,
+    before: str,
+    after: str,
+    least_sine: str = "STEWART_POLE_SINE",
+    least_share: str = "STEWART_ROUNDING",
 ) -> list[str]:
     """Puts 1 into `after` where a leg is not finite, too short or at its pole, else what was `before`."""
     before = f"REAL({before})" if before == "0" else before
     lines = [
         f"        fault = {length} <= STEWART_MAX ? {before} : REAL(1);",
-        f"        fault = {length} > STEWART_ROUNDING * reach ? fault : REAL(1);",
+        f"        fault = {length} > {least_share} * reach ? fault : REAL(1);",
     ]
     if sine is not None:
         lines.append(f"        fault = {sine} > {least_sine} ? fault : REAL(1);")

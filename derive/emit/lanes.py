@@ -12,11 +12,12 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Quantity
 from ..operations import force_operations
-from ..prepared import ADDED, r, t_1
+from ..prepared import ADDED, arm_c, q_1, r, t_1
 from ..regroup import ForceKernel
+from . import singular
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import MEMBER, SWITCH, UNIT_OF_LENGTH
+from .lane_scale import LEAST_PIVOTS, MEMBER, SWITCH, UNIT_OF_LENGTH
 from .lane_scale import macros as scale_macros
 from .lane_text import (
     JUDGED,
@@ -74,16 +75,20 @@ def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
     name = kernel.name
     parts = [
-        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + scale_macros(kernel.per_length),
+        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + singular.MACROS,
+        scale_macros(kernel.per_length) + suspect(kernel),
         _only(_structs(kernel), kernel),
         *_model(kernel),
         _scalar_shared(kernel),
         *_legs(kernel),
-        solve_pose(kernel.about_base_point),
+        *_moments_of_pose(kernel),
+        solve_pose(kernel.about_tip),
+        singular.FUNCTION,
         _pose(kernel),
         _only(_BLOCK, kernel),
         _block_shared(kernel),
         _leg_of_block(kernel),
+        *_moments_of_block(kernel),
         _solve_block(kernel),
         _batch(kernel),
     ]
@@ -94,8 +99,10 @@ def _only(text: str, kernel: ForceKernel) -> str:
     """The text, with what stands in <D: :D> if legs have a D, in <C: :C> if they add to c.
 
     What stands in <K: :K> is of legs with a universal joint, in <J: :J> of others; in <P: :P> of kernels with
-    a road of its own near the pole, in <Q: :Q> of others; in <M: :M> of kernels with a prepared model, in
-    <B: :B> of baked ones.
+    a code path of its own near the joint singularity, in <Q: :Q> of others; in <M: :M> of kernels with a
+    prepared model, in <B: :B> of baked ones; in <A: :A> of kernels with moments about platform point 1, in
+    <O: :O> of others; in <F: :F> of legs with moments of their own in c, in <G: :G> of those about platform
+    point 1 that add to c.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
@@ -108,6 +115,10 @@ def _only(text: str, kernel: ForceKernel) -> str:
         "Q": kernel.leg_near_pole is None,
         "M": not bare,
         "B": bare,
+        "A": kernel.about_tip,
+        "O": not kernel.about_tip,
+        "F": n.c_moment in given,
+        "G": kernel.about_tip and n.c_force in given,
     }
     for mark, kept in marks.items():
         if not kept:
@@ -118,7 +129,8 @@ def _only(text: str, kernel: ForceKernel) -> str:
 
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
-    return LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
+    numbers = LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
+    return numbers + 1
 
 
 def _member(quantity: Quantity, lanes: str) -> str:
@@ -130,13 +142,16 @@ def _member(quantity: Quantity, lanes: str) -> str:
 def _structs(kernel: ForceKernel) -> str:
     parts = {
         "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in kernel.used_motion()],
-        "@SHARED@": [f"    stewart_real {q.name}[{size(q)}];" for q in _from_pose(kernel)],
+        "@SHARED@": [
+            f"    stewart_real {q.name}[{size(q)}];"
+            for q in (*_from_pose(kernel), *(out.quantity for out in kernel.shift.outputs))
+        ],
         "@SHARED_LANES@": [
             f"    stewart_real {q.name}[{size(q)}][{LANES}];"
             for q in _from_pose(kernel)
             if q not in _RIGHT_SIDE
         ],
-        "@TERMS@": [f"    stewart_real {q.name}{dims(q)}[{LANES}];" for q in _terms(kernel.leg)],
+        "@TERMS@": [f"    stewart_real {q.name}{dims(q)}[{LANES}];" for q in _terms(kernel)],
     }
     return filled(_STRUCTS, parts)
 
@@ -145,8 +160,11 @@ def _from_pose(kernel: ForceKernel) -> list[Quantity]:
     return [out.quantity for out in kernel.shared.outputs]
 
 
-def _terms(leg: Block) -> list[Quantity]:
-    return [out.quantity for out in leg.outputs if out.quantity not in JUDGED]
+def _terms(kernel: ForceKernel) -> list[Quantity]:
+    """What the legs of a pose keep; q is what moments are taken with, or what bounds them."""
+    blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
+    found = [out.quantity for block in blocks for out in block.outputs if out.quantity not in JUDGED]
+    return [n.q, *found]
 
 
 # ---------------------------------------------------------------- preparation
@@ -172,6 +190,7 @@ def _model(kernel: ForceKernel) -> list[str]:
             prepare_function(kernel.prepare_leg, "prepared_leg"),
             prepare_function(kernel.prepare_platform, "prepared_platform"),
             UNIT_OF_LENGTH,
+            LEAST_PIVOTS,
             _prepare(kernel),
         ]
     tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
@@ -293,11 +312,12 @@ def _legs_of_pose(kernel: ForceKernel, leg: Block, name: str, least_sine: str) -
         *inside,
         *step_lines(leg.steps, " " * 8),
         *stores(kept, "[l]", " " * 8),
+        *stores(tuple(out for out in leg.outputs if out.quantity == n.q), "[l]", " " * 8),
         *reach_lines(terms),
         "        out->reach[l] = reach;",
         f"        out->L[l] = {length};",
         *([] if sine is None else [f"        out->k3[l] = {sine};"]),
-        *fault_lines(length, sine, "0", "out->bad[l]", least_sine),
+        *fault_lines(length, sine, "0", "out->bad[l]", least_sine, "STEWART_SHORT_SHARE"),
     ]
     text = _LEGS_OF_POSE.replace("@COUNT@", str(leg.operations())).replace("@FUNCTION@", name)
     return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
@@ -314,21 +334,19 @@ def _leg_of_block(kernel: ForceKernel) -> str:
     terms, more = reach_terms(kernel)
     length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, kernel.leg, more, over_legs=False)
-    column = [infix(expr, "STEWART_SQRT") for expr in (*exprs[n.H_force], *exprs[n.H_moment])]
-    right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
+    column = [infix(expr, "STEWART_SQRT") for q in (n.H_force, n.H_moment) for expr in exprs.get(q, ())]
     known = [assigned("known[l]", infix(e, "STEWART_SQRT")) for e in exprs.get(n.D, ())]
+    own = tuple(out for out in kernel.leg.outputs if out.quantity in (n.q, *_RIGHT_SIDE))
+    right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
+    added = [assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)]
     body = [
         *inside,
         *step_lines(kernel.leg.steps, " " * 8),
         *(assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
-        *(assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)),
+        *(stores(own, "[l]", " " * 8) if kernel.about_tip else added),
         *known,
-        *(
-            f"        moment[l] = STEWART_LARGER(STEWART_FABS(column[{i}][l]), moment[l]);"
-            for i in range(3, 6)
-        ),
         *reach_lines(terms),
-        *fault_lines(length, sine, "bad[l]", "bad[l]", _least_sine(kernel)),
+        *fault_lines(length, sine, "bad[l]", "bad[l]", _least_sine(kernel), "STEWART_SHORT_SHARE"),
     ]
     text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
     return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
@@ -372,39 +390,124 @@ def reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     inputs: tuple[Quantity, ...] = (n.t, n.b)
-    q: tuple[sp.Expr, ...] = n.q.symbols
-    if not kernel.about_base_point:
-        q = exprs[n.q]
-    elif kernel.constants is None:
+    if kernel.about_tip and kernel.constants is None:
         inputs = (t_1, r)
-    else:
-        named = {step.symbol for step in kernel.leg.steps}
-        q = tuple(symbol for symbol in q if symbol in named)
+    elif kernel.about_tip:
         inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
-    terms = (*q, *(symbol for quantity in inputs for symbol in quantity.symbols))
+    terms = (*exprs[n.q], *(symbol for quantity in inputs for symbol in quantity.symbols))
     return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 
 
-def solve_pose(about_base_point: bool) -> str:
+# ---------------------------------------------------------------- moments about platform point 1
+
+
+def _moments_of_pose(kernel: ForceKernel) -> list[str]:
+    """The moments of a pose, legs in lanes; nothing where legs have their own."""
+    if not kernel.about_tip:
+        return []
+    shift, leg = kernel.shift, kernel.moments
+    first = [f"{name} = legs->q[{i}][0]" for i, name in enumerate(q_1.names)]
+    parts = {
+        "@OUTSIDE@": [
+            wrap_list(f"    const stewart_real {', '.join(first)};"),
+            *(line for q in _RIGHT_SIDE for line in loads(q, "shared", "", names_used(shift), "    ")),
+            *step_lines(shift.steps, "    "),
+            *(line.replace("out->", "shared->") for line in stores(shift.outputs, "", "    ")),
+        ],
+        "@BODY@": _moment_lines(kernel, "legs", "legs"),
+    }
+    text = _MOMENTS_OF_POSE.replace("@COUNT@", str(leg.operations()))
+    return [filled(text, parts)]
+
+
+def _moment_lines(kernel: ForceKernel, column: str, own: str) -> list[str]:
+    """The body of a loop over lanes that makes the moments of one leg."""
+    leg, used = kernel.moments, names_used(kernel.moments)
+    owners = {n.q: own, n.c_force: own, n.H_force: column}
+    return [
+        *(line for q, owner in owners.items() if q in leg.inputs for line in loads(q, owner, "[l]", used, " " * 8)),
+        *step_lines(leg.steps, " " * 8),
+        *(line.replace("out->", f"{column}->") for line in stores(leg.outputs, "[l]", " " * 8)),
+    ]
+
+
+def _moments_of_block(kernel: ForceKernel) -> list[str]:
+    """The moments of one leg of eight poses, and what leg 1 has instead."""
+    if not kernel.about_tip:
+        return []
+    given = [(n.c_force, 0), (n.c_moment, 3)]
+    has = {out.quantity for out in kernel.leg.outputs}
+    shift, leg = kernel.shift, kernel.moments
+    first = [f"{name} = own->q[{i}][l]" for i, name in enumerate(q_1.names)]
+    c = [f"{name} = c[{i + j}][l]" for q, i in given for j, name in enumerate(q.names)]
+    sums = [
+        assigned(f"c[{i + j}][l]", f"c[{i + j}][l] + own->{q.name}[{j}][l]")
+        for q, i in given
+        if q in has
+        for j in range(3)
+    ]
+    used, exprs = names_used(leg), {out.quantity: out.exprs for out in leg.outputs}
+    parts = {
+        "@FIRST@": [
+            wrap_list(f"        const stewart_real {', '.join(first)};", " " * 12),
+            wrap_list(f"        const stewart_real {', '.join(c)};", " " * 12),
+            *(assigned(f"c[{i + 3}][l]", infix(e, "STEWART_SQRT")) for i, e in enumerate(shift.outputs[0].exprs)),
+            *sums,
+        ],
+        "@OTHER@": [
+            wrap_list(f"        const stewart_real {', '.join(f'{s} = q_1[{i}][l]' for i, s in enumerate(q_1.names))};", " " * 12),
+            *(line for q in (n.q, n.c_force) if q in leg.inputs for line in loads(q, "own", "[l]", used, " " * 8)),
+            wrap_list(
+                f"        const stewart_real {', '.join(f'{s} = column[{i}][l]' for i, s in enumerate(n.H_force.names))};",
+                " " * 12,
+            ),
+            *step_lines(leg.steps, " " * 8),
+            *(assigned(f"column[{i + 3}][l]", infix(e, "STEWART_SQRT")) for i, e in enumerate(exprs[n.H_moment])),
+            *sums,
+            *(
+                assigned(f"c[{i + 3}][l]", f"c[{i + 3}][l]{_added(e)}")
+                for i, e in enumerate(exprs.get(arm_c, ()))
+            ),
+        ],
+    }
+    text = _MOMENTS_OF_BLOCK.replace("@COUNT@", str(leg.operations()))
+    if not sums:
+        text = text.replace(" @UNUSED@", "\n    (void)c;")
+    return [filled(text.replace(" @UNUSED@", ""), parts)]
+
+
+# ---------------------------------------------------------------- solving
+
+
+def suspect(kernel: ForceKernel) -> str:
+    """What a product of pivots is compared with."""
+    if kernel.size is None:
+        return "\n#define STEWART_LEAST (model->least)\n"
+    return f"\n#define STEWART_LEAST (STEWART_SUSPECT * STEWART_CUBE(STEWART_OVER_LENGTH(REAL({kernel.size!r}))))\n"
+
+
+def solve_pose(about_tip: bool) -> str:
     """Elimination of one pose, unrolled: the next column is known before the rows that hold it are stored."""
     rows = range(6)
-    body = [f"scale[{i}] = {'moment' if i > 2 else 'REAL(1)'};" for i in rows]
-    body += [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_base_point]
+    body = [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_tip]
     for k in rows:
-        below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_base_point]
-        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
+        below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_tip]
+        body += [f"/* Column {k + 1}. */"]
+        if below:
+            body += [f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
         for i in below:
             body += [f"if (STEWART_FABS(a{i}) > size) {{", f"    size = STEWART_FABS(a{i});"]
             body += [f"    pivot = {i};", "}"]
-        body += ["if (!(size > STEWART_ROUNDING * scale[pivot])) {"]
-        body += ["    return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;", "}"]
         if below:
-            body += _exchange(k, below) + _eliminate(k, below)
+            body += _exchange(k, below)
+        body.append("pivots = a0;" if k == 0 else f"pivots = pivots * a{k};")
+        if below:
+            body += _eliminate(k, below)
     body.append("x[5] = A[5][6] / a5;")
     for i in reversed(rows[:-1]):
         known = "".join(f" - A[{i}][{j}] * x[{j}]" for j in rows[i + 1 :])
         body.append(f"x[{i}] = (A[{i}][6]{known}) * inverse{i};")
-    why = "\n * The first column has no moment rows." if about_base_point else ""
+    why = "\n * The first column has no moment rows." if about_tip else ""
     return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
 
 
@@ -417,7 +520,6 @@ def _exchange(k: int, below: list[int]) -> list[str]:
         f"if (pivot != {k}) {{",
         f"    const stewart_real moved = a{k};",
         f"    exchange_rows(A[{k}], A[pivot]);",
-        f"    scale[pivot] = scale[{k}];",
         f"    a{k} = {taken};",
         *(f"    a{i} = pivot == {i} ? moved : a{i};" for i in below),
         "}",
@@ -446,15 +548,11 @@ def _solve_block(kernel: ForceKernel) -> str:
 
     The row with the largest entry sinks to place k by exchanges that a lane makes or leaves.
     """
-    about_base_point = kernel.about_base_point
     rows, columns = range(6), range(7)
-    entries = [[(i, j) for j in columns if not (about_base_point and i > 2 and j == 0)] for i in rows]
+    entries = [[(i, j) for j in columns if not (kernel.about_tip and i > 2 and j == 0)] for i in rows]
     body = [
         "stewart_real " + ", ".join(f"a{i}{j} = column[{j}][{i}][l]" for i, j in row) + ";" for row in entries
     ]
-    body.append(
-        "stewart_real " + ", ".join(f"s{i} = {'moment[l]' if i > 2 else 'REAL(1)'}" for i in rows) + ";"
-    )
     body.append("stewart_real fault = bad[l];")
     for k in rows:
         below = [i for i in rows[k + 1 :] if (i, k) in entries[i]]
@@ -465,7 +563,8 @@ def _solve_block(kernel: ForceKernel) -> str:
         for i in below:
             body.append(f"const stewart_real factor{i}{k} = a{i}{k} * inverse{k};")
             body += [f"a{i}{j} = a{i}{j} - factor{i}{k} * a{k}{j};" for j in columns[k + 1 :]]
-        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_ROUNDING * s{k} ? fault : REAL(1);")
+    body.append(f"const stewart_real pivots = {' * '.join(f'a{k}{k}' for k in rows)};")
+    body.append("fault = STEWART_FABS(pivots) > least ? fault : REAL(1);")
     for i in reversed(rows):
         body += [f"a{i}6 = a{i}6 - a{i}{j} * a{j}6;" for j in rows[i + 1 :]]
         body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
@@ -488,7 +587,7 @@ def _sink(k: int, i: int) -> list[str]:
         f"const stewart_real {mask} = STEWART_FABS(a{i}{k}) > STEWART_FABS(a{k}{k})",
         "    ? REAL(1) : REAL(0);",
     ]
-    for upper, lower in [(f"s{k}", f"s{i}"), *((f"a{k}{j}", f"a{i}{j}") for j in range(k, 7))]:
+    for upper, lower in ((f"a{k}{j}", f"a{i}{j}") for j in range(k, 7)):
         lines += [
             f"const stewart_real {upper}_{i} = {mask} > REAL(0) ? {lower} : {upper};",
             f"{lower} = {mask} > REAL(0) ? {upper} : {lower};",
@@ -580,6 +679,7 @@ extern "C" {{
 typedef struct {{
 {legs}
 {platform}
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 {scale}
 }} stewart_{name}_model;
 
@@ -633,7 +733,7 @@ typedef struct {
 typedef struct {
 @TERMS@
     stewart_real L[LANES], reach[LANES]<K:, k3[LANES]:K>;
-    stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
+    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
 /* Status of the leg in one lane. */
@@ -723,6 +823,7 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
     STEWART_CHOOSE_LENGTH(&made);
+    made.least = least_pivots(&made);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -747,10 +848,14 @@ _BLOCK = """\
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
     stewart_real <D:D[6][LANES], :D>F[6][LANES];
-    stewart_real moment[LANES]; /* size of the moment rows */
-    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
+    stewart_real bad[LANES]; /* 1 where a leg, the pivots or a force need a closer look, else 0 */
 } block;
-"""
+<A:
+/* What a leg of eight poses hands to the moments. */
+typedef struct {
+    stewart_real q[3][LANES]<C:, c_force[3][LANES]:C><F:, c_moment[3][LANES]:F>;
+} leg_block;
+:A>"""
 
 _SHARED_BLOCK = """\
 /* What each of eight poses has for all legs, and the platform's part of c. */
@@ -784,12 +889,12 @@ static void @FUNCTION@(
 
 _LEG_OF_BLOCK = """\
 /* One leg of eight poses side by side, @COUNT@ operations each:
- * its column of H<D:, its D:D><C:, its part of c:C>. */
+ * its column of H<A:, forces alone:A><D:, its D:D><C:, its part of c:C>. */
 static void leg_of_block(
     const stewart_@NAME@_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    <C:stewart_real (*STEWART_RESTRICT c)[LANES], :C><D:stewart_real *STEWART_RESTRICT known,:D>
-    stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
+    <A:leg_block *STEWART_RESTRICT out, :A><O:stewart_real (*STEWART_RESTRICT c)[LANES], :O>
+    <D:stewart_real *STEWART_RESTRICT known, :D>stewart_real *STEWART_RESTRICT bad)
 {
     int l;
 @OUTSIDE@
@@ -821,19 +926,70 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows.@WHY@ */
-static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
+ * updated, so that a row is one vector. Returns the product of the pivots.@WHY@ */
+static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real scale[6];
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size, pivots;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
     int pivot;
 @BODY@
-    return STEWART_OK;
+    return pivots;
+}
+"""
+
+_MOMENTS_OF_POSE = """\
+/* Moments about platform point 1, @COUNT@ operations of each leg but the first, which has none. */
+static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT legs)
+{
+    int l;
+@OUTSIDE@
+    for (l = 0; l < LANES; ++l) {
+@BODY@
+    }
+}
+"""
+
+_MOMENTS_OF_BLOCK = """\
+/* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
+static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+@FIRST@
+    }
+}
+
+/* Another leg: its moments about platform point 1, @COUNT@ operations each, and its part of c. */
+static void moments_of_block(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
+    stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
+{
+    int l; @UNUSED@
+    for (l = 0; l < LANES; ++l) {
+@OTHER@
+    }
 }
 """
 
 _POSE = """\
+/* Status of a pose whose H may be singular to rounding. */
+STEWART_APART static int pose_status(const leg_lanes *legs)
+{
+    stewart_real H[6][6], arm[6];
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        arm[i] = REAL(0);
+        for (j = 0; j < 3; ++j) {
+            <A:const stewart_real coordinate = STEWART_FABS(legs->q[j][i] - legs->q[j][0]);:A>
+            <O:const stewart_real coordinate = STEWART_FABS(legs->q[j][i]);:O>
+            arm[i] = STEWART_LARGER(coordinate, arm[i]);
+            H[j][i] = legs->H_force[j][i];
+            H[j + 3][i] = legs->H_moment[j][i];
+        }
+    }
+    return singular_status(H, legs->L, legs->reach, arm);
+}
+
 int stewart_@NAME@_forces(
     <M:const stewart_@NAME@_model *model, :M>const stewart_motion *motion, stewart_real F[6])
 {
@@ -842,8 +998,9 @@ int stewart_@NAME@_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real moment = REAL(0);
+    stewart_real pivots;
     int i, j, status;
+    int close = 0;
     <P:int near_pole = 0;:P>
     if (<M:model == NULL || :M>motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -852,24 +1009,26 @@ int stewart_@NAME@_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            <Q:return leg_status(&legs, i);:Q>
-            <P:status = leg_status(&legs, i);:P>
-            <P:if (status != STEWART_OK) {:P>
-            <P:    return status;:P>
-            <P:}:P>
-            <P:near_pole = 1;:P>
+            status = leg_status(&legs, i);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
+            <P:near_pole = legs.k3[i] > STEWART_NEAR_POLE ? near_pole : 1;:P>
         }
     }
     <P:if (near_pole != 0) {:P>
     <P:    legs_near_pole(model, motion, &shared, &legs);:P>
     <P:}:P>
+    <A:moments_of_pose(&shared, &legs);:A>
     for (j = 0; j < 3; ++j) {
-        @QUALIFIED@stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
-        for (i = 0; i < 6; ++i) {
-            <C:force = force + legs.c_force[j][i];:C>
-            <C:turn = turn + legs.c_moment[j][i];:C>
-            moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
-        }
+        @QUALIFIED@stewart_real force = shared.c_force[j];
+        @QUALIFIED@stewart_real turn = shared.<A:c_tip:A><O:c_moment:O>[j];
+        <C:for (i = 0; i < 6; ++i) {:C>
+        <C:    force = force + legs.c_force[j][i];:C>
+        <F:    turn = turn + legs.c_moment[j][i];:F>
+        <G:    turn = turn + legs.arm_c[j][i];:G>
+        <C:}:C>
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
             A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
@@ -879,9 +1038,12 @@ int stewart_@NAME@_forces(
         A[j][7] = REAL(0);
         A[j + 3][7] = REAL(0);
     }
-    status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
-    if (status != STEWART_OK) {
-        return status;
+    pivots = solve_pose(A, x);
+    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
+        status = pose_status(&legs);
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
     for (i = 0; i < 6; ++i) {
         found[i] = @FORCE@;
@@ -898,11 +1060,10 @@ int stewart_@NAME@_forces(
 
 _SOLVE_BLOCK = """\
 /* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = @FORCE@, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+ * F = @FORCE@, (37). Marks as bad where the product of the pivots is small or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES],<D: stewart_real (*STEWART_RESTRICT D)[LANES],:D>
-    const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
-    stewart_real *STEWART_RESTRICT bad)
+    stewart_real least, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -971,29 +1132,33 @@ static void load_block(const stewart_motions *motions, size_t first, size_t coun
 static void forces_of_block(const stewart_@NAME@_model *model, const motion_lanes *in, block *out)
 {
     shared_lanes shared;
+    <A:leg_block first, other;:A>
     int i, l;
     for (l = 0; l < LANES; ++l) {
-        out->moment[l] = REAL(0);
         out->bad[l] = REAL(0);
     }
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
         leg_of_block(
             model, i, in, &shared, out->column[i],
-            <C:out->column[6], :C><D:out->D[i], :D>out->moment, out->bad);
+            <A:i == 0 ? &first : &other, :A><O:out->column[6], :O><D:out->D[i], :D>out->bad);
+        <A:if (i == 0) {:A>
+        <A:    moments_of_first(&first, out->column[6]);:A>
+        <A:} else {:A>
+        <A:    moments_of_block(&other, first.q, out->column[i], out->column[6]);:A>
+        <A:}:A>
     }
 #if defined(STEWART_SCALED)
     for (l = 0; l < LANES; ++l) {
-        for (i = 0; i < 7; ++i) {
+        for (i = <A:1:A><O:0:O>; i < 7; ++i) {
             int j;
             for (j = 3; j < 6; ++j) {
                 out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
             }
         }
-        out->moment[l] = STEWART_OVER_LENGTH(out->moment[l]);
     }
 #endif
-    solve_block(out->column, <D:out->D, :D>out->moment, out->F, out->bad);
+    solve_block(out->column, <D:out->D, :D>STEWART_LEAST, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -12,6 +12,7 @@ from ..block import Block, Operations
 from ..motion import F_LEG, SumKernel
 from ..prepared import t_1
 from ..regroup import ForceKernel
+from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix, wrap
 from .lane_text import (
@@ -82,6 +83,8 @@ def source(
     asked = _asked(functions)
     pieces = [
         *_SHARED.items(),
+        ("singular_status", singular.FUNCTION),
+        ("pose_status", _POSE_STATUS),
         *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
@@ -89,7 +92,7 @@ def source(
         *_LOAD_POSE.items(),
         *((f"stewart_@NAME@_{what}_batch", _batch(what)) for what in MEMBERS),
     ]
-    top = _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS
+    top = _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS + singular.MACROS
     wanted = {f"stewart_@NAME@_{what}{batch}" for what in asked for batch in ("", "_batch")}
     text = "\n".join([top, _COMMON, *_needed(pieces, wanted)])
     return text.replace("@NAME@", model.formulation.kernel_name)
@@ -517,6 +520,30 @@ static void column_rows(
 }
 """What kernels and functions share: name -> text."""
 
+_POSE_STATUS = """\
+/* Status of a pose by its H and the product of the pivots of H. */
+static int pose_status(
+    const stewart_@NAME@_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
+    const leg_judgement *judged, stewart_real pivots)
+{
+    stewart_real H[36], rows[6][6], arm[6], size = REAL(0);
+    int i, close = 0;
+    for (i = 0; i < 6; ++i) {
+        arm[i] = STEWART_FABS(model->p[0][i]) + STEWART_FABS(model->p[1][i]) + STEWART_FABS(model->p[2][i]);
+        size = STEWART_LARGER(arm[i], size);
+        close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
+    }
+    if (close == 0 && STEWART_FABS(pivots) > STEWART_SUSPECT * STEWART_CUBE(size)) {
+        return STEWART_OK;
+    }
+    column_rows(force, moment, 6, H);
+    for (i = 0; i < 36; ++i) {
+        rows[i / 6][i % 6] = H[i];
+    }
+    return singular_status(rows, judged->L, judged->reach, arm);
+}
+"""
+
 _SUM_KERNEL = """\
 /* ---- @WHAT@ ---- */
 
@@ -571,10 +598,10 @@ static int @WHAT@_sums(
 
 _SOLVE = """\
 /* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.
- * Returns a status. */
-static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
+ * Returns @RETURNS@. */
+static @TYPE@ solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
 {
-    stewart_real scale[6], inverse[6];
+    stewart_real @SCALE@, inverse[6];
     int i, j, k;
 @SCALES@
     for (k = 0; k < 6; ++k) {
@@ -598,11 +625,15 @@ static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
             }
         }
     }
-    return STEWART_OK;
+    return @RESULT@;
 }
 """
 
 _DEFINITE = {
+    "@RETURNS@": "a status",
+    "@TYPE@": "int",
+    "@SCALE@": "scale[6]",
+    "@RESULT@": "STEWART_OK",
     "@KIND@": "definite",
     "@MATRIX@": "M",
     "@METHOD@": "by L D L^T, M positive definite",
@@ -617,38 +648,27 @@ _DEFINITE = {
 }
 
 _PIVOTED = {
+    "@RETURNS@": "the product of the pivots",
+    "@TYPE@": "stewart_real",
+    "@SCALE@": "pivots",
+    "@RESULT@": "pivots",
     "@KIND@": "pivoted",
     "@MATRIX@": "H",
     "@METHOD@": "by elimination with partial pivoting",
-    "@SCALES@": """\
-    stewart_real moment = REAL(0);
-    for (i = 3; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i * @WIDTH@ + j]), moment);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? REAL(1) : moment;
-    }""",
+    "@SCALES@": "    pivots = REAL(1);",
     "@PIVOT@": """\
         int pivot = k;
-        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * @WIDTH@ + k]) > STEWART_FABS(A[pivot * @WIDTH@ + k])) {
                 pivot = i;
             }
         }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        size = STEWART_FABS(A[pivot * @WIDTH@ + k]);
-        if (!(size > STEWART_ROUNDING * row_scale)) {
-            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
         for (j = 0; pivot != k && j < @WIDTH@; ++j) {
             const stewart_real moved = A[k * @WIDTH@ + j];
             A[k * @WIDTH@ + j] = A[pivot * @WIDTH@ + j];
             A[pivot * @WIDTH@ + j] = moved;
-        }""",
+        }
+        pivots = pivots * A[k * @WIDTH@ + k];""",
 }
 
 _PUBLIC = {
@@ -759,7 +779,7 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = solve_pivoted_12(A);
+    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }
@@ -772,10 +792,7 @@ int stewart_@NAME@_joint_inertia(
     for (i = 0; i < 6; ++i) {
         copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
-    status = solve_pivoted_12(A);
-    if (status != STEWART_OK) {
-        return status;
-    }
+    (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
@@ -810,10 +827,7 @@ int stewart_@NAME@_derivatives(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     inertia_rows(sum, 24, &A[18]);
-    status = solve_pivoted_24(A);
-    if (status != STEWART_OK) {
-        return status;
-    }
+    (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         if (is_finite(&A[24 * i + 6], 18) == 0) {
             return STEWART_NOT_FINITE;

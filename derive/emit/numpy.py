@@ -190,11 +190,15 @@ Array = NDArray[Any]
 
 OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR = range(5)
 
-# A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else.
+# A length or sine below this many rounding units of its terms is rounding error and nothing else.
 ROUNDING = 16 * np.finfo(np.float64).eps
 # Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
 # points: the pole of the universal joint.
 POLE_SINE = 4096 * np.finfo(np.float64).eps
+# Product of the pivots, moments over the size of the platform, below which H may be singular to rounding.
+SUSPECT = np.sqrt(np.finfo(np.float64).eps)
+# Below this share of the vectors that it is the sum of, a leg may make H singular while the pivots are large.
+SHORT_SHARE = 256 * SUSPECT
 # A leg shorter than this has a square that is not held to all its digits.
 SHORTEST = np.sqrt(1 / np.finfo(np.float64).max / np.finfo(np.float64).eps)
 
@@ -211,8 +215,11 @@ def solve(robot: Any, motion: Any, leg: dict[str, Array], platform: dict[str, Ar
     of_legs = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
     for i in range(6):
         c = c + of_legs[..., i, :]
-    x, status = eliminate(H, c)
+    x, pivots = eliminate(H, c)
     F = leg["D"] - x
+    q = leg["q"]
+    reach = np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)).max(axis=(0, -1))
+    status = singular_status(H, pivots, leg["L"], reach, np.abs(q).max(axis=-1))
     status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
     fault = leg_status(robot, motion, leg)
     status = np.where(fault == OK, status, fault).astype(np.int32)
@@ -226,21 +233,16 @@ def only_good(values: Array, status: Array) -> Array:
 
 
 def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
-    """x (..., 6) of H x = c by elimination with partial pivoting, pose by pose, and the status (...)."""
+    """x (..., 6) of H x = c by elimination with partial pivoting, pose by pose, and the product of the pivots."""
     A = np.concatenate([H, c[..., None]], axis=-1)
-    moment = np.abs(H[..., 3:, :]).max(axis=(-1, -2))
-    scale = np.where(np.arange(6) < 3, 1.0, moment[..., None])
-    status = np.zeros(moment.shape, dtype=np.int32)
+    pivots = np.ones(H.shape[:-2])
     for k in range(6):
         pivot = k + np.argmax(np.abs(A[..., k:, k]), axis=-1)[..., None]
-        order = np.broadcast_to(np.arange(6), scale.shape).copy()
+        order = np.broadcast_to(np.arange(6), (*pivots.shape, 6)).copy()
         np.put_along_axis(order, pivot, k, axis=-1)
         order[..., k] = pivot[..., 0]
         A = np.take_along_axis(A, order[..., None], axis=-2)
-        scale = np.take_along_axis(scale, order, axis=-1)
-        small = ~(np.abs(A[..., k, k]) > ROUNDING * scale[..., k])
-        fault = np.where(np.isfinite(A[..., k, k]), SINGULAR, NOT_FINITE)
-        status = np.where((status == OK) & small, fault, status)
+        pivots = pivots * A[..., k, k]
         factor = A[..., k + 1 :, k] * (1 / A[..., k, k])[..., None]
         A[..., k + 1 :, k + 1 :] -= factor[..., None] * A[..., k, None, k + 1 :]
     x = np.empty_like(c)
@@ -249,13 +251,43 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
         for j in range(i + 1, 6):
             total = total - A[..., i, j] * x[..., j]
         x[..., i] = total * (1 / A[..., i, i])
-    return x, status
+    return x, pivots
 
 
 def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
-    """X (..., 6, n) of H X = right, column by column, and the status (...)."""
+    """X (..., 6, n) of H X = right, column by column, and the product of the pivots (...)."""
     solved = [eliminate(H, right[..., j]) for j in range(right.shape[-1])]
     return np.stack([x for x, _ in solved], axis=-1), solved[0][1]
+
+
+def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array) -> Array:
+    """OK, SINGULAR or NOT_FINITE of every pose: whether H (..., 6, 6) is singular to rounding.
+
+    pivots: their product (...). L, reach, arm (..., 6): length of each leg, size of the vectors that it is the
+    sum of, size of the arm of its moment. As ``singular_status`` of the C, where the bound is explained.
+    """
+    size = arm.max(axis=-1)
+    close = (L <= SHORT_SHARE * reach).any(axis=-1) | ~(np.abs(pivots) > SUSPECT * size**3)
+    status = np.zeros(pivots.shape, dtype=np.int32)
+    if close.any():
+        status[close] = _status_of_close(H[close], L[close], reach[close], arm[close], size[close, None])
+    return status
+
+
+def _status_of_close(H: Array, L: Array, reach: Array, arm: Array, size: Array) -> Array:
+    scaled = H / np.where(np.arange(6) < 3, 1.0, size)[..., None]
+    Y, _ = eliminate_many(scaled, np.broadcast_to(np.eye(6), H.shape))
+    force, moment = np.abs(Y[..., :3]).sum(axis=-1), np.abs(Y[..., 3:]).sum(axis=-1)
+    error = 4 * np.finfo(np.float64).eps * (reach / L + 2)
+    turn = 3 * error * arm / size + 8 * np.finfo(np.float64).eps
+    v, worst = np.ones(L.shape), np.full(L.shape[:-1], np.inf)
+    for _ in range(4):
+        grown = force * (error * v).sum(axis=-1, keepdims=True)
+        grown = grown + moment * (turn * v).sum(axis=-1, keepdims=True)
+        worst = np.minimum(worst, (grown / v).max(axis=-1))
+        v = np.maximum(grown / grown.max(axis=-1, keepdims=True), np.finfo(np.float64).eps)
+    status = np.where(worst <= 0.5, OK, SINGULAR)
+    return np.where(np.isfinite(H).all(axis=(-1, -2)), status, NOT_FINITE)
 
 
 def leg_status(robot: Any, motion: Any, leg: dict[str, Array]) -> Array:

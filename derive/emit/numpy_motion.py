@@ -156,7 +156,7 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many
+from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many, singular_status
 
 INDEFINITE = 6
 
@@ -213,8 +213,10 @@ def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
 def joint_inertia(robot: Any, motion: Any) -> dict[str, Array]:
     """H^-1 M H^-T, inertia (..., 6, 6), and status (...)."""
     found = equations(robot, motion)
-    half, fault = eliminate_many(found["H"], found["M"])
-    whole, _ = eliminate_many(found["H"], half.swapaxes(-1, -2))
+    H = found["H"]
+    half, pivots = eliminate_many(H, found["M"])
+    fault = _singular_status(robot, motion, H, pivots)
+    whole, _ = eliminate_many(H, half.swapaxes(-1, -2))
     status = np.where(found["status"] == OK, fault, found["status"])
     return _good({"inertia": 0.5 * (whole + whole.swapaxes(-1, -2))}, status)
 
@@ -224,7 +226,9 @@ def derivatives(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     total, leg, status = _sums("derivatives", robot, motion, F)
     pose, twist = _slopes(total)
     right = np.concatenate([pose, twist, _inertia(total)], axis=-1)
-    x, fault = eliminate_many(_columns(leg, "H"), right)
+    H = _columns(leg, "H")
+    x, pivots = eliminate_many(H, right)
+    fault = _singular_status(robot, motion, H, pivots)
     names = ("by_pose", "by_twist", "by_acceleration")
     found = dict(zip(names, np.split(x, 3, axis=-1), strict=True))
     return _good(found, np.where(status == OK, fault, status))
@@ -287,6 +291,16 @@ def _leg_status(leg: dict[str, Array], pose: dict[str, Array], parts: dict[str, 
     fault = np.where(np.isfinite(L), fault, NOT_FINITE)
     first = np.argmax(fault != OK, axis=-1)
     return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]
+
+
+def _singular_status(robot: Any, motion: Any, H: Array, pivots: Array) -> Array:
+    """Whether H is singular to rounding, from the robot's and the motion's numbers."""
+    with np.errstate(all="ignore"):
+        q = np.einsum("...ij,lj->...li", motion.R, robot.p)
+        terms = np.broadcast_arrays(q, motion.t[..., None, :], robot.b)
+        L = np.sqrt(np.sum((q + motion.t[..., None, :] - robot.b) ** 2, axis=-1))
+        arm = np.abs(q).max(axis=-1)
+        return singular_status(H, pivots, L, np.abs(terms).max(axis=(0, -1)), arm)
 
 
 def _matrix(total: dict[str, Array], name: str, symmetric: bool = False) -> Array:

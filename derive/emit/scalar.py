@@ -12,14 +12,15 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Output, Quantity, rebuilt
 from ..operations import force_operations
-from ..prepared import ADDED, r, t_1
+from ..prepared import ADDED, arm_c, q_1, r, t_1
 from ..regroup import ForceKernel
+from . import singular
 from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import MEMBER, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_scale import LEAST_PIVOTS_BY_LEGS, MEMBER, SWITCH, UNIT_OF_LENGTH_BY_LEGS
 from .lane_scale import macros as scale_macros
 from .lane_text import dims, entries, filled, loads, names_used, stores
-from .lanes import prepare_function
+from .lanes import prepare_function, suspect
 
 SQRT = "STEWART_SQRT"
 _RIGHT_SIDE = (n.c_force, n.c_moment)
@@ -48,12 +49,15 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
     parts = [
-        _TOP + ARITHMETIC + _MACROS + scale_macros(kernel.per_length),
+        _TOP + ARITHMETIC + _MACROS + singular.MACROS + scale_macros(kernel.per_length) + suspect(kernel),
         *_preparation(kernel),
         _shared(kernel),
         _closely(kernel),
+        _moments(kernel),
         *_legs(kernel),
-        _solve(kernel),
+        _solve(),
+        singular.FUNCTION,
+        _only(_STATUS, kernel),
         _pose(kernel),
     ]
     return _named("\n".join(parts), kernel, version)
@@ -74,10 +78,10 @@ def _named(text: str, kernel: ForceKernel, version: str) -> str:
 
 def _only(text: str, kernel: ForceKernel) -> str:
     """Lines that end in ``//M`` are of kernels with a prepared model, ``//B`` of baked ones, ``//D`` of legs
-    with a D."""
+    with a D, ``//C`` of legs with a part of c."""
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
-    kept = {"M": not bare, "B": bare, "D": n.D in given}
+    kept = {"M": not bare, "B": bare, "D": n.D in given, "C": n.c_force in given}
     lines = []
     for line in text.split("\n"):
         body, mark, flag = line.partition(" //")
@@ -109,6 +113,7 @@ def _preparation(kernel: ForceKernel) -> list[str]:
         prepare_function(kernel.prepare_leg, "prepared_leg"),
         prepare_function(kernel.prepare_platform, "prepared_platform"),
         UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
+        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
         filled(_PREPARE, parts),
     ]
 
@@ -181,32 +186,71 @@ def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[
 
 
 def _closely(kernel: ForceKernel) -> str:
-    """What is seldom asked: is a leg longer than the rounding of its terms, how large are its moments."""
+    """What is seldom asked: how long a leg is, and how large the terms are that it is the sum of."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    named = {step.symbol for step in kernel.leg.steps}
-    q = exprs.get(n.q) or tuple(s if s in named else sp.Integer(0) for s in n.q.symbols)
     # In a baked kernel a coordinate of r that is zero for all legs is none of its inputs.
     around = [q for q in kernel.leg.inputs if q in (n.t, n.b, t_1, r) or q.name in r.names]
-    outputs = [Output(n.q, q), *(Output(each, exprs[each]) for each in (n.L, n.H_moment))]
+    outputs = [Output(each, exprs[each]) for each in (n.q, n.L)]
     block = rebuilt(kernel.leg, kernel.leg.steps, outputs, kernel.leg.inputs)
     used = names_used(block) | {name for quantity in around for name in quantity.names}
-    terms = [*q, *(symbol for quantity in around for symbol in quantity.symbols)]
+    terms = [*exprs[n.q], *(symbol for quantity in around for symbol in quantity.symbols)]
     sizes = [f"STEWART_FABS({infix(term, SQRT)})" for term in terms if term != 0]
-    moments = [f"STEWART_FABS({infix(expr, SQRT)})" for expr in exprs[n.H_moment] if expr != 0]
-    length = infix(exprs[n.L][0], SQRT)
+    arms = [f"STEWART_FABS({infix(e, SQRT)} - pose->q_1[{i}])" for i, e in enumerate(exprs[n.q])]
     body = [
         *_leg_loads(kernel, dict.fromkeys((*block.inputs, *around)), used),
-        "    stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;",
+        "    *reach = STEWART_SHORTEST / STEWART_ROUNDING;",
         *step_lines(block.steps, "    "),
-        *(wrap(f"    reach = STEWART_LARGER({size}, reach);", " " * 8) for size in sizes),
-        *(wrap(f"    *moment = STEWART_LARGER({size}, *moment);", " " * 8) for size in moments),
-        f"    if (!({length} <= STEWART_MAX)) {{",
-        "        return STEWART_NOT_FINITE;",
-        "    }",
-        f"    return ({length} > (STEWART_ROUNDING * reach)) ? STEWART_OK : STEWART_SHORT_LEG;",
+        *(wrap(f"    *reach = STEWART_LARGER({size}, *reach);", " " * 8) for size in sizes),
+        "    *arm = REAL(0);",
+        *(wrap(f"    *arm = STEWART_LARGER({size}, *arm);", " " * 8) for size in arms),
+        f"    return {infix(exprs[n.L][0], SQRT)};",
     ]
     body = [*_unused(kernel, body, "model", "leg", "at", "pose"), *body]
     return filled(_only(_CLOSELY, kernel), {"@BODY@": body})
+
+
+def _moments(kernel: ForceKernel) -> str:
+    """Moments about platform point 1 of one leg; leg 1 moves the platform's part of c there instead."""
+    shift, leg = kernel.shift, kernel.moments
+    exprs = {out.quantity: out.exprs for out in leg.outputs}
+
+    def read(quantity: Quantity, owner: str) -> str:
+        parts = [f"{name} = {owner.replace('#', str(i))}" for i, name in enumerate(quantity.names)]
+        return wrap_list(f"        const stewart_real {', '.join(parts)};", " " * 12)
+
+    def stored(target: str, expr: sp.Expr) -> str:
+        return wrap(f"        {target} = {infix(expr, SQRT)};", " " * 12)
+
+    first = [
+        read(q_1, "q[#]"),
+        read(n.c_force, "A[#][6]"),
+        wrap_list(
+            f"        const stewart_real {', '.join(f'{s} = A[{i + 3}][6]' for i, s in enumerate(n.c_moment.names))};",
+            " " * 12,
+        ),
+        *(f"        pose->q_1[{i}] = {name};" for i, name in enumerate(q_1.names)),
+        *(stored(f"A[{i + 3}][6]", e) for i, e in enumerate(shift.outputs[0].exprs)),
+        *(f"        A[{i}][0] = REAL(0);" for i in range(3, 6)),
+    ]
+    other = [
+        read(n.q, "q[#]"),
+        read(q_1, "pose->q_1[#]"),
+        read(n.H_force, "A[#][column]"),
+        *([read(n.c_force, "force[#]")] if arm_c in exprs else []),
+        *step_lines(leg.steps, "        "),
+        *(
+            wrap(f"        A[{i + 3}][column] = STEWART_OVER_LENGTH({infix(e, SQRT)});", " " * 12)
+            for i, e in enumerate(exprs[n.H_moment])
+        ),
+        *(
+            wrap(f"        A[{i + 3}][6] = A[{i + 3}][6]{_added(e)};", " " * 12)
+            for i, e in enumerate(exprs.get(arm_c, ()))
+        ),
+    ]
+    # Without the length that float takes moments over no model is read.
+    body = ["    (void)model;"] if kernel.constants is None else []
+    text = _only(_MOMENTS, kernel).replace("@COUNT@", str(leg.operations()))
+    return filled(text, {"@UNUSED@": body, "@FIRST@": first, "@OTHER@": other}).replace("{\n\n", "{\n")
 
 
 def _legs(kernel: ForceKernel) -> list[str]:
@@ -239,22 +283,29 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
     """
     exprs = {out.quantity: out.exprs for out in block.outputs}
     near = name == "leg_near_pole"
-    column = [
-        *(infix(expr, SQRT) for expr in exprs[n.H_force]),
-        *(f"STEWART_OVER_LENGTH({infix(expr, SQRT)})" for expr in exprs[n.H_moment]),
+    moments = "moments_of(q, " if kernel.constants is not None else "moments_of(model, q, "
+    has_force = n.c_force in exprs
+    right = [(i, q, j) for q, i in ((n.c_force, 0), (n.c_moment, 3)) if q in exprs for j in range(3)]
+    call = [f"    {moments}{'force, ' if has_force else ''}column, pose, A);"]
+    add = [
+        wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right
     ]
-    added = (*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ()))
     body = [
         *_leg_loads(kernel, block.inputs, names_used(block)),
+        "    stewart_real q[3];",
+        *(["    stewart_real force[3];"] if has_force else []),
         *step_lines(block.steps, "    "),
         *([] if near else _judged_length(kernel, exprs)),
         *_judged_sine(exprs, "STEWART_POLE_SINE" if at_pole == _AT_POLE else "STEWART_NEAR_POLE", at_pole),
-        *(wrap(f"    A[{i}][column] = {text};", " " * 8) for i, text in enumerate(column)),
-        *(wrap(f"    A[{i}][6] = A[{i}][6]{_added(expr)};", " " * 8) for i, expr in enumerate(added)),
+        *(wrap(f"    A[{i}][column] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.H_force])),
+        *(wrap(f"    q[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.q])),
+        *(wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs.get(n.c_force, ()))),
+        *(["    if (column == 0) {", *(f"    {line}" for line in call), "    }"] if add else []),
+        *add,
+        *(["    if (column != 0) {", *(f"    {line}" for line in call), "    }"] if add else call),
         *(wrap(f"    *known = {infix(expr, SQRT)};", " " * 8) for expr in exprs.get(n.D, ())),
     ]
-    # In double the macro that takes a moment over the length reads no model.
-    body = [*_unused(kernel, body, "model", "leg", "at", "pose"), *body]
+    body = [*_unused(kernel, body, "model", "leg", "at"), *body]
     text = _only(_LEG, kernel).replace("@COUNT@", str(block.operations())).replace("@FUNCTION@", name)
     if near:
         text = re.sub(r",\n    stewart_real least\)", ")", text)
@@ -273,11 +324,16 @@ def _judged_length(kernel: ForceKernel, exprs: dict[Quantity, tuple[sp.Expr, ...
     model = "" if kernel.constants is not None else "model, "
     return [
         f"    if (!({infix(exprs[n.L][0], SQRT)} > least)) {{",
-        "        stewart_real moment = REAL(0);",
-        f"        const int status = judged_closely({model}leg, at, pose, &moment);",
-        "        if (status != STEWART_OK) {",
-        "            return status;",
+        "        stewart_real reach;",
+        "        stewart_real arm;",
+        f"        const stewart_real length = leg_length({model}leg, at, pose, &reach, &arm);",
+        "        if (!(length <= STEWART_MAX)) {",
+        "            return STEWART_NOT_FINITE;",
         "        }",
+        "        if (!(length > (STEWART_ROUNDING * reach))) {",
+        "            return STEWART_SHORT_LEG;",
+        "        }",
+        "        pose->close = 1;",
         "    }",
     ]
 
@@ -293,21 +349,18 @@ def _judged_sine(exprs: dict[Quantity, tuple[sp.Expr, ...]], least: str, at_pole
 # ---------------------------------------------------------------- solving
 
 
-def _solve(kernel: ForceKernel) -> str:
+def _solve() -> str:
     """Elimination on row pointers, unrolled; rows are exchanged by pointer, an upper one is read once."""
-    model = "" if kernel.constants is not None else "model, "
     body = []
     for k in range(6):
         below = range(k + 1, 3 if k == 0 else 6)
-        body += [f"/* Column {k + 1}. */", f"size = STEWART_FABS(row[{k}][{k}]);"]
-        body += [f"pivot = {k};"] if below else []
+        body += [f"/* Column {k + 1}. */"]
+        body += [f"size = STEWART_FABS(row[{k}][{k}]);", f"pivot = {k};"] if below else []
         for i in below:
             body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
             body += ["    size = other;", f"    pivot = {i};", "}"]
-        body += ["if (!(size > least)) {"]
-        body += [f"    status = judged_pivot({model}at, pose, size, row[{'pivot' if below else k}] >= A[3]);"]
-        body += ["    if (status != STEWART_OK) {", "        return status;", "    }", "}"]
         body += _exchanged(k) if below else []
+        body += [f"pivots = {'' if k == 0 else 'pivots * '}row[{k}][{k}];"]
         body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
         if below:
@@ -319,7 +372,7 @@ def _solve(kernel: ForceKernel) -> str:
         known = "".join(f" - (row[{k}][{j}] * x[{j}])" for j in range(k + 1, 6))
         body.append(f"x[{k}] = (row[{k}][6]{known}) * row[{k}][{k}];")
     lines = "\n".join(wrap(f"    {line}", " " * 8) for line in body)
-    return _only(_SOLVE, kernel).replace("@BODY@", lines)
+    return _SOLVE.replace("@BODY@", lines)
 
 
 def _exchanged(k: int) -> list[str]:
@@ -383,6 +436,7 @@ typedef struct {
     stewart_@NAME@_pose_leg leg[6];
     stewart_real size; /* m: no platform point and no base point from base point 1 is farther */
 @PLATFORM@
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 @SCALE@
 } stewart_@NAME@_pose_model;
 
@@ -468,6 +522,7 @@ int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_
 @PLATFORM@
     model->size = size;
     STEWART_CHOOSE_LENGTH(model);
+    model->least = least_pivots(model);
     return STEWART_OK;
 }
 """
@@ -476,6 +531,8 @@ _SHARED = """\
 /* What the pose has for all legs. */
 typedef struct {
 @MEMBERS@
+    stewart_real q_1[3]; /* platform point 1 from the reference point */
+    int close; /* whether H may be singular to rounding for a short leg */
 } pose_terms;
 
 /* What the pose has for all legs, and the platform's part of c: @COUNT@ operations. */
@@ -486,14 +543,31 @@ static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out, stewart_re
 """
 
 _CLOSELY = """\
-/* Status of a leg that is not beyond doubt longer than the rounding of its terms; `moment` becomes the size
- * of the leg's column of moments if that is larger. */
-STEWART_APART static int judged_closely(
+/* Length of a leg, the size of the vectors that it is the sum of, and of its platform point from the first. */
+STEWART_APART static stewart_real leg_length(
     const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
     const leg_numbers *leg, //B
-    const stewart_motion *at, const pose_terms *pose, stewart_real *moment)
+    const stewart_motion *at, const pose_terms *pose, stewart_real *reach, stewart_real *arm)
 {
 @BODY@
+}
+"""
+
+_MOMENTS = """\
+/* Moments about platform point 1: of leg 1 none, the platform's part of c moves there; @COUNT@ operations of
+ * another. */
+static void moments_of(
+    const stewart_@NAME@_pose_model *model, //M
+    const stewart_real q[3],
+    const stewart_real force[3], //C
+    int column, pose_terms *pose, stewart_real A[6][7])
+{
+@UNUSED@
+    if (column == 0) {
+@FIRST@
+    } else {
+@OTHER@
+    }
 }
 """
 
@@ -502,7 +576,7 @@ _LEG = """\
 @APART@static int @FUNCTION@(
     const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
     const leg_numbers *leg, //B
-    const stewart_motion *at, const pose_terms *pose, int column, stewart_real A[6][7],
+    const stewart_motion *at, pose_terms *pose, int column, stewart_real A[6][7],
     stewart_real *known, //D
     stewart_real least)
 {
@@ -512,34 +586,10 @@ _LEG = """\
 """
 
 _SOLVE = """\
-/* Status of a pivot of this size that is not beyond doubt larger than rounding. */
-STEWART_APART static int judged_pivot(
-    const stewart_@NAME@_pose_model *model, //M
-    const stewart_motion *at, const pose_terms *pose, stewart_real size, int of_moment)
+/* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows.
+ * Returns the product of the pivots. */
+static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
-    stewart_real moment = REAL(0);
-    int i;
-    for (i = 0; i < 6; ++i) {
-        const int status = judged_closely(model, &model->leg[i], at, pose, &moment); //M
-        const int status = judged_closely(&legs[i], at, pose, &moment); //B
-        if (status != STEWART_OK) {
-            return status;
-        }
-    }
-    if (!(size <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    moment = (of_moment != 0) ? STEWART_OVER_LENGTH(moment) : REAL(1);
-    return (size > (STEWART_ROUNDING * moment)) ? STEWART_OK : STEWART_SINGULAR;
-}
-
-/* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows. */
-static int solve(
-    const stewart_@NAME@_pose_model *model, //M
-    const stewart_motion *at, const pose_terms *pose, stewart_real A[6][7], stewart_real x[6])
-{
-    /* No row's rounding is above this. */
-    const stewart_real least = STEWART_ROUNDING * (REAL(1) + STEWART_OVER_LENGTH(SIZE));
     stewart_real *row[6];
     stewart_real *lower;
     stewart_real u1;
@@ -552,8 +602,8 @@ static int solve(
     stewart_real other;
     stewart_real factor;
     stewart_real inverse;
+    stewart_real pivots;
     int pivot;
-    int status;
     row[0] = A[0];
     row[1] = A[1];
     row[2] = A[2];
@@ -561,8 +611,42 @@ static int solve(
     row[4] = A[4];
     row[5] = A[5];
 @BODY@
-    return STEWART_OK;
+    return pivots;
 }
+"""
+
+_STATUS = """\
+/* Status of a pose whose H may be singular to rounding. */
+STEWART_APART static int pose_status(
+    const stewart_@NAME@_pose_model *model, //M
+    const stewart_motion *at, pose_terms *pose, stewart_real A[6][7], stewart_real least)
+{
+    stewart_real H[6][6];
+    stewart_real length[6];
+    stewart_real reach[6];
+    stewart_real arm[6];
+    stewart_real known; //D
+    int i;
+    int j;
+    for (i = 0; i < 6; ++i) {
+        (void)leg_of(
+            model, &model->leg[i], //M
+            &legs[i], //B
+            at, pose, i, A,
+            &known, //D
+            least);
+        length[i] = leg_length(
+            model, &model->leg[i], //M
+            &legs[i], //B
+            at, pose, &reach[i], &arm[i]);
+        arm[i] = STEWART_OVER_LENGTH(arm[i]);
+        for (j = 0; j < 6; ++j) {
+            H[j][i] = A[j][i];
+        }
+    }
+    return singular_status(H, length, reach, arm);
+}
+
 """
 
 _POSE = """\
@@ -575,6 +659,7 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     stewart_real x[6];
     stewart_real known[6]; //D
     stewart_real least;
+    stewart_real pivots;
     int i;
     int status;
     if ((model == NULL) || (motion == NULL) || (F == NULL)) { //M
@@ -586,8 +671,9 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     } //M
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
-    /* A leg above this is longer than the rounding error of the vectors that it is the sum of. */
-    least = STEWART_SHORTEST + (REAL(2) * STEWART_ROUNDING
+    pose.close = 0;
+    /* A leg above this is long beside the vectors that it is the sum of. */
+    least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
         * (STEWART_FABS(pose.t_1[0]) + STEWART_FABS(pose.t_1[1]) + STEWART_FABS(pose.t_1[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(
@@ -605,10 +691,13 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     A[4][6] = STEWART_OVER_LENGTH(A[4][6]);
     A[5][6] = STEWART_OVER_LENGTH(A[5][6]);
 #endif
-    status = solve(model, motion, &pose, A, x); //M
-    status = solve(motion, &pose, A, x); //B
-    if (status != STEWART_OK) {
-        return status;
+    pivots = solve(A, x);
+    if ((pose.close != 0) || (!(STEWART_FABS(pivots) > STEWART_LEAST))) {
+        status = pose_status(model, motion, &pose, A, least); //M
+        status = pose_status(motion, &pose, A, least); //B
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
 @FORCES@
     if (!((STEWART_FABS(x[0]) + STEWART_FABS(x[1]) + STEWART_FABS(x[2]) + STEWART_FABS(x[3])

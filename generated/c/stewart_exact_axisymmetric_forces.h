@@ -9,12 +9,13 @@
  * Fidelity: legs alike all round their axis.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      212 (128 mul, 80 add, 2 div, 2 sqrt)
+ * leg      194 (116 mul, 74 add, 2 div, 2 sqrt)
  * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
+ * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1660 (948 mul, 682 add, 18 div, 12 sqrt)
+ * total    1659 (941 mul, 688 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_AXISYMMETRIC_FORCES_H
 #define STEWART_EXACT_AXISYMMETRIC_FORCES_H
@@ -50,6 +51,7 @@ typedef struct {
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif

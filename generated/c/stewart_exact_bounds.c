@@ -31,7 +31,7 @@
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -66,6 +66,19 @@
 #endif
 
 #define LANES 8
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
+#if !defined(STEWART_SUSPECT)
+#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#endif
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+
+#if !defined(STEWART_CUBE)
+#define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
@@ -119,23 +132,35 @@ static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, ste
     *sum_err = *sum_err + term_err + STEWART_UNIT * STEWART_FABS(*sum);
 }
 
-/* Bounds the entries of R less the rotation nearest to it, by the largest distance of a singular value from
- * 1: half of |R^T R - 1| in the norm of row sums, with a 64th more for the terms of higher order. */
-static stewart_real rotation_error(const stewart_real R[9])
+/* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
+ * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms of
+ * higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no rounding
+ * error, nor has their sum less 1. */
+static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
-    stewart_real worst = 0;
+    stewart_real high[9], low[9], grid = 1, worst = 0;
     int i, j, k;
+    while (STEWART_HALF * grid * STEWART_HALF * grid >= STEWART_EPSILON) {
+        grid = STEWART_HALF * grid;
+    }
+    for (i = 0; i < 9; ++i) {
+        const stewart_real shift = (stewart_real)1.5 * (grid / STEWART_EPSILON);
+        high[i] = (R[i] + shift) - shift;
+        low[i] = R[i] - high[i];
+    }
     for (i = 0; i < 3; ++i) {
         stewart_real row = 0;
         for (j = 0; j < 3; ++j) {
-            stewart_real sum = 0, sizes = 0;
-            for (k = 0; k < 3; ++k) {
-                const stewart_real product = R[3 * k + i] * R[3 * k + j];
-                sum = sum + product;
-                sizes = sizes + STEWART_FABS(product) + STEWART_FABS(sum);
+            stewart_real sum = i == j ? -1 : 0, rest = 0, sizes = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real small = high[k + i] * low[k + j] + low[k + i] * R[k + j];
+                sum = sum + high[k + i] * high[k + j];
+                rest = rest + small;
+                sizes = sizes + STEWART_FABS(high[k + i] * low[k + j]) + STEWART_FABS(low[k + i] * R[k + j]);
             }
-            sum = i == j ? sum - 1 : sum;
-            row = row + STEWART_FABS(sum) + STEWART_UNIT * (sizes + STEWART_FABS(sum));
+            sum = sum + rest;
+            stretch[3 * i + j] = STEWART_FABS(sum) + STEWART_UNIT * (5 * sizes + STEWART_FABS(sum));
+            row = row + stretch[3 * i + j];
         }
         worst = row > worst ? row : worst;
     }
@@ -153,30 +178,38 @@ typedef struct {
 /* What a pose has for all legs. */
 typedef struct {
     stewart_real B[9], B_err[9];
-    stewart_real t_1[3], t_1_err[3];
     stewart_real c_force[3], c_force_err[3];
     stewart_real c_moment[3], c_moment_err[3];
+    stewart_real t_1[3], t_1_err[3];
+    stewart_real c_tip[3], c_tip_err[3];
+    stewart_real q_1[3], q_1_err[3];
 } shared_terms;
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D, sine; /* of the angle between the leg and the fixed axis */
+    stewart_real D, L;
+    stewart_real sine; /* of the angle between the leg and the fixed axis */
+    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
     stewart_real H_force[3], H_force_err[3];
     stewart_real H_moment[3], H_moment_err[3];
     stewart_real c_force[3], c_force_err[3];
     stewart_real c_moment[3], c_moment_err[3];
-    int status;
+    stewart_real arm_c[3], arm_c_err[3];
 } leg_terms;
 
-/* The platform's equations H x = c, moments about base point 1; c_own: what the sums in c round away. */
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
+ * away. */
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
+    stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
 /* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
 typedef struct {
     stewart_real Y_force[3], Y_moment[3]; /* its row of the inverse of H */
+    stewart_real Y_arm[3]; /* Y_moment, but 0 for leg 1: its force has no moment about platform point 1 */
     stewart_real D_weight, x;
 } force_row;
 
@@ -185,6 +218,7 @@ typedef struct {
     stewart_real R_legs[9], R_legs_err[9];
     stewart_real B_legs[9], B_legs_err[9];
     stewart_real t_1_legs[3], t_1_legs_err[3];
+    stewart_real q_1_legs[3], q_1_legs_err[3];
 } slopes_of_legs;
 
 /* Constants of one leg, and what it adds to the platform. */
@@ -481,6 +515,8 @@ static void prepare_platform(
         J_add_yz_err = sum->J_add_err[4], J_add_zz_err = sum->J_add_err[5];
     const stewart_real C_add = sum->C_add;
     const stewart_real C_add_err = sum->C_add_err;
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1],
+        p_1_z = robot->leg[0].p[2];
     const stewart_real M_max = STEWART_FABS(M);
     const stewart_real R_0_y_max = STEWART_FABS(R_0_y), R_0_z_max = STEWART_FABS(R_0_z);
     const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx), I_p_xy_max = STEWART_FABS(I_p_xy),
@@ -576,6 +612,9 @@ static void prepare_platform(
     out->b_1[0] = b_1_x;
     out->b_1[1] = b_1_y;
     out->b_1[2] = b_1_z;
+    out->p_1[0] = p_1_x;
+    out->p_1[1] = p_1_y;
+    out->p_1[2] = p_1_z;
 }
 
 #if defined(STEWART_SCALED)
@@ -599,6 +638,20 @@ static stewart_real unit_of_length(const stewart_exact_bounds_model *model)
     return unit;
 }
 #endif
+
+/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
+static stewart_real least_pivots(const stewart_exact_bounds_model *model)
+{
+    stewart_real largest = REAL(0);
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 1; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j] - model->leg[0].p[j]), largest);
+        }
+    }
+    largest = (largest * model->per_length);
+    return STEWART_SUSPECT * STEWART_CUBE(largest);
+}
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
 {
@@ -654,6 +707,7 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
 #if defined(STEWART_SCALED)
     made.per_length = 1 / unit_of_length(&made);
 #endif
+    made.least = least_pivots(&made);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -682,6 +736,7 @@ static void shared_of_pose(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
+    const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -732,20 +787,26 @@ static void shared_of_pose(
     const stewart_real t_1_x = t_x - b_1_x;
     const stewart_real t_1_y = t_y - b_1_y;
     const stewart_real t_1_z = t_z - b_1_z;
-    /* (33) the platform's part of c, force and moment */
-    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
         - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
         - B_zy*h_base_y - B_zz*h_base_z;
-    /* part of c, moment rows, base frame */
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        + load_z*t_1_y - C_P*omega_x - fall_y*h_base_z - load_y*t_1_z;
+        - C_P*omega_x - fall_y*h_base_z;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        + load_x*t_1_z - C_P*omega_y - fall_z*h_base_x - load_z*t_1_x;
+        - C_P*omega_y - fall_z*h_base_x;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        + load_y*t_1_x - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
+        - C_P*omega_z - fall_x*h_base_y;
+    /* (1) platform point 1 from the reference point, base frame */
+    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
+    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
+    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    /* the platform's part of c, moment rows, about platform point 1 */
+    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -755,32 +816,44 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->t_1[0] = t_1_x;
-    out->t_1[1] = t_1_y;
-    out->t_1[2] = t_1_z;
-    out->c_force[0] = load_x;
-    out->c_force[1] = load_y;
-    out->c_force[2] = load_z;
+    out->c_force[0] = c_force_x;
+    out->c_force[1] = c_force_y;
+    out->c_force[2] = c_force_z;
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
+    out->t_1[0] = t_1_x;
+    out->t_1[1] = t_1_y;
+    out->t_1[2] = t_1_z;
+    out->c_tip[0] = c_tip_x;
+    out->c_tip[1] = c_tip_y;
+    out->c_tip[2] = c_tip_z;
+    out->q_1[0] = q_1_x;
+    out->q_1[1] = q_1_y;
+    out->q_1[2] = q_1_z;
 }
 
-/* The leg vector is known to within rounding of its largest term. */
-static int leg_status(stewart_real L, stewart_real k3, const stewart_real terms[9])
+/* The largest of some numbers and `least`. */
+static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
-    stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+    stewart_real found = least;
     int i;
-    for (i = 0; i < 9; ++i) {
-        reach = STEWART_LARGER(terms[i], reach);
+    for (i = 0; i < count; ++i) {
+        found = STEWART_LARGER(values[i], found);
     }
-    if (!(L <= STEWART_MAX)) {
+    return found;
+}
+
+/* The leg vector is known to within rounding of its largest term, `reach`. */
+static int leg_status(const leg_terms *leg)
+{
+    if (!(leg->L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach)) {
+    if (!(leg->L > STEWART_ROUNDING * leg->reach)) {
         return STEWART_SHORT_LEG;
     }
-    return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
+    return leg->sine > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -814,6 +887,7 @@ static void leg_of_pose(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
     const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -917,32 +991,54 @@ static void leg_of_pose(
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
         - k3_h*phi_ddot;
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
+    const stewart_real c1 = C_s*phi_dot;
+    const stewart_real c2 = C_s*theta_dot;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_z = s_z;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_z = -K_z;
+    /* platform point from platform point 1, base frame */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
+    const stewart_real c_moment_x = c1*k_x + c2*y_x;
+    const stewart_real c_moment_y = c1*k_y + c2*y_y;
+    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
     out->D = D;
-    out->H_force[0] = s_x;
-    out->H_force[1] = s_y;
-    out->H_force[2] = s_z;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment[2] = H_moment_z;
-    out->c_force[0] = -K_x;
-    out->c_force[1] = -K_y;
-    out->c_force[2] = -K_z;
+    out->H_force[0] = H_force_x;
+    out->H_force[1] = H_force_y;
+    out->H_force[2] = H_force_z;
+    out->c_force[0] = c_force_x;
+    out->c_force[1] = c_force_y;
+    out->c_force[2] = c_force_z;
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
-    const stewart_real reach[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
+    out->H_moment[0] = H_moment_x;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment[2] = H_moment_z;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c[2] = arm_c_z;
+    const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
         STEWART_FABS(t_1_x), STEWART_FABS(t_1_y), STEWART_FABS(t_1_z), STEWART_FABS(r_x),
         STEWART_FABS(r_y), STEWART_FABS(r_z)};
-    out->status = leg_status(L, k3, reach);
+    const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
+    out->L = L;
     out->sine = k3;
+    out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+    out->arm = largest(arms, 3, 0);
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -976,6 +1072,7 @@ static void leg_of_pose_near_singularity(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
     const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -1091,32 +1188,54 @@ static void leg_of_pose_near_singularity(
     const stewart_real K_z = Q_y*y_z + Q_z*z_z;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
+    const stewart_real c4 = C_s*phi_dot;
+    const stewart_real c5 = C_s*theta_dot;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_z = s_z;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_z = -K_z;
+    /* platform point from platform point 1, base frame */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
+    const stewart_real c_moment_x = c4*k_x + c5*y_x;
+    const stewart_real c_moment_y = c4*k_y + c5*y_y;
+    const stewart_real c_moment_z = c4*k_z + c5*y_z;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
     out->D = D;
-    out->H_force[0] = s_x;
-    out->H_force[1] = s_y;
-    out->H_force[2] = s_z;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment[2] = H_moment_z;
-    out->c_force[0] = -K_x;
-    out->c_force[1] = -K_y;
-    out->c_force[2] = -K_z;
+    out->H_force[0] = H_force_x;
+    out->H_force[1] = H_force_y;
+    out->H_force[2] = H_force_z;
+    out->c_force[0] = c_force_x;
+    out->c_force[1] = c_force_y;
+    out->c_force[2] = c_force_z;
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
-    const stewart_real reach[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
+    out->H_moment[0] = H_moment_x;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment[2] = H_moment_z;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c[2] = arm_c_z;
+    const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
         STEWART_FABS(t_1_x), STEWART_FABS(t_1_y), STEWART_FABS(t_1_z), STEWART_FABS(r_x),
         STEWART_FABS(r_y), STEWART_FABS(r_z)};
-    out->status = leg_status(L, k3, reach);
+    const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
+    out->L = L;
     out->sine = k3;
+    out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+    out->arm = largest(arms, 3, 0);
 }
 
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
@@ -1139,20 +1258,13 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows.
+ * updated, so that a row is one vector. Returns the product of the pivots.
  * The first column has no moment rows. */
-static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
+static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real scale[6];
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size, pivots;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
     int pivot;
-    scale[0] = REAL(1);
-    scale[1] = REAL(1);
-    scale[2] = REAL(1);
-    scale[3] = moment;
-    scale[4] = moment;
-    scale[5] = moment;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -1167,17 +1279,14 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a2);
         pivot = 2;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 0) {
         const stewart_real moved = a0;
         exchange_rows(A[0], A[pivot]);
-        scale[pivot] = scale[0];
         a0 = pivot == 2 ? a2 : pivot == 1 ? a1 : a0;
         a1 = pivot == 1 ? moved : a1;
         a2 = pivot == 2 ? moved : a2;
     }
+    pivots = a0;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -1207,19 +1316,16 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 1) {
         const stewart_real moved = a1;
         exchange_rows(A[1], A[pivot]);
-        scale[pivot] = scale[1];
         a1 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : pivot == 2 ? a2 : a1;
         a2 = pivot == 2 ? moved : a2;
         a3 = pivot == 3 ? moved : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -1248,18 +1354,15 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 2) {
         const stewart_real moved = a2;
         exchange_rows(A[2], A[pivot]);
-        scale[pivot] = scale[2];
         a2 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : a2;
         a3 = pivot == 3 ? moved : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a2;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -1281,17 +1384,14 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 3) {
         const stewart_real moved = a3;
         exchange_rows(A[3], A[pivot]);
-        scale[pivot] = scale[3];
         a3 = pivot == 5 ? a5 : pivot == 4 ? a4 : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a3;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -1306,33 +1406,123 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 4) {
         const stewart_real moved = a4;
         exchange_rows(A[4], A[pivot]);
-        scale[pivot] = scale[4];
         a4 = pivot == 5 ? a5 : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a4;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    size = STEWART_FABS(a5);
-    pivot = 5;
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
+    pivots = pivots * a5;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return STEWART_OK;
+    return pivots;
+}
+
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
+ * the arms of the moments.
+ *
+ * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
+ * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
+ * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
+ * for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+{
+    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        size = STEWART_LARGER(arm[i], size);
+        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
+        v[i] = REAL(1);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            force = force + error[k] * v[k];
+            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+        }
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
+            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            largest = STEWART_LARGER(grown[i], largest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+
+/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 + ...)
+ * with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part of
+ * R^T times them counts; turning R as a whole is no error. */
+static stewart_real stretch_error(
+    const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
+{
+    stewart_real total = 0, slopes = 0;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            stewart_real sum = 0, doubt = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real one = R[k + i] * of->R_legs[k + j], other = R[k + j] * of->R_legs[k + i];
+                sum = sum + (one + other);
+                doubt = doubt + 5 * STEWART_UNIT * (STEWART_FABS(one) + STEWART_FABS(other));
+                doubt = doubt + STEWART_FABS(R[k + i]) * of->R_legs_err[k + j];
+                doubt = doubt + STEWART_FABS(R[k + j]) * of->R_legs_err[k + i];
+            }
+            total = total + stretch[3 * i + j] * (STEWART_FABS(sum) + doubt) / 4;
+            slopes = slopes + STEWART_FABS(of->R_legs[3 * i + j]) + of->R_legs_err[3 * i + j];
+        }
+    }
+    return total + 2 * R_err * R_err * slopes;
 }
 
 /* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
@@ -1404,9 +1594,9 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from base point 1 to the reference point, t away, and measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point and measured by `length`. */
 static stewart_real reciprocal_condition(
-    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real t[3], stewart_real length)
+    stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
     stewart_real A[6][6], B[6][6];
     int i, j;
@@ -1414,8 +1604,8 @@ static stewart_real reciprocal_condition(
         const int next = (j + 1) % 3, last = (j + 2) % 3;
         for (i = 0; i < 6; ++i) {
             A[j][i] = H[j][i];
-            A[j + 3][i] = (H[j + 3][i] - (t[next] * H[last][i] - t[last] * H[next][i])) / length;
-            B[i][j] = Y[i][j] + (Y[i][3 + next] * t[last] - Y[i][3 + last] * t[next]);
+            A[j + 3][i] = (H[j + 3][i] + (q[next] * H[last][i] - q[last] * H[next][i])) / length;
+            B[i][j] = Y[i][j] - (Y[i][3 + next] * q[last] - Y[i][3 + last] * q[next]);
             B[i][j + 3] = Y[i][j + 3] * length;
         }
     }
@@ -1423,11 +1613,11 @@ static stewart_real reciprocal_condition(
 }
 
 /* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where there are slopes of
- * the legs, adds to the error of each force what these errors do to it: each by the slope of the force along
- * it, at its largest. */
+ * the legs, adds to the error of each force what these errors do to it, each by the slope of the force along
+ * it, at its largest; and adds to the slopes along R. */
 static void shared_errors(
     const stewart_exact_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
-    const force_row rows[6], const slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
+    const force_row rows[6], slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
 {
     int i;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
@@ -1456,6 +1646,7 @@ static void shared_errors(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
+    const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
         R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
         R_yy_max = STEWART_FABS(R_yy) + R_err, R_yz_max = STEWART_FABS(R_yz) + R_err,
@@ -1480,6 +1671,8 @@ static void shared_errors(
         dJ_P_y_max = STEWART_FABS(dJ_P_y) + dJ_P_y_err,
         dJ_P_z_max = STEWART_FABS(dJ_P_z) + dJ_P_z_err;
     const stewart_real C_P_max = STEWART_FABS(C_P) + C_P_err;
+    const stewart_real p_1_x_max = STEWART_FABS(p_1_x), p_1_y_max = STEWART_FABS(p_1_y),
+        p_1_z_max = STEWART_FABS(p_1_z);
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xx_own = STEWART_UNIT*STEWART_FABS(omega_xx);
@@ -1665,83 +1858,107 @@ static void shared_errors(
     const stewart_real t_1_x = t_x - b_1_x;
     const stewart_real t_1_x_own = STEWART_UNIT*STEWART_FABS(t_1_x);
     const stewart_real t_1_x_err = t_1_x_own;
-    const stewart_real t_1_x_max = STEWART_FABS(t_1_x) + t_1_x_err;
     const stewart_real t_1_y = t_y - b_1_y;
     const stewart_real t_1_y_own = STEWART_UNIT*STEWART_FABS(t_1_y);
     const stewart_real t_1_y_err = t_1_y_own;
-    const stewart_real t_1_y_max = STEWART_FABS(t_1_y) + t_1_y_err;
     const stewart_real t_1_z = t_z - b_1_z;
     const stewart_real t_1_z_own = STEWART_UNIT*STEWART_FABS(t_1_z);
     const stewart_real t_1_z_err = t_1_z_own;
-    const stewart_real t_1_z_max = STEWART_FABS(t_1_z) + t_1_z_err;
-    /* (33) the platform's part of c, force and moment */
-    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max
+    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max
         + REAL(2)*B_xy_max*h_base_y_max + B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max
         + REAL(6)*F_ext_y_max*R_xy_max + REAL(5)*F_ext_z_max*R_xz_max + REAL(4)*M_P_max*fall_x_max
-        + STEWART_FABS(load_x));
-    const stewart_real load_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
+        + STEWART_FABS(c_force_x));
+    const stewart_real c_force_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
         + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max
-        + M_P_max*fall_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_x_own;
-    const stewart_real load_x_max = STEWART_FABS(load_x) + load_x_err;
-    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+        + M_P_max*fall_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
+    const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
         - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max
+    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max
         + REAL(2)*B_yy_max*h_base_y_max + B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max
         + REAL(6)*F_ext_y_max*R_yy_max + REAL(5)*F_ext_z_max*R_yz_max + REAL(4)*M_P_max*fall_y_max
-        + STEWART_FABS(load_y));
-    const stewart_real load_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
+        + STEWART_FABS(c_force_y));
+    const stewart_real c_force_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
         + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max
-        + M_P_max*fall_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_y_own;
-    const stewart_real load_y_max = STEWART_FABS(load_y) + load_y_err;
-    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+        + M_P_max*fall_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
+    const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
         - B_zy*h_base_y - B_zz*h_base_z;
-    const stewart_real load_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max
+    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max
         + REAL(2)*B_zy_max*h_base_y_max + B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max
         + REAL(6)*F_ext_y_max*R_zy_max + REAL(5)*F_ext_z_max*R_zz_max + REAL(4)*M_P_max*fall_z_max
-        + STEWART_FABS(load_z));
-    const stewart_real load_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
+        + STEWART_FABS(c_force_z));
+    const stewart_real c_force_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
         + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max
-        + M_P_max*fall_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + load_z_own;
-    const stewart_real load_z_max = STEWART_FABS(load_z) + load_z_err;
-    /* part of c, moment rows, base frame */
+        + M_P_max*fall_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
+    const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        + load_z*t_1_y - C_P*omega_x - fall_y*h_base_z - load_y*t_1_z;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_x_max
-        + REAL(7)*M_P_load_x_max*R_xx_max + REAL(7)*M_P_load_y_max*R_xy_max
-        + REAL(6)*M_P_load_z_max*R_xz_max + REAL(2)*fall_y_max*h_base_z_max
-        + REAL(5)*fall_z_max*h_base_y_max + load_y_max*t_1_z_max + REAL(4)*load_z_max*t_1_y_max
+        - C_P*omega_x - fall_y*h_base_z;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_x_max
+        + REAL(5)*M_P_load_x_max*R_xx_max + REAL(5)*M_P_load_y_max*R_xy_max
+        + REAL(4)*M_P_load_z_max*R_xz_max + fall_y_max*h_base_z_max + REAL(3)*fall_z_max*h_base_y_max
         + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max
         + M_P_load_y_err*R_xy_max + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_y_err*h_base_z_max + fall_y_max*h_base_z_err + fall_z_err*h_base_y_max
-        + fall_z_max*h_base_y_err + load_y_err*t_1_z_max + load_y_max*t_1_z_err + load_z_err*t_1_y_max
-        + load_z_max*t_1_y_err + c_moment_x_own;
+        + fall_z_max*h_base_y_err + c_moment_x_own;
+    const stewart_real c_moment_x_max = STEWART_FABS(c_moment_x) + c_moment_x_err;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        + load_x*t_1_z - C_P*omega_y - fall_z*h_base_x - load_z*t_1_x;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_y_max
-        + REAL(7)*M_P_load_x_max*R_yx_max + REAL(7)*M_P_load_y_max*R_yy_max
-        + REAL(6)*M_P_load_z_max*R_yz_max + REAL(5)*fall_x_max*h_base_z_max
-        + REAL(2)*fall_z_max*h_base_x_max + REAL(4)*load_x_max*t_1_z_max + load_z_max*t_1_x_max
+        - C_P*omega_y - fall_z*h_base_x;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_y_max
+        + REAL(5)*M_P_load_x_max*R_yx_max + REAL(5)*M_P_load_y_max*R_yy_max
+        + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*fall_x_max*h_base_z_max + fall_z_max*h_base_x_max
         + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max
         + M_P_load_y_err*R_yy_max + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_x_err*h_base_z_max + fall_x_max*h_base_z_err + fall_z_err*h_base_x_max
-        + fall_z_max*h_base_x_err + load_x_err*t_1_z_max + load_x_max*t_1_z_err + load_z_err*t_1_x_max
-        + load_z_max*t_1_x_err + c_moment_y_own;
+        + fall_z_max*h_base_x_err + c_moment_y_own;
+    const stewart_real c_moment_y_max = STEWART_FABS(c_moment_y) + c_moment_y_err;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        + load_y*t_1_x - C_P*omega_z - fall_x*h_base_y - load_x*t_1_y;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(3)*C_P_max*omega_z_max
-        + REAL(7)*M_P_load_x_max*R_zx_max + REAL(7)*M_P_load_y_max*R_zy_max
-        + REAL(6)*M_P_load_z_max*R_zz_max + REAL(2)*fall_x_max*h_base_y_max
-        + REAL(5)*fall_y_max*h_base_x_max + load_x_max*t_1_y_max + REAL(4)*load_y_max*t_1_x_max
+        - C_P*omega_z - fall_x*h_base_y;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_z_max
+        + REAL(5)*M_P_load_x_max*R_zx_max + REAL(5)*M_P_load_y_max*R_zy_max
+        + REAL(4)*M_P_load_z_max*R_zz_max + fall_x_max*h_base_y_max + REAL(3)*fall_y_max*h_base_x_max
         + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max
         + M_P_load_y_err*R_zy_max + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max
         + M_P_load_z_max) + fall_x_err*h_base_y_max + fall_x_max*h_base_y_err + fall_y_err*h_base_x_max
-        + fall_y_max*h_base_x_err + load_x_err*t_1_y_max + load_x_max*t_1_y_err + load_y_err*t_1_x_max
-        + load_y_max*t_1_x_err + c_moment_z_own;
+        + fall_y_max*h_base_x_err + c_moment_z_own;
+    const stewart_real c_moment_z_max = STEWART_FABS(c_moment_z) + c_moment_z_err;
+    /* (1) platform point 1 from the reference point, base frame */
+    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
+    const stewart_real q_1_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max
+        + R_xz_max*p_1_z_max + STEWART_FABS(q_1_x));
+    const stewart_real q_1_x_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_x_own;
+    const stewart_real q_1_x_max = STEWART_FABS(q_1_x) + q_1_x_err;
+    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
+    const stewart_real q_1_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max
+        + R_yz_max*p_1_z_max + STEWART_FABS(q_1_y));
+    const stewart_real q_1_y_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_y_own;
+    const stewart_real q_1_y_max = STEWART_FABS(q_1_y) + q_1_y_err;
+    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    const stewart_real q_1_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max
+        + R_zz_max*p_1_z_max + STEWART_FABS(q_1_z));
+    const stewart_real q_1_z_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_z_own;
+    const stewart_real q_1_z_max = STEWART_FABS(q_1_z) + q_1_z_err;
+    /* the platform's part of c, moment rows, about platform point 1 */
+    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+    const stewart_real c_tip_x_own = STEWART_UNIT*(REAL(2)*c_force_y_max*q_1_z_max + c_force_z_max*q_1_y_max
+        + c_moment_x_max + STEWART_FABS(c_tip_x));
+    const stewart_real c_tip_x_err = c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err
+        + c_force_z_err*q_1_y_max + c_force_z_max*q_1_y_err + c_moment_x_err + c_tip_x_own;
+    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+    const stewart_real c_tip_y_own = STEWART_UNIT*(c_force_x_max*q_1_z_max + REAL(2)*c_force_z_max*q_1_x_max
+        + c_moment_y_max + STEWART_FABS(c_tip_y));
+    const stewart_real c_tip_y_err = c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err
+        + c_force_z_err*q_1_x_max + c_force_z_max*q_1_x_err + c_moment_y_err + c_tip_y_own;
+    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    const stewart_real c_tip_z_own = STEWART_UNIT*(REAL(2)*c_force_x_max*q_1_y_max + c_force_y_max*q_1_x_max
+        + c_moment_z_max + STEWART_FABS(c_tip_z));
+    const stewart_real c_tip_z_err = c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err
+        + c_force_y_err*q_1_x_max + c_force_y_max*q_1_x_err + c_moment_z_err + c_tip_z_own;
     out->B[0] = B_xx;
     out->B_err[0] = B_xx_err;
     out->B[1] = B_xy;
@@ -1760,24 +1977,36 @@ static void shared_errors(
     out->B_err[7] = B_zy_err;
     out->B[8] = B_zz;
     out->B_err[8] = B_zz_err;
-    out->t_1[0] = t_1_x;
-    out->t_1_err[0] = t_1_x_err;
-    out->t_1[1] = t_1_y;
-    out->t_1_err[1] = t_1_y_err;
-    out->t_1[2] = t_1_z;
-    out->t_1_err[2] = t_1_z_err;
-    out->c_force[0] = load_x;
-    out->c_force_err[0] = load_x_err;
-    out->c_force[1] = load_y;
-    out->c_force_err[1] = load_y_err;
-    out->c_force[2] = load_z;
-    out->c_force_err[2] = load_z_err;
+    out->c_force[0] = c_force_x;
+    out->c_force_err[0] = c_force_x_err;
+    out->c_force[1] = c_force_y;
+    out->c_force_err[1] = c_force_y_err;
+    out->c_force[2] = c_force_z;
+    out->c_force_err[2] = c_force_z_err;
     out->c_moment[0] = c_moment_x;
     out->c_moment_err[0] = c_moment_x_err;
     out->c_moment[1] = c_moment_y;
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
+    out->t_1[0] = t_1_x;
+    out->t_1_err[0] = t_1_x_err;
+    out->t_1[1] = t_1_y;
+    out->t_1_err[1] = t_1_y_err;
+    out->t_1[2] = t_1_z;
+    out->t_1_err[2] = t_1_z_err;
+    out->c_tip[0] = c_tip_x;
+    out->c_tip_err[0] = c_tip_x_err;
+    out->c_tip[1] = c_tip_y;
+    out->c_tip_err[1] = c_tip_y_err;
+    out->c_tip[2] = c_tip_z;
+    out->c_tip_err[2] = c_tip_z_err;
+    out->q_1[0] = q_1_x;
+    out->q_1_err[0] = q_1_x_err;
+    out->q_1[1] = q_1_y;
+    out->q_1_err[1] = q_1_y_err;
+    out->q_1[2] = q_1_z;
+    out->q_1_err[2] = q_1_z_err;
     for (i = 0; slopes && i < 6; ++i) {
         const force_row *row = &rows[i];
         const slopes_of_legs *of_legs = &slopes[i];
@@ -1807,6 +2036,10 @@ static void shared_errors(
             t_1_legs_z = of_legs->t_1_legs[2];
         const stewart_real t_1_legs_x_err = of_legs->t_1_legs_err[0],
             t_1_legs_y_err = of_legs->t_1_legs_err[1], t_1_legs_z_err = of_legs->t_1_legs_err[2];
+        const stewart_real q_1_legs_x = of_legs->q_1_legs[0], q_1_legs_y = of_legs->q_1_legs[1],
+            q_1_legs_z = of_legs->q_1_legs[2];
+        const stewart_real q_1_legs_x_err = of_legs->q_1_legs_err[0],
+            q_1_legs_y_err = of_legs->q_1_legs_err[1], q_1_legs_z_err = of_legs->q_1_legs_err[2];
         const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x),
             Y_force_y_max = STEWART_FABS(Y_force_y), Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
@@ -1823,36 +2056,39 @@ static void shared_errors(
         const stewart_real t_1_legs_x_max = STEWART_FABS(t_1_legs_x) + t_1_legs_x_err,
             t_1_legs_y_max = STEWART_FABS(t_1_legs_y) + t_1_legs_y_err,
             t_1_legs_z_max = STEWART_FABS(t_1_legs_z) + t_1_legs_z_err;
-        const stewart_real load_z_bar = Y_moment_y*t_1_x - Y_force_z - Y_moment_x*t_1_y;
-        const stewart_real load_z_bar_err = Y_moment_x_max*t_1_y_err + Y_moment_y_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_z_max + Y_moment_x_max*t_1_y_max + REAL(2)*Y_moment_y_max*t_1_x_max
-            + STEWART_FABS(load_z_bar));
-        const stewart_real load_z_bar_max = STEWART_FABS(load_z_bar) + load_z_bar_err;
-        const stewart_real load_y_bar = Y_moment_x*t_1_z - Y_force_y - Y_moment_z*t_1_x;
-        const stewart_real load_y_bar_err = Y_moment_x_max*t_1_z_err + Y_moment_z_max*t_1_x_err
-            + STEWART_UNIT*(Y_force_y_max + REAL(2)*Y_moment_x_max*t_1_z_max + Y_moment_z_max*t_1_x_max
-            + STEWART_FABS(load_y_bar));
-        const stewart_real load_y_bar_max = STEWART_FABS(load_y_bar) + load_y_bar_err;
-        const stewart_real load_x_bar = Y_moment_z*t_1_y - Y_force_x - Y_moment_y*t_1_z;
-        const stewart_real load_x_bar_err = Y_moment_y_max*t_1_z_err + Y_moment_z_max*t_1_y_err
-            + STEWART_UNIT*(Y_force_x_max + Y_moment_y_max*t_1_z_max + REAL(2)*Y_moment_z_max*t_1_y_max
-            + STEWART_FABS(load_x_bar));
-        const stewart_real load_x_bar_max = STEWART_FABS(load_x_bar) + load_x_bar_err;
-        const stewart_real t_1_z_bar = Y_moment_x*load_y + t_1_legs_z - Y_moment_y*load_x;
-        const stewart_real t_1_z_bar_err = Y_moment_x_max*load_y_err + Y_moment_y_max*load_x_err
-            + t_1_legs_z_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*load_y_max + Y_moment_y_max*load_x_max
-            + t_1_legs_z_max + STEWART_FABS(t_1_z_bar));
-        const stewart_real t_1_z_bar_max = STEWART_FABS(t_1_z_bar) + t_1_z_bar_err;
-        const stewart_real t_1_y_bar = Y_moment_z*load_x + t_1_legs_y - Y_moment_x*load_z;
-        const stewart_real t_1_y_bar_err = Y_moment_x_max*load_z_err + Y_moment_z_max*load_x_err
-            + t_1_legs_y_err + STEWART_UNIT*(Y_moment_x_max*load_z_max + REAL(2)*Y_moment_z_max*load_x_max
-            + t_1_legs_y_max + STEWART_FABS(t_1_y_bar));
-        const stewart_real t_1_y_bar_max = STEWART_FABS(t_1_y_bar) + t_1_y_bar_err;
-        const stewart_real t_1_x_bar = Y_moment_y*load_z + t_1_legs_x - Y_moment_z*load_y;
-        const stewart_real t_1_x_bar_err = Y_moment_y_max*load_z_err + Y_moment_z_max*load_y_err
-            + t_1_legs_x_err + STEWART_UNIT*(REAL(2)*Y_moment_y_max*load_z_max + Y_moment_z_max*load_y_max
-            + t_1_legs_x_max + STEWART_FABS(t_1_x_bar));
-        const stewart_real t_1_x_bar_max = STEWART_FABS(t_1_x_bar) + t_1_x_bar_err;
+        const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err,
+            q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err,
+            q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
+        const stewart_real q_1_z_bar = Y_moment_y*c_force_x + q_1_legs_z - Y_moment_x*c_force_y;
+        const stewart_real q_1_z_bar_err = Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err
+            + q_1_legs_z_err + STEWART_UNIT*(Y_moment_x_max*c_force_y_max + REAL(2)*Y_moment_y_max*c_force_x_max
+            + q_1_legs_z_max + STEWART_FABS(q_1_z_bar));
+        const stewart_real q_1_z_bar_max = STEWART_FABS(q_1_z_bar) + q_1_z_bar_err;
+        const stewart_real q_1_y_bar = Y_moment_x*c_force_z + q_1_legs_y - Y_moment_z*c_force_x;
+        const stewart_real q_1_y_bar_err = Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err
+            + q_1_legs_y_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_z_max + Y_moment_z_max*c_force_x_max
+            + q_1_legs_y_max + STEWART_FABS(q_1_y_bar));
+        const stewart_real q_1_y_bar_max = STEWART_FABS(q_1_y_bar) + q_1_y_bar_err;
+        const stewart_real q_1_x_bar = Y_moment_z*c_force_y + q_1_legs_x - Y_moment_y*c_force_z;
+        const stewart_real q_1_x_bar_err = Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err
+            + q_1_legs_x_err + STEWART_UNIT*(Y_moment_y_max*c_force_z_max + REAL(2)*Y_moment_z_max*c_force_y_max
+            + q_1_legs_x_max + STEWART_FABS(q_1_x_bar));
+        const stewart_real q_1_x_bar_max = STEWART_FABS(q_1_x_bar) + q_1_x_bar_err;
+        const stewart_real c_force_z_bar = Y_moment_x*q_1_y - Y_force_z - Y_moment_y*q_1_x;
+        const stewart_real c_force_z_bar_err = Y_moment_x_max*q_1_y_err + Y_moment_y_max*q_1_x_err
+            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*q_1_y_max + Y_moment_y_max*q_1_x_max
+            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+        const stewart_real c_force_y_bar = Y_moment_z*q_1_x - Y_force_y - Y_moment_x*q_1_z;
+        const stewart_real c_force_y_bar_err = Y_moment_x_max*q_1_z_err + Y_moment_z_max*q_1_x_err
+            + STEWART_UNIT*(Y_force_y_max + Y_moment_x_max*q_1_z_max + REAL(2)*Y_moment_z_max*q_1_x_max
+            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+        const stewart_real c_force_x_bar = Y_moment_y*q_1_z - Y_force_x - Y_moment_z*q_1_y;
+        const stewart_real c_force_x_bar_err = Y_moment_y_max*q_1_z_err + Y_moment_z_max*q_1_y_err
+            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*q_1_z_max + Y_moment_z_max*q_1_y_max
+            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
         const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
             + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max
@@ -1958,86 +2194,95 @@ static void shared_errors(
             + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max
             + P_xz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_x_bar));
         const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
-        const stewart_real fall_z_bar = M_P*load_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
-        const stewart_real fall_z_bar_err = M_P_err*load_z_bar_max + M_P_max*load_z_bar_err
+        const stewart_real fall_z_bar = M_P*c_force_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
+        const stewart_real fall_z_bar_err = M_P_err*c_force_z_bar_max + M_P_max*c_force_z_bar_err
             + Y_moment_x_max*h_base_y_err + Y_moment_y_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_z_bar_max + Y_moment_x_max*h_base_y_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_z_bar_max + Y_moment_x_max*h_base_y_max
             + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
         const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
-        const stewart_real fall_y_bar = M_P*load_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
-        const stewart_real fall_y_bar_err = M_P_err*load_y_bar_max + M_P_max*load_y_bar_err
+        const stewart_real fall_y_bar = M_P*c_force_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
+        const stewart_real fall_y_bar_err = M_P_err*c_force_y_bar_max + M_P_max*c_force_y_bar_err
             + Y_moment_x_max*h_base_z_err + Y_moment_z_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
             + Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
         const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
-        const stewart_real fall_x_bar = M_P*load_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
-        const stewart_real fall_x_bar_err = M_P_err*load_x_bar_max + M_P_max*load_x_bar_err
+        const stewart_real fall_x_bar = M_P*c_force_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
+        const stewart_real fall_x_bar_err = M_P_err*c_force_x_bar_max + M_P_max*c_force_x_bar_err
             + Y_moment_y_max*h_base_z_err + Y_moment_z_max*h_base_y_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*load_x_bar_max + Y_moment_y_max*h_base_z_max
+            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_x_bar_max + Y_moment_y_max*h_base_z_max
             + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
         const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
-        const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*load_x_bar - B_yz*load_y_bar
-            - B_zz*load_z_bar - Y_moment_y*fall_x;
-        const stewart_real h_base_z_bar_err = B_xz_err*load_x_bar_max + B_xz_max*load_x_bar_err
-            + B_yz_err*load_y_bar_max + B_yz_max*load_y_bar_err + B_zz_err*load_z_bar_max
-            + B_zz_max*load_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xz_max*load_x_bar_max + REAL(3)*B_yz_max*load_y_bar_max
-            + REAL(2)*B_zz_max*load_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
+        const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*c_force_x_bar - B_yz*c_force_y_bar
+            - B_zz*c_force_z_bar - Y_moment_y*fall_x;
+        const stewart_real h_base_z_bar_err = B_xz_err*c_force_x_bar_max + B_xz_max*c_force_x_bar_err
+            + B_yz_err*c_force_y_bar_max + B_yz_max*c_force_y_bar_err + B_zz_err*c_force_z_bar_max
+            + B_zz_max*c_force_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
+            + STEWART_UNIT*(REAL(4)*B_xz_max*c_force_x_bar_max + REAL(3)*B_yz_max*c_force_y_bar_max
+            + REAL(2)*B_zz_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
             + STEWART_FABS(h_base_z_bar));
         const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
-        const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*load_x_bar - B_yy*load_y_bar
-            - B_zy*load_z_bar - Y_moment_x*fall_z;
-        const stewart_real h_base_y_bar_err = B_xy_err*load_x_bar_max + B_xy_max*load_x_bar_err
-            + B_yy_err*load_y_bar_max + B_yy_max*load_y_bar_err + B_zy_err*load_z_bar_max
-            + B_zy_max*load_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xy_max*load_x_bar_max + REAL(3)*B_yy_max*load_y_bar_max
-            + REAL(2)*B_zy_max*load_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
+        const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*c_force_x_bar - B_yy*c_force_y_bar
+            - B_zy*c_force_z_bar - Y_moment_x*fall_z;
+        const stewart_real h_base_y_bar_err = B_xy_err*c_force_x_bar_max + B_xy_max*c_force_x_bar_err
+            + B_yy_err*c_force_y_bar_max + B_yy_max*c_force_y_bar_err + B_zy_err*c_force_z_bar_max
+            + B_zy_max*c_force_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
+            + STEWART_UNIT*(REAL(4)*B_xy_max*c_force_x_bar_max + REAL(3)*B_yy_max*c_force_y_bar_max
+            + REAL(2)*B_zy_max*c_force_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
             + STEWART_FABS(h_base_y_bar));
         const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
-        const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*load_x_bar - B_yx*load_y_bar
-            - B_zx*load_z_bar - Y_moment_z*fall_y;
-        const stewart_real h_base_x_bar_err = B_xx_err*load_x_bar_max + B_xx_max*load_x_bar_err
-            + B_yx_err*load_y_bar_max + B_yx_max*load_y_bar_err + B_zx_err*load_z_bar_max
-            + B_zx_max*load_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
-            + STEWART_UNIT*(REAL(4)*B_xx_max*load_x_bar_max + REAL(3)*B_yx_max*load_y_bar_max
-            + REAL(2)*B_zx_max*load_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
+        const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*c_force_x_bar - B_yx*c_force_y_bar
+            - B_zx*c_force_z_bar - Y_moment_z*fall_y;
+        const stewart_real h_base_x_bar_err = B_xx_err*c_force_x_bar_max + B_xx_max*c_force_x_bar_err
+            + B_yx_err*c_force_y_bar_max + B_yx_max*c_force_y_bar_err + B_zx_err*c_force_z_bar_max
+            + B_zx_max*c_force_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
+            + STEWART_UNIT*(REAL(4)*B_xx_max*c_force_x_bar_max + REAL(3)*B_yx_max*c_force_y_bar_max
+            + REAL(2)*B_zx_max*c_force_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
             + STEWART_FABS(h_base_x_bar));
         const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
-        const stewart_real B_zz_bar = B_legs_zz - h_base_z*load_z_bar;
-        const stewart_real B_zz_bar_err = B_legs_zz_err + h_base_z_err*load_z_bar_max
-            + h_base_z_max*load_z_bar_err + STEWART_UNIT*(h_base_z_max*load_z_bar_max + STEWART_FABS(B_zz_bar));
+        const stewart_real B_zz_bar = B_legs_zz - c_force_z_bar*h_base_z;
+        const stewart_real B_zz_bar_err = B_legs_zz_err + c_force_z_bar_err*h_base_z_max
+            + c_force_z_bar_max*h_base_z_err + STEWART_UNIT*(c_force_z_bar_max*h_base_z_max
+            + STEWART_FABS(B_zz_bar));
         const stewart_real B_zz_bar_max = STEWART_FABS(B_zz_bar) + B_zz_bar_err;
-        const stewart_real B_zy_bar = B_legs_zy - h_base_y*load_z_bar;
-        const stewart_real B_zy_bar_err = B_legs_zy_err + h_base_y_err*load_z_bar_max
-            + h_base_y_max*load_z_bar_err + STEWART_UNIT*(h_base_y_max*load_z_bar_max + STEWART_FABS(B_zy_bar));
+        const stewart_real B_zy_bar = B_legs_zy - c_force_z_bar*h_base_y;
+        const stewart_real B_zy_bar_err = B_legs_zy_err + c_force_z_bar_err*h_base_y_max
+            + c_force_z_bar_max*h_base_y_err + STEWART_UNIT*(c_force_z_bar_max*h_base_y_max
+            + STEWART_FABS(B_zy_bar));
         const stewart_real B_zy_bar_max = STEWART_FABS(B_zy_bar) + B_zy_bar_err;
-        const stewart_real B_zx_bar = B_legs_zx - h_base_x*load_z_bar;
-        const stewart_real B_zx_bar_err = B_legs_zx_err + h_base_x_err*load_z_bar_max
-            + h_base_x_max*load_z_bar_err + STEWART_UNIT*(h_base_x_max*load_z_bar_max + STEWART_FABS(B_zx_bar));
+        const stewart_real B_zx_bar = B_legs_zx - c_force_z_bar*h_base_x;
+        const stewart_real B_zx_bar_err = B_legs_zx_err + c_force_z_bar_err*h_base_x_max
+            + c_force_z_bar_max*h_base_x_err + STEWART_UNIT*(c_force_z_bar_max*h_base_x_max
+            + STEWART_FABS(B_zx_bar));
         const stewart_real B_zx_bar_max = STEWART_FABS(B_zx_bar) + B_zx_bar_err;
-        const stewart_real B_yz_bar = B_legs_yz - h_base_z*load_y_bar;
-        const stewart_real B_yz_bar_err = B_legs_yz_err + h_base_z_err*load_y_bar_max
-            + h_base_z_max*load_y_bar_err + STEWART_UNIT*(h_base_z_max*load_y_bar_max + STEWART_FABS(B_yz_bar));
+        const stewart_real B_yz_bar = B_legs_yz - c_force_y_bar*h_base_z;
+        const stewart_real B_yz_bar_err = B_legs_yz_err + c_force_y_bar_err*h_base_z_max
+            + c_force_y_bar_max*h_base_z_err + STEWART_UNIT*(c_force_y_bar_max*h_base_z_max
+            + STEWART_FABS(B_yz_bar));
         const stewart_real B_yz_bar_max = STEWART_FABS(B_yz_bar) + B_yz_bar_err;
-        const stewart_real B_yy_bar = B_legs_yy - h_base_y*load_y_bar;
-        const stewart_real B_yy_bar_err = B_legs_yy_err + h_base_y_err*load_y_bar_max
-            + h_base_y_max*load_y_bar_err + STEWART_UNIT*(h_base_y_max*load_y_bar_max + STEWART_FABS(B_yy_bar));
+        const stewart_real B_yy_bar = B_legs_yy - c_force_y_bar*h_base_y;
+        const stewart_real B_yy_bar_err = B_legs_yy_err + c_force_y_bar_err*h_base_y_max
+            + c_force_y_bar_max*h_base_y_err + STEWART_UNIT*(c_force_y_bar_max*h_base_y_max
+            + STEWART_FABS(B_yy_bar));
         const stewart_real B_yy_bar_max = STEWART_FABS(B_yy_bar) + B_yy_bar_err;
-        const stewart_real B_yx_bar = B_legs_yx - h_base_x*load_y_bar;
-        const stewart_real B_yx_bar_err = B_legs_yx_err + h_base_x_err*load_y_bar_max
-            + h_base_x_max*load_y_bar_err + STEWART_UNIT*(h_base_x_max*load_y_bar_max + STEWART_FABS(B_yx_bar));
+        const stewart_real B_yx_bar = B_legs_yx - c_force_y_bar*h_base_x;
+        const stewart_real B_yx_bar_err = B_legs_yx_err + c_force_y_bar_err*h_base_x_max
+            + c_force_y_bar_max*h_base_x_err + STEWART_UNIT*(c_force_y_bar_max*h_base_x_max
+            + STEWART_FABS(B_yx_bar));
         const stewart_real B_yx_bar_max = STEWART_FABS(B_yx_bar) + B_yx_bar_err;
-        const stewart_real B_xz_bar = B_legs_xz - h_base_z*load_x_bar;
-        const stewart_real B_xz_bar_err = B_legs_xz_err + h_base_z_err*load_x_bar_max
-            + h_base_z_max*load_x_bar_err + STEWART_UNIT*(h_base_z_max*load_x_bar_max + STEWART_FABS(B_xz_bar));
+        const stewart_real B_xz_bar = B_legs_xz - c_force_x_bar*h_base_z;
+        const stewart_real B_xz_bar_err = B_legs_xz_err + c_force_x_bar_err*h_base_z_max
+            + c_force_x_bar_max*h_base_z_err + STEWART_UNIT*(c_force_x_bar_max*h_base_z_max
+            + STEWART_FABS(B_xz_bar));
         const stewart_real B_xz_bar_max = STEWART_FABS(B_xz_bar) + B_xz_bar_err;
-        const stewart_real B_xy_bar = B_legs_xy - h_base_y*load_x_bar;
-        const stewart_real B_xy_bar_err = B_legs_xy_err + h_base_y_err*load_x_bar_max
-            + h_base_y_max*load_x_bar_err + STEWART_UNIT*(h_base_y_max*load_x_bar_max + STEWART_FABS(B_xy_bar));
+        const stewart_real B_xy_bar = B_legs_xy - c_force_x_bar*h_base_y;
+        const stewart_real B_xy_bar_err = B_legs_xy_err + c_force_x_bar_err*h_base_y_max
+            + c_force_x_bar_max*h_base_y_err + STEWART_UNIT*(c_force_x_bar_max*h_base_y_max
+            + STEWART_FABS(B_xy_bar));
         const stewart_real B_xy_bar_max = STEWART_FABS(B_xy_bar) + B_xy_bar_err;
-        const stewart_real B_xx_bar = B_legs_xx - h_base_x*load_x_bar;
-        const stewart_real B_xx_bar_err = B_legs_xx_err + h_base_x_err*load_x_bar_max
-            + h_base_x_max*load_x_bar_err + STEWART_UNIT*(h_base_x_max*load_x_bar_max + STEWART_FABS(B_xx_bar));
+        const stewart_real B_xx_bar = B_legs_xx - c_force_x_bar*h_base_x;
+        const stewart_real B_xx_bar_err = B_legs_xx_err + c_force_x_bar_err*h_base_x_max
+            + c_force_x_bar_max*h_base_x_err + STEWART_UNIT*(c_force_x_bar_max*h_base_x_max
+            + STEWART_FABS(B_xx_bar));
         const stewart_real B_xx_bar_max = STEWART_FABS(B_xx_bar) + B_xx_bar_err;
         const stewart_real omega_zz_bar = -B_xx_bar - B_yy_bar;
         const stewart_real omega_zz_bar_err = B_xx_bar_err + B_yy_bar_err
@@ -2063,92 +2308,83 @@ static void shared_errors(
         const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err
             + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
         const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
-        const stewart_real R_xx_bar = F_ext_x*load_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x
-            + h_P_x*h_base_x_bar + omega_P_x_bar*omega_x - M_P_load_x*Y_moment_x;
-        const stewart_real R_xx_bar_err = F_ext_x_max*load_x_bar_err + M_P_load_x_err*Y_moment_x_max
+        const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x
+            + h_P_x*h_base_x_bar + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
+        const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
             + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max
-            + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_x_bar_max + M_P_load_x_max*Y_moment_x_max
-            + REAL(4)*R_legs_xx_max + REAL(4)*alpha_P_x_bar_max*alpha_x_max + REAL(3)*h_P_x_max*h_base_x_bar_max
-            + REAL(2)*omega_P_x_bar_max*omega_x_max + STEWART_FABS(R_xx_bar));
-        const stewart_real R_xx_bar_max = STEWART_FABS(R_xx_bar) + R_xx_bar_err;
-        const stewart_real R_xy_bar = F_ext_y*load_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
-            + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x - M_P_load_y*Y_moment_x;
-        const stewart_real R_xy_bar_err = F_ext_y_max*load_x_bar_err + M_P_load_y_err*Y_moment_x_max
+            + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max + M_P_load_x_max*Y_moment_x_max
+            + REAL(5)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max + REAL(4)*h_P_x_max*h_base_x_bar_max
+            + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
+        const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
+            + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
+        const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
             + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max
-            + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_x_bar_max + M_P_load_y_max*Y_moment_x_max
-            + REAL(4)*R_legs_xy_max + REAL(4)*alpha_P_y_bar_max*alpha_x_max + REAL(3)*h_P_y_max*h_base_x_bar_max
-            + REAL(2)*omega_P_y_bar_max*omega_x_max + STEWART_FABS(R_xy_bar));
-        const stewart_real R_xy_bar_max = STEWART_FABS(R_xy_bar) + R_xy_bar_err;
-        const stewart_real R_xz_bar = F_ext_z*load_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
-            + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x - M_P_load_z*Y_moment_x;
-        const stewart_real R_xz_bar_err = F_ext_z_max*load_x_bar_err + M_P_load_z_err*Y_moment_x_max
+            + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max + M_P_load_y_max*Y_moment_x_max
+            + REAL(5)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max + REAL(4)*h_P_y_max*h_base_x_bar_max
+            + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
+        const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
+            + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
+        const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
             + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max
-            + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_x_bar_max + M_P_load_z_max*Y_moment_x_max
-            + REAL(4)*R_legs_xz_max + REAL(4)*alpha_P_z_bar_max*alpha_x_max + REAL(3)*h_P_z_max*h_base_x_bar_max
-            + REAL(2)*omega_P_z_bar_max*omega_x_max + STEWART_FABS(R_xz_bar));
-        const stewart_real R_xz_bar_max = STEWART_FABS(R_xz_bar) + R_xz_bar_err;
-        const stewart_real R_yx_bar = F_ext_x*load_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
-            + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y - M_P_load_x*Y_moment_y;
-        const stewart_real R_yx_bar_err = F_ext_x_max*load_y_bar_err + M_P_load_x_err*Y_moment_y_max
+            + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max + M_P_load_z_max*Y_moment_x_max
+            + REAL(5)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max + REAL(4)*h_P_z_max*h_base_x_bar_max
+            + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
+        const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
+            + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
+        const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
             + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max
-            + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_y_bar_max + M_P_load_x_max*Y_moment_y_max
-            + REAL(4)*R_legs_yx_max + REAL(4)*alpha_P_x_bar_max*alpha_y_max + REAL(3)*h_P_x_max*h_base_y_bar_max
-            + REAL(2)*omega_P_x_bar_max*omega_y_max + STEWART_FABS(R_yx_bar));
-        const stewart_real R_yx_bar_max = STEWART_FABS(R_yx_bar) + R_yx_bar_err;
-        const stewart_real R_yy_bar = F_ext_y*load_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
-            + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y - M_P_load_y*Y_moment_y;
-        const stewart_real R_yy_bar_err = F_ext_y_max*load_y_bar_err + M_P_load_y_err*Y_moment_y_max
+            + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max + M_P_load_x_max*Y_moment_y_max
+            + REAL(5)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max + REAL(4)*h_P_x_max*h_base_y_bar_max
+            + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
+        const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
+            + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
+        const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
             + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max
-            + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_y_bar_max + M_P_load_y_max*Y_moment_y_max
-            + REAL(4)*R_legs_yy_max + REAL(4)*alpha_P_y_bar_max*alpha_y_max + REAL(3)*h_P_y_max*h_base_y_bar_max
-            + REAL(2)*omega_P_y_bar_max*omega_y_max + STEWART_FABS(R_yy_bar));
-        const stewart_real R_yy_bar_max = STEWART_FABS(R_yy_bar) + R_yy_bar_err;
-        const stewart_real R_yz_bar = F_ext_z*load_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
-            + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y - M_P_load_z*Y_moment_y;
-        const stewart_real R_yz_bar_err = F_ext_z_max*load_y_bar_err + M_P_load_z_err*Y_moment_y_max
+            + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max + M_P_load_y_max*Y_moment_y_max
+            + REAL(5)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max + REAL(4)*h_P_y_max*h_base_y_bar_max
+            + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
+        const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
+            + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
+        const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
             + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max
-            + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_y_bar_max + M_P_load_z_max*Y_moment_y_max
-            + REAL(4)*R_legs_yz_max + REAL(4)*alpha_P_z_bar_max*alpha_y_max + REAL(3)*h_P_z_max*h_base_y_bar_max
-            + REAL(2)*omega_P_z_bar_max*omega_y_max + STEWART_FABS(R_yz_bar));
-        const stewart_real R_yz_bar_max = STEWART_FABS(R_yz_bar) + R_yz_bar_err;
-        const stewart_real R_zx_bar = F_ext_x*load_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
-            + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z - M_P_load_x*Y_moment_z;
-        const stewart_real R_zx_bar_err = F_ext_x_max*load_z_bar_err + M_P_load_x_err*Y_moment_z_max
+            + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max + M_P_load_z_max*Y_moment_y_max
+            + REAL(5)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max + REAL(4)*h_P_z_max*h_base_y_bar_max
+            + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
+        const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
+            + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
+        const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
             + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max
-            + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_x_max*load_z_bar_max + M_P_load_x_max*Y_moment_z_max
-            + REAL(4)*R_legs_zx_max + REAL(4)*alpha_P_x_bar_max*alpha_z_max + REAL(3)*h_P_x_max*h_base_z_bar_max
-            + REAL(2)*omega_P_x_bar_max*omega_z_max + STEWART_FABS(R_zx_bar));
-        const stewart_real R_zx_bar_max = STEWART_FABS(R_zx_bar) + R_zx_bar_err;
-        const stewart_real R_zy_bar = F_ext_y*load_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
-            + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z - M_P_load_y*Y_moment_z;
-        const stewart_real R_zy_bar_err = F_ext_y_max*load_z_bar_err + M_P_load_y_err*Y_moment_z_max
+            + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max + M_P_load_x_max*Y_moment_z_max
+            + REAL(5)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max + REAL(4)*h_P_x_max*h_base_z_bar_max
+            + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
+        const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
+            + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
+        const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
             + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max
-            + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_y_max*load_z_bar_max + M_P_load_y_max*Y_moment_z_max
-            + REAL(4)*R_legs_zy_max + REAL(4)*alpha_P_y_bar_max*alpha_z_max + REAL(3)*h_P_y_max*h_base_z_bar_max
-            + REAL(2)*omega_P_y_bar_max*omega_z_max + STEWART_FABS(R_zy_bar));
-        const stewart_real R_zy_bar_max = STEWART_FABS(R_zy_bar) + R_zy_bar_err;
-        const stewart_real R_zz_bar = F_ext_z*load_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
-            + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z - M_P_load_z*Y_moment_z;
-        const stewart_real R_zz_bar_err = F_ext_z_max*load_z_bar_err + M_P_load_z_err*Y_moment_z_max
+            + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max + M_P_load_y_max*Y_moment_z_max
+            + REAL(5)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max + REAL(4)*h_P_y_max*h_base_z_bar_max
+            + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
+        const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
+            + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
+        const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
             + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max
-            + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max
-            + STEWART_UNIT*(REAL(5)*F_ext_z_max*load_z_bar_max + M_P_load_z_max*Y_moment_z_max
-            + REAL(4)*R_legs_zz_max + REAL(4)*alpha_P_z_bar_max*alpha_z_max + REAL(3)*h_P_z_max*h_base_z_bar_max
-            + REAL(2)*omega_P_z_bar_max*omega_z_max + STEWART_FABS(R_zz_bar));
-        const stewart_real R_zz_bar_max = STEWART_FABS(R_zz_bar) + R_zz_bar_err;
-        const stewart_real M_P_bar = fall_x*load_x_bar + fall_y*load_y_bar + fall_z*load_z_bar;
-        const stewart_real M_P_bar_err = fall_x_err*load_x_bar_max + fall_x_max*load_x_bar_err
-            + fall_y_err*load_y_bar_max + fall_y_max*load_y_bar_err + fall_z_err*load_z_bar_max
-            + fall_z_max*load_z_bar_err + STEWART_UNIT*(REAL(2)*fall_x_max*load_x_bar_max
-            + REAL(2)*fall_y_max*load_y_bar_max + fall_z_max*load_z_bar_max + STEWART_FABS(M_P_bar));
+            + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err
+            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max + M_P_load_z_max*Y_moment_z_max
+            + REAL(5)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max + REAL(4)*h_P_z_max*h_base_z_bar_max
+            + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
+        const stewart_real M_P_bar = c_force_x_bar*fall_x + c_force_y_bar*fall_y + c_force_z_bar*fall_z;
+        const stewart_real M_P_bar_err = c_force_x_bar_err*fall_x_max + c_force_x_bar_max*fall_x_err
+            + c_force_y_bar_err*fall_y_max + c_force_y_bar_max*fall_y_err + c_force_z_bar_err*fall_z_max
+            + c_force_z_bar_max*fall_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*fall_x_max
+            + REAL(2)*c_force_y_bar_max*fall_y_max + c_force_z_bar_max*fall_z_max + STEWART_FABS(M_P_bar));
         const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
         const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
         const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
@@ -2226,28 +2462,46 @@ static void shared_errors(
         const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max
             + REAL(2)*Y_moment_y_max*omega_y_max + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
         const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
-        error[i] = error[i] + R_xx_bar_max*R_err + R_xy_bar_max*R_err + R_xz_bar_max*R_err
-            + R_yx_bar_max*R_err + R_yy_bar_max*R_err + R_yz_bar_max*R_err + R_zx_bar_max*R_err
-            + R_zy_bar_max*R_err + R_zz_bar_max*R_err + M_P_bar_max*M_P_err + h_P_x_bar_max*h_P_x_err
-            + h_P_y_bar_max*h_P_y_err + h_P_z_bar_max*h_P_z_err + J_P_xx_bar_max*J_P_xx_err
-            + J_P_xy_bar_max*J_P_xy_err + J_P_xz_bar_max*J_P_xz_err + J_P_yy_bar_max*J_P_yy_err
-            + J_P_yz_bar_max*J_P_yz_err + J_P_zz_bar_max*J_P_zz_err + dJ_P_x_bar_max*dJ_P_x_err
-            + dJ_P_y_bar_max*dJ_P_y_err + dJ_P_z_bar_max*dJ_P_z_err + C_P_bar_max*C_P_err
-            + omega_xx_bar_max*omega_xx_own + omega_xy_bar_max*omega_xy_own + omega_xz_bar_max*omega_xz_own
-            + omega_yy_bar_max*omega_yy_own + omega_yz_bar_max*omega_yz_own + omega_zz_bar_max*omega_zz_own
-            + B_xx_bar_max*B_xx_own + B_xy_bar_max*B_xy_own + B_xz_bar_max*B_xz_own + B_yx_bar_max*B_yx_own
-            + B_yy_bar_max*B_yy_own + B_yz_bar_max*B_yz_own + B_zx_bar_max*B_zx_own + B_zy_bar_max*B_zy_own
-            + B_zz_bar_max*B_zz_own + h_base_x_bar_max*h_base_x_own + h_base_y_bar_max*h_base_y_own
-            + h_base_z_bar_max*h_base_z_own + fall_x_bar_max*fall_x_own + fall_y_bar_max*fall_y_own
-            + fall_z_bar_max*fall_z_own + omega_P_x_bar_max*omega_P_x_own + omega_P_y_bar_max*omega_P_y_own
+        error[i] = error[i] + M_P_bar_max*M_P_err + h_P_x_bar_max*h_P_x_err + h_P_y_bar_max*h_P_y_err
+            + h_P_z_bar_max*h_P_z_err + J_P_xx_bar_max*J_P_xx_err + J_P_xy_bar_max*J_P_xy_err
+            + J_P_xz_bar_max*J_P_xz_err + J_P_yy_bar_max*J_P_yy_err + J_P_yz_bar_max*J_P_yz_err
+            + J_P_zz_bar_max*J_P_zz_err + dJ_P_x_bar_max*dJ_P_x_err + dJ_P_y_bar_max*dJ_P_y_err
+            + dJ_P_z_bar_max*dJ_P_z_err + C_P_bar_max*C_P_err + omega_xx_bar_max*omega_xx_own
+            + omega_xy_bar_max*omega_xy_own + omega_xz_bar_max*omega_xz_own + omega_yy_bar_max*omega_yy_own
+            + omega_yz_bar_max*omega_yz_own + omega_zz_bar_max*omega_zz_own + B_xx_bar_max*B_xx_own
+            + B_xy_bar_max*B_xy_own + B_xz_bar_max*B_xz_own + B_yx_bar_max*B_yx_own + B_yy_bar_max*B_yy_own
+            + B_yz_bar_max*B_yz_own + B_zx_bar_max*B_zx_own + B_zy_bar_max*B_zy_own + B_zz_bar_max*B_zz_own
+            + h_base_x_bar_max*h_base_x_own + h_base_y_bar_max*h_base_y_own + h_base_z_bar_max*h_base_z_own
+            + fall_x_bar_max*fall_x_own + fall_y_bar_max*fall_y_own + fall_z_bar_max*fall_z_own
+            + omega_P_x_bar_max*omega_P_x_own + omega_P_y_bar_max*omega_P_y_own
             + omega_P_z_bar_max*omega_P_z_own + alpha_P_x_bar_max*alpha_P_x_own
             + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own + P_xy_bar_max*P_xy_own
             + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own + P_yy_bar_max*P_yy_own
             + P_zz_bar_max*P_zz_own + M_P_load_x_bar_max*M_P_load_x_own + M_P_load_y_bar_max*M_P_load_y_own
-            + M_P_load_z_bar_max*M_P_load_z_own + t_1_x_bar_max*t_1_x_own + t_1_y_bar_max*t_1_y_own
-            + t_1_z_bar_max*t_1_z_own + load_x_bar_max*load_x_own + load_y_bar_max*load_y_own
-            + load_z_bar_max*load_z_own + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own
-            + Y_moment_z_max*c_moment_z_own;
+            + M_P_load_z_bar_max*M_P_load_z_own + t_1_legs_x_max*t_1_x_own + t_1_legs_y_max*t_1_y_own
+            + t_1_legs_z_max*t_1_z_own + c_force_x_bar_max*c_force_x_own + c_force_y_bar_max*c_force_y_own
+            + c_force_z_bar_max*c_force_z_own + Y_moment_x_max*c_moment_x_own
+            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own + q_1_x_bar_max*q_1_x_own
+            + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own + Y_moment_x_max*c_tip_x_own
+            + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
+        slopes[i].R_legs[0] = R_xx_bar;
+        slopes[i].R_legs_err[0] = R_xx_bar_err;
+        slopes[i].R_legs[1] = R_xy_bar;
+        slopes[i].R_legs_err[1] = R_xy_bar_err;
+        slopes[i].R_legs[2] = R_xz_bar;
+        slopes[i].R_legs_err[2] = R_xz_bar_err;
+        slopes[i].R_legs[3] = R_yx_bar;
+        slopes[i].R_legs_err[3] = R_yx_bar_err;
+        slopes[i].R_legs[4] = R_yy_bar;
+        slopes[i].R_legs_err[4] = R_yy_bar_err;
+        slopes[i].R_legs[5] = R_yz_bar;
+        slopes[i].R_legs_err[5] = R_yz_bar_err;
+        slopes[i].R_legs[6] = R_zx_bar;
+        slopes[i].R_legs_err[6] = R_zx_bar_err;
+        slopes[i].R_legs[7] = R_zy_bar;
+        slopes[i].R_legs_err[7] = R_zy_bar_err;
+        slopes[i].R_legs[8] = R_zz_bar;
+        slopes[i].R_legs_err[8] = R_zz_bar_err;
     }
 }
 
@@ -2306,6 +2560,9 @@ static void leg_errors(
         t_1_z_err = shared->t_1_err[2];
     const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
     const stewart_real r_x_err = leg->r_err[0], r_y_err = leg->r_err[1], r_z_err = leg->r_err[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
+    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
+        q_1_z_err = shared->q_1_err[2];
     const stewart_real p_x_max = STEWART_FABS(p_x), p_y_max = STEWART_FABS(p_y),
         p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err, k_y_max = STEWART_FABS(k_y) + k_y_err,
@@ -2342,8 +2599,6 @@ static void leg_errors(
         B_zy_max = STEWART_FABS(B_zy) + B_zy_err, B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
     const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
         g_z_max = STEWART_FABS(g_z);
-    const stewart_real r_x_max = STEWART_FABS(r_x) + r_x_err, r_y_max = STEWART_FABS(r_y) + r_y_err,
-        r_z_max = STEWART_FABS(r_z) + r_z_err;
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
@@ -2364,15 +2619,12 @@ static void leg_errors(
     const stewart_real S_1_x = q_x + t_1_x;
     const stewart_real S_1_x_own = STEWART_UNIT*STEWART_FABS(S_1_x);
     const stewart_real S_1_x_err = q_x_err + t_1_x_err + S_1_x_own;
-    const stewart_real S_1_x_max = STEWART_FABS(S_1_x) + S_1_x_err;
     const stewart_real S_1_y = q_y + t_1_y;
     const stewart_real S_1_y_own = STEWART_UNIT*STEWART_FABS(S_1_y);
     const stewart_real S_1_y_err = q_y_err + t_1_y_err + S_1_y_own;
-    const stewart_real S_1_y_max = STEWART_FABS(S_1_y) + S_1_y_err;
     const stewart_real S_1_z = q_z + t_1_z;
     const stewart_real S_1_z_own = STEWART_UNIT*STEWART_FABS(S_1_z);
     const stewart_real S_1_z_err = q_z_err + t_1_z_err + S_1_z_own;
-    const stewart_real S_1_z_max = STEWART_FABS(S_1_z) + S_1_z_err;
     /* (1) leg vector */
     const stewart_real S_x = S_1_x - r_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
@@ -2738,142 +2990,254 @@ static void leg_errors(
     const stewart_real K_x_own = STEWART_UNIT*(Q_k_max*k_x_max + Q_y_max*y_x_max + STEWART_FABS(K_x));
     const stewart_real K_x_err = Q_k_err*k_x_max + Q_k_max*k_x_err + Q_y_err*y_x_max + Q_y_max*y_x_err
         + K_x_own;
-    const stewart_real K_x_max = STEWART_FABS(K_x) + K_x_err;
     const stewart_real K_y = Q_k*k_y + Q_y*y_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_k_max*k_y_max + Q_y_max*y_y_max + STEWART_FABS(K_y));
     const stewart_real K_y_err = Q_k_err*k_y_max + Q_k_max*k_y_err + Q_y_err*y_y_max + Q_y_max*y_y_err
         + K_y_own;
-    const stewart_real K_y_max = STEWART_FABS(K_y) + K_y_err;
     const stewart_real K_z = Q_k*k_z + Q_y*y_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_k_max*k_z_max + Q_y_max*y_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err
         + K_z_own;
-    const stewart_real K_z_max = STEWART_FABS(K_z) + K_z_err;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
         - k3_h*phi_ddot;
     const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
         + REAL(3)*Q_k_max*k1_max + REAL(2)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max
         + k3_h_max*phi_ddot_max + STEWART_FABS(D));
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_x_own = STEWART_UNIT*(r_y_max*s_z_max + r_z_max*s_y_max
-        + STEWART_FABS(H_moment_x));
-    const stewart_real H_moment_x_err = r_y_err*s_z_max + r_y_max*s_z_err + r_z_err*s_y_max
-        + r_z_max*s_y_err + H_moment_x_own;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_y_own = STEWART_UNIT*(r_x_max*s_z_max + r_z_max*s_x_max
-        + STEWART_FABS(H_moment_y));
-    const stewart_real H_moment_y_err = r_x_err*s_z_max + r_x_max*s_z_err + r_z_err*s_x_max
-        + r_z_max*s_x_err + H_moment_y_own;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
-    const stewart_real H_moment_z_own = STEWART_UNIT*(r_x_max*s_y_max + r_y_max*s_x_max
-        + STEWART_FABS(H_moment_z));
-    const stewart_real H_moment_z_err = r_x_err*s_y_max + r_x_max*s_y_err + r_y_err*s_x_max
-        + r_y_max*s_x_err + H_moment_z_own;
+    const stewart_real c1 = C_s*phi_dot;
+    const stewart_real c1_own = STEWART_UNIT*STEWART_FABS(c1);
+    const stewart_real c1_err = C_s_max*phi_dot_err + c1_own;
+    const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
+    const stewart_real c2 = C_s*theta_dot;
+    const stewart_real c2_own = STEWART_UNIT*STEWART_FABS(c2);
+    const stewart_real c2_err = C_s_max*theta_dot_err + c2_own;
+    const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_x_err = s_x_err;
+    const stewart_real H_force_x_max = STEWART_FABS(H_force_x) + H_force_x_err;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_y_err = s_y_err;
+    const stewart_real H_force_y_max = STEWART_FABS(H_force_y) + H_force_y_err;
+    const stewart_real H_force_z = s_z;
+    const stewart_real H_force_z_err = s_z_err;
+    const stewart_real H_force_z_max = STEWART_FABS(H_force_z) + H_force_z_err;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_x_err = K_x_err;
+    const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_y_err = K_y_err;
+    const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
+    const stewart_real c_force_z = -K_z;
+    const stewart_real c_force_z_err = K_z_err;
+    const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
+    /* platform point from platform point 1, base frame */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_x_own = STEWART_UNIT*STEWART_FABS(arm_x);
+    const stewart_real arm_x_err = q_1_x_err + q_x_err + arm_x_own;
+    const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_y_own = STEWART_UNIT*STEWART_FABS(arm_y);
+    const stewart_real arm_y_err = q_1_y_err + q_y_err + arm_y_own;
+    const stewart_real arm_y_max = STEWART_FABS(arm_y) + arm_y_err;
+    const stewart_real arm_z = q_z - q_1_z;
+    const stewart_real arm_z_own = STEWART_UNIT*STEWART_FABS(arm_z);
+    const stewart_real arm_z_err = q_1_z_err + q_z_err + arm_z_own;
+    const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_x_max*phi_dot_max
-        + theta_dot_max*y_x_max) + C_s_max*(REAL(2)*k_x_max*phi_dot_max + REAL(2)*theta_dot_max*y_x_max)
-        + REAL(2)*K_y_max*S_1_z_max + K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = C_s_max*k_x_err*phi_dot_max + C_s_max*k_x_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_x_max + C_s_max*theta_dot_max*y_x_err + K_y_err*S_1_z_max
-        + K_y_max*S_1_z_err + K_z_err*S_1_y_max + K_z_max*S_1_y_err + c_moment_x_own;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_y_max*phi_dot_max
-        + theta_dot_max*y_y_max) + C_s_max*(REAL(2)*k_y_max*phi_dot_max + REAL(2)*theta_dot_max*y_y_max)
-        + K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = C_s_max*k_y_err*phi_dot_max + C_s_max*k_y_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_y_max + C_s_max*theta_dot_max*y_y_err + K_x_err*S_1_z_max
-        + K_x_max*S_1_z_err + K_z_err*S_1_x_max + K_z_max*S_1_x_err + c_moment_y_own;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_z_max*phi_dot_max
-        + theta_dot_max*y_z_max) + C_s_max*(REAL(2)*k_z_max*phi_dot_max + REAL(2)*theta_dot_max*y_z_max)
-        + REAL(2)*K_x_max*S_1_y_max + K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = C_s_max*k_z_err*phi_dot_max + C_s_max*k_z_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_z_max + C_s_max*theta_dot_max*y_z_err + K_x_err*S_1_y_max
-        + K_x_max*S_1_y_err + K_y_err*S_1_x_max + K_y_max*S_1_x_err + c_moment_z_own;
-    out->H_force[0] = s_x;
-    out->H_force_err[0] = s_x_err;
-    out->H_force[1] = s_y;
-    out->H_force_err[1] = s_y_err;
-    out->H_force[2] = s_z;
-    out->H_force_err[2] = s_z_err;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment_err[0] = H_moment_x_err;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment_err[1] = H_moment_y_err;
-    out->H_moment[2] = H_moment_z;
-    out->H_moment_err[2] = H_moment_z_err;
-    out->c_force[0] = -K_x;
-    out->c_force_err[0] = K_x_err;
-    out->c_force[1] = -K_y;
-    out->c_force_err[1] = K_y_err;
-    out->c_force[2] = -K_z;
-    out->c_force_err[2] = K_z_err;
+    const stewart_real c_moment_x = c1*k_x + c2*y_x;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(c1_max*k_x_max + c2_max*y_x_max
+        + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_err = c1_err*k_x_max + c1_max*k_x_err + c2_err*y_x_max + c2_max*y_x_err
+        + c_moment_x_own;
+    const stewart_real c_moment_y = c1*k_y + c2*y_y;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(c1_max*k_y_max + c2_max*y_y_max
+        + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = c1_err*k_y_max + c1_max*k_y_err + c2_err*y_y_max + c2_max*y_y_err
+        + c_moment_y_own;
+    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(c1_max*k_z_max + c2_max*y_z_max
+        + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_err = c1_err*k_z_max + c1_max*k_z_err + c2_err*y_z_max + c2_max*y_z_err
+        + c_moment_z_own;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max
+        + STEWART_FABS(H_moment_x));
+    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err
+        + H_force_z_err*arm_y_max + H_force_z_max*arm_y_err + H_moment_x_own;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max
+        + STEWART_FABS(H_moment_y));
+    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err
+        + H_force_z_err*arm_x_max + H_force_z_max*arm_x_err + H_moment_y_own;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max
+        + STEWART_FABS(H_moment_z));
+    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err
+        + H_force_y_err*arm_x_max + H_force_y_max*arm_x_err + H_moment_z_own;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max
+        + STEWART_FABS(arm_c_x));
+    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err
+        + arm_z_err*c_force_y_max + arm_z_max*c_force_y_err + arm_c_x_own;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max
+        + STEWART_FABS(arm_c_y));
+    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err
+        + arm_z_err*c_force_x_max + arm_z_max*c_force_x_err + arm_c_y_own;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max
+        + STEWART_FABS(arm_c_z));
+    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err
+        + arm_y_err*c_force_x_max + arm_y_max*c_force_x_err + arm_c_z_own;
+    out->H_force[0] = H_force_x;
+    out->H_force_err[0] = H_force_x_err;
+    out->H_force[1] = H_force_y;
+    out->H_force_err[1] = H_force_y_err;
+    out->H_force[2] = H_force_z;
+    out->H_force_err[2] = H_force_z_err;
+    out->c_force[0] = c_force_x;
+    out->c_force_err[0] = c_force_x_err;
+    out->c_force[1] = c_force_y;
+    out->c_force_err[1] = c_force_y_err;
+    out->c_force[2] = c_force_z;
+    out->c_force_err[2] = c_force_z_err;
     out->c_moment[0] = c_moment_x;
     out->c_moment_err[0] = c_moment_x_err;
     out->c_moment[1] = c_moment_y;
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
+    out->H_moment[0] = H_moment_x;
+    out->H_moment_err[0] = H_moment_x_err;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment_err[1] = H_moment_y_err;
+    out->H_moment[2] = H_moment_z;
+    out->H_moment_err[2] = H_moment_z_err;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c_err[0] = arm_c_x_err;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c_err[1] = arm_c_y_err;
+    out->arm_c[2] = arm_c_z;
+    out->arm_c_err[2] = arm_c_z_err;
     for (i = 0; i < 6; ++i) {
         const force_row *row = &rows[i];
         const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
             Y_force_z = row->Y_force[2];
         const stewart_real Y_moment_x = row->Y_moment[0], Y_moment_y = row->Y_moment[1],
             Y_moment_z = row->Y_moment[2];
+        const stewart_real Y_arm_x = row->Y_arm[0], Y_arm_y = row->Y_arm[1], Y_arm_z = row->Y_arm[2];
         const stewart_real D_weight = row->D_weight;
         const stewart_real x = row->x;
-        const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x),
-            Y_force_y_max = STEWART_FABS(Y_force_y), Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
             Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
+        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x), Y_arm_y_max = STEWART_FABS(Y_arm_y),
+            Y_arm_z_max = STEWART_FABS(Y_arm_z);
         const stewart_real D_weight_max = STEWART_FABS(D_weight);
-        const stewart_real H_force_x_bar = Y_force_x*x;
-        const stewart_real H_force_x_bar_err = STEWART_UNIT*STEWART_FABS(H_force_x_bar);
-        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
-        const stewart_real H_force_y_bar = Y_force_y*x;
-        const stewart_real H_force_y_bar_err = STEWART_UNIT*STEWART_FABS(H_force_y_bar);
-        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
-        const stewart_real H_force_z_bar = Y_force_z*x;
-        const stewart_real H_force_z_bar_err = STEWART_UNIT*STEWART_FABS(H_force_z_bar);
+        const stewart_real H_force_x_weight = Y_force_x*x;
+        const stewart_real H_force_x_weight_err = STEWART_UNIT*STEWART_FABS(H_force_x_weight);
+        const stewart_real H_force_x_weight_max = STEWART_FABS(H_force_x_weight) + H_force_x_weight_err;
+        const stewart_real H_force_y_weight = Y_force_y*x;
+        const stewart_real H_force_y_weight_err = STEWART_UNIT*STEWART_FABS(H_force_y_weight);
+        const stewart_real H_force_y_weight_max = STEWART_FABS(H_force_y_weight) + H_force_y_weight_err;
+        const stewart_real H_force_z_weight = Y_force_z*x;
+        const stewart_real H_force_z_weight_err = STEWART_UNIT*STEWART_FABS(H_force_z_weight);
+        const stewart_real H_force_z_weight_max = STEWART_FABS(H_force_z_weight) + H_force_z_weight_err;
+        const stewart_real H_moment_x_weight = Y_arm_x*x;
+        const stewart_real H_moment_x_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_x_weight);
+        const stewart_real H_moment_x_weight_max = STEWART_FABS(H_moment_x_weight) + H_moment_x_weight_err;
+        const stewart_real H_moment_y_weight = Y_arm_y*x;
+        const stewart_real H_moment_y_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_y_weight);
+        const stewart_real H_moment_y_weight_max = STEWART_FABS(H_moment_y_weight) + H_moment_y_weight_err;
+        const stewart_real H_moment_z_weight = Y_arm_z*x;
+        const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
+        const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
+        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y
+            - H_force_y*H_moment_x_weight - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max
+            + H_force_x_max*H_moment_y_weight_err + H_force_y_err*H_moment_x_weight_max
+            + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err + Y_arm_y_max*c_force_x_err
+            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max
+            + REAL(2)*H_force_y_max*H_moment_x_weight_max + REAL(3)*Y_arm_x_max*c_force_y_max
+            + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+        const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
+        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x
+            - H_force_x*H_moment_z_weight - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max
+            + H_force_x_max*H_moment_z_weight_err + H_force_z_err*H_moment_x_weight_max
+            + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err + Y_arm_z_max*c_force_x_err
+            + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max
+            + REAL(3)*H_force_z_max*H_moment_x_weight_max + Y_arm_x_max*c_force_z_max
+            + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+        const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
+        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z
+            - H_force_z*H_moment_y_weight - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max
+            + H_force_y_max*H_moment_z_weight_err + H_force_z_err*H_moment_y_weight_max
+            + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err + Y_arm_z_max*c_force_y_err
+            + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max
+            + REAL(2)*H_force_z_max*H_moment_y_weight_max + REAL(3)*Y_arm_y_max*c_force_z_max
+            + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+        const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
+        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max
+            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_x_max
+            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max
+            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
+        const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
+        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max
+            + H_moment_x_weight_max*arm_y_err + H_moment_y_weight_err*arm_x_max
+            + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max
+            + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
-        const stewart_real H_moment_x_bar = Y_moment_x*x;
-        const stewart_real H_moment_x_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_x_bar);
-        const stewart_real H_moment_x_bar_max = STEWART_FABS(H_moment_x_bar) + H_moment_x_bar_err;
-        const stewart_real H_moment_y_bar = Y_moment_y*x;
-        const stewart_real H_moment_y_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_y_bar);
-        const stewart_real H_moment_y_bar_max = STEWART_FABS(H_moment_y_bar) + H_moment_y_bar_err;
-        const stewart_real H_moment_z_bar = Y_moment_z*x;
-        const stewart_real H_moment_z_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_z_bar);
-        const stewart_real H_moment_z_bar_max = STEWART_FABS(H_moment_z_bar) + H_moment_z_bar_err;
-        const stewart_real K_z_bar = S_1_y*Y_moment_x + Y_force_z - S_1_x*Y_moment_y;
-        const stewart_real K_z_bar_err = S_1_x_err*Y_moment_y_max + S_1_y_err*Y_moment_x_max
-            + STEWART_UNIT*(S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
-            + STEWART_FABS(K_z_bar));
-        const stewart_real K_z_bar_max = STEWART_FABS(K_z_bar) + K_z_bar_err;
-        const stewart_real K_y_bar = S_1_x*Y_moment_z + Y_force_y - S_1_z*Y_moment_x;
-        const stewart_real K_y_bar_err = S_1_x_err*Y_moment_z_max + S_1_z_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + S_1_z_max*Y_moment_x_max + Y_force_y_max
-            + STEWART_FABS(K_y_bar));
-        const stewart_real K_y_bar_max = STEWART_FABS(K_y_bar) + K_y_bar_err;
-        const stewart_real K_x_bar = S_1_z*Y_moment_y + Y_force_x - S_1_y*Y_moment_z;
-        const stewart_real K_x_bar_err = S_1_y_err*Y_moment_z_max + S_1_z_err*Y_moment_y_max
-            + STEWART_UNIT*(S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
-            + STEWART_FABS(K_x_bar));
-        const stewart_real K_x_bar_max = STEWART_FABS(K_x_bar) + K_x_bar_err;
-        const stewart_real Q_y_bar = K_x_bar*y_x + K_y_bar*y_y + K_z_bar*y_z;
-        const stewart_real Q_y_bar_err = K_x_bar_err*y_x_max + K_x_bar_max*y_x_err + K_y_bar_err*y_y_max
-            + K_y_bar_max*y_y_err + K_z_bar_err*y_z_max + K_z_bar_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max + K_z_bar_max*y_z_max
-            + STEWART_FABS(Q_y_bar));
+        const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
+        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max
+            + H_moment_x_weight_max*arm_z_err + H_moment_z_weight_err*arm_x_max
+            + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
+            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max
+            + STEWART_FABS(H_force_y_bar));
+        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
+        const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
+        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max
+            + H_moment_y_weight_max*arm_z_err + H_moment_z_weight_err*arm_y_max
+            + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
+            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max
+            + STEWART_FABS(H_force_x_bar));
+        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
+        const stewart_real c2_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
+        const stewart_real c2_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
+            + Y_moment_z_max*y_z_max + STEWART_FABS(c2_bar));
+        const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
+        const stewart_real c1_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
+        const stewart_real c1_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
+            + Y_moment_z_max*k_z_max + STEWART_FABS(c1_bar));
+        const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
+        const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
+        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err
+            + c_force_y_bar_err*y_y_max + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max
+            + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
+            + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
-        const stewart_real Q_k_bar = K_x_bar*k_x + K_y_bar*k_y + K_z_bar*k_z - D_weight*k1;
-        const stewart_real Q_k_bar_err = D_weight_max*k1_err + K_x_bar_err*k_x_max + K_x_bar_max*k_x_err
-            + K_y_bar_err*k_y_max + K_y_bar_max*k_y_err + K_z_bar_err*k_z_max + K_z_bar_max*k_z_err
-            + STEWART_UNIT*(D_weight_max*k1_max + REAL(3)*K_x_bar_max*k_x_max + REAL(3)*K_y_bar_max*k_y_max
-            + REAL(2)*K_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
+        const stewart_real Q_k_bar = -D_weight*k1 - c_force_x_bar*k_x - c_force_y_bar*k_y - c_force_z_bar*k_z;
+        const stewart_real Q_k_bar_err = D_weight_max*k1_err + c_force_x_bar_err*k_x_max
+            + c_force_x_bar_max*k_x_err + c_force_y_bar_err*k_y_max + c_force_y_bar_max*k_y_err
+            + c_force_z_bar_err*k_z_max + c_force_z_bar_max*k_z_err + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max
+            + REAL(3)*c_force_x_bar_max*k_x_max + REAL(2)*c_force_y_bar_max*k_y_max + c_force_z_bar_max*k_z_max
+            + STEWART_FABS(Q_k_bar));
         const stewart_real Q_k_bar_max = STEWART_FABS(Q_k_bar) + Q_k_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
@@ -2901,13 +3265,13 @@ static void leg_errors(
             + tau_y_bar_err*w_k_max + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max
             + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
         const stewart_real gamma_n_bar_max = STEWART_FABS(gamma_n_bar) + gamma_n_bar_err;
-        const stewart_real c1 = h2_y*tau_k_bar;
-        const stewart_real c1_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(c1);
-        const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
-        const stewart_real bend_bar = h2_x*tau_y_bar - c1*k1;
-        const stewart_real bend_bar_err = c1_err*k1_max + c1_max*k1_err + h2_x_err*tau_y_bar_max
-            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c1_max*k1_max + h2_x_max*tau_y_bar_max
+        const stewart_real c3 = h2_y*tau_k_bar;
+        const stewart_real c3_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
+            + STEWART_UNIT*STEWART_FABS(c3);
+        const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
+        const stewart_real bend_bar = h2_x*tau_y_bar - c3*k1;
+        const stewart_real bend_bar_err = c3_err*k1_max + c3_max*k1_err + h2_x_err*tau_y_bar_max
+            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c3_max*k1_max + h2_x_max*tau_y_bar_max
             + STEWART_FABS(bend_bar));
         const stewart_real bend_bar_max = STEWART_FABS(bend_bar) + bend_bar_err;
         const stewart_real M_mixed_theta_bar = tau_k_bar*theta_dot2;
@@ -2982,30 +3346,30 @@ static void leg_errors(
             + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max + REAL(2)*M_mixed_max*tau_k_bar_max
             + M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
-        const stewart_real c2 = inv_rho*k1;
-        const stewart_real c2_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c2);
-        const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
-        const stewart_real L_ddot_bar = c2*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
-        const stewart_real L_ddot_bar_err = c2_err*theta_ddot_bar_max + c2_max*theta_ddot_bar_err
+        const stewart_real c4 = inv_rho*k1;
+        const stewart_real c4_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c4);
+        const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
+        const stewart_real L_ddot_bar = c4*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
+        const stewart_real L_ddot_bar_err = c4_err*theta_ddot_bar_max + c4_max*theta_ddot_bar_err
             + h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err
-            + STEWART_UNIT*(REAL(2)*c2_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
+            + STEWART_UNIT*(REAL(2)*c4_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
             + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
-        const stewart_real c3 = L*L_ddot_bar;
-        const stewart_real c3_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c3);
-        const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
-        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c3*phi_dot2 - M_phi_theta_bar*a2;
+        const stewart_real c5 = L*L_ddot_bar;
+        const stewart_real c5_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c5);
+        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
+        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c5*phi_dot2 - M_phi_theta_bar*a2;
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
             + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max
-            + M_phi_theta_bar_max*a2_err + c3_err*phi_dot2_max + c3_max*phi_dot2_err
+            + M_phi_theta_bar_max*a2_err + c5_err*phi_dot2_max + c5_max*phi_dot2_err
             + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + M_phi_theta_bar_max*a2_max + REAL(2)*c3_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + M_phi_theta_bar_max*a2_max + REAL(2)*c5_max*phi_dot2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
-        const stewart_real c4 = theta_ddot_bar*theta_dot;
-        const stewart_real c4_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
-            + STEWART_UNIT*STEWART_FABS(c4);
-        const stewart_real rho_share_bar = -c4 - phi_ddot_bar*two_phi_dot;
-        const stewart_real rho_share_bar_err = c4_err + phi_ddot_bar_err*two_phi_dot_max
+        const stewart_real c6 = theta_ddot_bar*theta_dot;
+        const stewart_real c6_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
+            + STEWART_UNIT*STEWART_FABS(c6);
+        const stewart_real rho_share_bar = -c6 - phi_ddot_bar*two_phi_dot;
+        const stewart_real rho_share_bar_err = c6_err + phi_ddot_bar_err*two_phi_dot_max
             + phi_ddot_bar_max*two_phi_dot_err + STEWART_UNIT*(phi_ddot_bar_max*two_phi_dot_max
             + STEWART_FABS(rho_share_bar));
         const stewart_real rho_share_bar_max = STEWART_FABS(rho_share_bar) + rho_share_bar_err;
@@ -3019,7 +3383,6 @@ static void leg_errors(
             + tau_k_bar_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
             + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max)
             + STEWART_FABS(two_phi_dot_bar));
-        const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
         const stewart_real phi_dot2_bar = L*L_ddot_bar*k33 - D_weight*M_phi_L - M_phi_theta*tau_y_bar;
         const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + L_ddot_bar_err*L_max*k33_max
             + L_ddot_bar_max*L_err*k33_max + L_ddot_bar_max*L_max*k33_err + M_phi_theta_err*tau_y_bar_max
@@ -3027,105 +3390,92 @@ static void leg_errors(
             + REAL(3)*L_ddot_bar_max*L_max*k33_max + M_phi_theta_max*tau_y_bar_max
             + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
-        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c3 - D_weight*h_x;
+        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c5 - D_weight*h_x;
         const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c3_err + STEWART_UNIT*(D_weight_max*h_x_max
-            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c3_max + STEWART_FABS(theta_dot2_bar));
+            + M_mixed_theta_max*tau_k_bar_err + c5_err + STEWART_UNIT*(D_weight_max*h_x_max
+            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c5_max + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
-        const stewart_real L_share_bar = rho_share_bar - c4;
-        const stewart_real L_share_bar_err = c4_err + rho_share_bar_err
+        const stewart_real L_share_bar = rho_share_bar - c6;
+        const stewart_real L_share_bar_err = c6_err + rho_share_bar_err
             + STEWART_UNIT*STEWART_FABS(L_share_bar);
         const stewart_real L_share_bar_max = STEWART_FABS(L_share_bar) + L_share_bar_err;
-        const stewart_real c5 = tau_k_bar*two_phi_dot;
-        const stewart_real c5_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*STEWART_FABS(c5);
-        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-        const stewart_real c6 = C_s*Y_moment_x;
-        const stewart_real c6_err = STEWART_UNIT*STEWART_FABS(c6);
-        const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
-        const stewart_real c7 = C_s*Y_moment_y;
-        const stewart_real c7_err = STEWART_UNIT*STEWART_FABS(c7);
+        const stewart_real c7 = tau_k_bar*two_phi_dot;
+        const stewart_real c7_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
+            + STEWART_UNIT*STEWART_FABS(c7);
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-        const stewart_real c8 = C_s*Y_moment_z;
-        const stewart_real c8_err = STEWART_UNIT*STEWART_FABS(c8);
-        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
-        const stewart_real theta_dot_bar = C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c5
-            + kappa*rho_share_bar + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar
-            - c6*y_x - c7*y_y - c8*y_z;
-        const stewart_real theta_dot_bar_err = C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
-            + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*theta_ddot_bar_max
-            + M_phi_theta_err*c5_max + M_phi_theta_max*c5_err + c6_err*y_x_max + c6_max*y_x_err + c7_err*y_y_max
-            + c7_max*y_y_err + c8_err*y_z_max + c8_max*y_z_err + kappa_err*rho_share_bar_max
-            + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max + theta_ddot_bar_err*(L_share_max
-            + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
-            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(8)*C_us_max*tau_y_bar_max
-            + REAL(8)*L_dot_max*bend_bar_max + REAL(7)*M_phi_theta_max*c5_max + REAL(3)*c6_max*y_x_max
-            + REAL(2)*c7_max*y_y_max + c8_max*y_z_max + REAL(6)*kappa_max*rho_share_bar_max
-            + REAL(6)*theta_ddot_bar_max*(L_share_max + rho_share_max)
-            + REAL(8)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c7
+            + kappa*rho_share_bar + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar;
+        const stewart_real theta_dot_bar_err = C_s_max*c2_bar_err + C_us_err*tau_y_bar_max
+            + C_us_max*tau_y_bar_err + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err
+            + L_share_err*theta_ddot_bar_max + M_phi_theta_err*c7_max + M_phi_theta_max*c7_err
+            + kappa_err*rho_share_bar_max + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max
+            + theta_ddot_bar_err*(L_share_max + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
+            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max
+            + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max + REAL(4)*M_phi_theta_max*c7_max
+            + REAL(3)*kappa_max*rho_share_bar_max + REAL(3)*theta_ddot_bar_max*(L_share_max + rho_share_max)
+            + REAL(2)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar
-            - c6*k_x - c7*k_y - c8*k_z;
-        const stewart_real phi_dot_bar_err = C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err + c6_err*k_x_max
-            + c6_max*k_x_err + c7_err*k_y_max + c7_max*k_y_err + c8_err*k_z_max + c8_max*k_z_err
-            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
-            + REAL(2)*two_phi_dot_bar_err + STEWART_UNIT*(REAL(5)*C_us_max*tau_k_bar_max
-            + REAL(3)*c6_max*k_x_max + REAL(2)*c7_max*k_y_max + c8_max*k_z_max
-            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(6)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
+        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar
+            + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar_err = C_s_max*c1_bar_err + C_us_err*tau_k_bar_max
+            + C_us_max*tau_k_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max
+            + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
+            + STEWART_UNIT*(REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max
+            + REAL(4)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c5 + bend_bar*theta_dot
-            + c2*theta_dot_bar;
+        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c7 + bend_bar*theta_dot
+            + c4*theta_dot_bar;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
-            + M_phi_L_err*c5_max + M_phi_L_max*c5_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
-            + c2_err*theta_dot_bar_max + c2_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
-            + REAL(4)*L_share_bar_max*inv_L_max + REAL(3)*M_phi_L_max*c5_max
-            + REAL(2)*bend_bar_max*theta_dot_max + c2_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
+            + M_phi_L_err*c7_max + M_phi_L_max*c7_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
+            + c4_err*theta_dot_bar_max + c4_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
+            + REAL(4)*L_share_bar_max*inv_L_max + REAL(3)*M_phi_L_max*c7_max
+            + REAL(2)*bend_bar_max*theta_dot_max + c4_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
-        const stewart_real c9 = inv_rho*phi_ddot_bar;
-        const stewart_real c9_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
+        const stewart_real c8 = inv_rho*phi_ddot_bar;
+        const stewart_real c8_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
+            + STEWART_UNIT*STEWART_FABS(c8);
+        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
+        const stewart_real c9 = inv_rho*theta_ddot_bar;
+        const stewart_real c9_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err
             + STEWART_UNIT*STEWART_FABS(c9);
         const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-        const stewart_real c10 = inv_rho*theta_ddot_bar;
-        const stewart_real c10_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err
+        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c8*y_z - c9*k_z;
+        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c8_err*y_z_max
+            + c8_max*y_z_err + c9_err*k_z_max + c9_max*k_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
+            + REAL(2)*c8_max*y_z_max + c9_max*k_z_max + STEWART_FABS(S_ddot_z_bar));
+        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
+        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c8*y_y - c9*k_y;
+        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c8_err*y_y_max
+            + c8_max*y_y_err + c9_err*k_y_max + c9_max*k_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
+            + REAL(2)*c8_max*y_y_max + c9_max*k_y_max + STEWART_FABS(S_ddot_y_bar));
+        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
+        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c8*y_x - c9*k_x;
+        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c8_err*y_x_max
+            + c8_max*y_x_err + c9_err*k_x_max + c9_max*k_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
+            + REAL(2)*c8_max*y_x_max + c9_max*k_x_max + STEWART_FABS(S_ddot_x_bar));
+        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
+        const stewart_real c10 = inv_rho*phi_dot_bar;
+        const stewart_real c10_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c10);
         const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
-        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c9*y_z - c10*k_z;
-        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c10_err*k_z_max
-            + c10_max*k_z_err + c9_err*y_z_max + c9_max*y_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + c10_max*k_z_max + REAL(2)*c9_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
-        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
-        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c9*y_y - c10*k_y;
-        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c10_err*k_y_max
-            + c10_max*k_y_err + c9_err*y_y_max + c9_max*y_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + c10_max*k_y_max + REAL(2)*c9_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
-        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
-        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c9*y_x - c10*k_x;
-        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c10_err*k_x_max
-            + c10_max*k_x_err + c9_err*y_x_max + c9_max*y_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + c10_max*k_x_max + REAL(2)*c9_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
-        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
-        const stewart_real c11 = inv_rho*phi_dot_bar;
-        const stewart_real c11_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
+        const stewart_real c11 = inv_rho*theta_dot_bar;
+        const stewart_real c11_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c11);
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
-        const stewart_real c12 = inv_rho*theta_dot_bar;
-        const stewart_real c12_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c12);
-        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c11*y_z - c12*k_z;
-        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c11_err*y_z_max
-            + c11_max*y_z_err + c12_err*k_z_max + c12_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c11_max*y_z_max + c12_max*k_z_max + STEWART_FABS(S_dot_z_bar));
+        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c10*y_z - c11*k_z;
+        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c10_err*y_z_max
+            + c10_max*y_z_err + c11_err*k_z_max + c11_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
+            + REAL(2)*c10_max*y_z_max + c11_max*k_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
-        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c11*y_y - c12*k_y;
-        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c11_err*y_y_max
-            + c11_max*y_y_err + c12_err*k_y_max + c12_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c11_max*y_y_max + c12_max*k_y_max + STEWART_FABS(S_dot_y_bar));
+        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c10*y_y - c11*k_y;
+        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c10_err*y_y_max
+            + c10_max*y_y_err + c11_err*k_y_max + c11_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
+            + REAL(2)*c10_max*y_y_max + c11_max*k_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
-        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c11*y_x - c12*k_x;
-        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c11_err*y_x_max
-            + c11_max*y_x_err + c12_err*k_x_max + c12_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c11_max*y_x_max + c12_max*k_x_max + STEWART_FABS(S_dot_x_bar));
+        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c10*y_x - c11*k_x;
+        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c10_err*y_x_max
+            + c10_max*y_x_err + c11_err*k_x_max + c11_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
+            + REAL(2)*c10_max*y_x_max + c11_max*k_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real kappa_bar = rho_share_bar*theta_dot;
         const stewart_real kappa_bar_err = rho_share_bar_err*theta_dot_max + rho_share_bar_max*theta_dot_err
@@ -3142,50 +3492,50 @@ static void leg_errors(
             + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
             + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
-        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c10 + L_dot*c12 + M_mixed_bar*a3
-            + k13_bar*k3 + w_k_bar*w_x - D_weight*Q_k - bend*c1 - w_n_bar*w_z;
+        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c9 + L_dot*c11 + M_mixed_bar*a3 + k13_bar*k3
+            + w_k_bar*w_x - D_weight*Q_k - bend*c3 - w_n_bar*w_z;
         const stewart_real k1_bar_err = D_weight_max*Q_k_err + J_yz_err*M_mixed_theta_bar_max
-            + J_yz_max*M_mixed_theta_bar_err + L_ddot_err*c10_max + L_ddot_max*c10_err + L_dot_err*c12_max
-            + L_dot_max*c12_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c1_max
-            + bend_max*c1_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
+            + J_yz_max*M_mixed_theta_bar_err + L_ddot_err*c9_max + L_ddot_max*c9_err + L_dot_err*c11_max
+            + L_dot_max*c11_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c3_max
+            + bend_max*c3_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
             + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err
             + STEWART_UNIT*(REAL(3)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(8)*L_ddot_max*c10_max + REAL(7)*L_dot_max*c12_max + REAL(6)*M_mixed_bar_max*a3_max
-            + REAL(2)*bend_max*c1_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
+            + REAL(8)*L_ddot_max*c9_max + REAL(7)*L_dot_max*c11_max + REAL(6)*M_mixed_bar_max*a3_max
+            + REAL(2)*bend_max*c3_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
             + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
-        const stewart_real c13 = C_s*tau_y_bar;
-        const stewart_real c13_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c13);
-        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
-        const stewart_real y_z_bar = K_z_bar*Q_y + S_ddot_z*c9 + S_dot_z*c11 + g_x_k_z*gamma_n_bar
-            + g_z*gamma_y_bar - c13*omega_z - c8*theta_dot;
-        const stewart_real y_z_bar_err = K_z_bar_err*Q_y_max + K_z_bar_max*Q_y_err + S_ddot_z_err*c9_max
-            + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err + c13_err*omega_z_max
-            + c8_err*theta_dot_max + c8_max*theta_dot_err + g_x_k_z_err*gamma_n_bar_max
-            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_z_bar_max*Q_y_max
-            + REAL(6)*S_ddot_z_max*c9_max + REAL(5)*S_dot_z_max*c11_max + REAL(2)*c13_max*omega_z_max
-            + c8_max*theta_dot_max + REAL(4)*g_x_k_z_max*gamma_n_bar_max + REAL(3)*g_z_max*gamma_y_bar_max
-            + STEWART_FABS(y_z_bar));
+        const stewart_real c12 = C_s*tau_y_bar;
+        const stewart_real c12_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c12);
+        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
+        const stewart_real y_z_bar = S_ddot_z*c8 + S_dot_z*c10 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar
+            - Q_y*c_force_z_bar - Y_moment_z*c2 - c12*omega_z;
+        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err
+            + S_ddot_z_err*c8_max + S_ddot_z_max*c8_err + S_dot_z_err*c10_max + S_dot_z_max*c10_err
+            + Y_moment_z_max*c2_err + c12_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
+            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max + REAL(6)*S_ddot_z_max*c8_max
+            + REAL(6)*S_dot_z_max*c10_max + REAL(2)*Y_moment_z_max*c2_max + c12_max*omega_z_max
+            + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = K_y_bar*Q_y + S_ddot_y*c9 + S_dot_y*c11 + g_x_k_y*gamma_n_bar
-            + g_y*gamma_y_bar - c13*omega_y - c7*theta_dot;
-        const stewart_real y_y_bar_err = K_y_bar_err*Q_y_max + K_y_bar_max*Q_y_err + S_ddot_y_err*c9_max
-            + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err + c13_err*omega_y_max
-            + c7_err*theta_dot_max + c7_max*theta_dot_err + g_x_k_y_err*gamma_n_bar_max
-            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_y_bar_max*Q_y_max
-            + REAL(6)*S_ddot_y_max*c9_max + REAL(5)*S_dot_y_max*c11_max + REAL(2)*c13_max*omega_y_max
-            + c7_max*theta_dot_max + REAL(4)*g_x_k_y_max*gamma_n_bar_max + REAL(3)*g_y_max*gamma_y_bar_max
-            + STEWART_FABS(y_y_bar));
+        const stewart_real y_y_bar = S_ddot_y*c8 + S_dot_y*c10 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar
+            - Q_y*c_force_y_bar - Y_moment_y*c2 - c12*omega_y;
+        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err
+            + S_ddot_y_err*c8_max + S_ddot_y_max*c8_err + S_dot_y_err*c10_max + S_dot_y_max*c10_err
+            + Y_moment_y_max*c2_err + c12_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
+            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max + REAL(6)*S_ddot_y_max*c8_max
+            + REAL(6)*S_dot_y_max*c10_max + REAL(2)*Y_moment_y_max*c2_max + c12_max*omega_y_max
+            + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = K_x_bar*Q_y + S_ddot_x*c9 + S_dot_x*c11 + g_x*gamma_y_bar
-            + g_x_k_x*gamma_n_bar - c13*omega_x - c6*theta_dot;
-        const stewart_real y_x_bar_err = K_x_bar_err*Q_y_max + K_x_bar_max*Q_y_err + S_ddot_x_err*c9_max
-            + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err + c13_err*omega_x_max
-            + c6_err*theta_dot_max + c6_max*theta_dot_err + g_x_k_x_err*gamma_n_bar_max
-            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_x_bar_max*Q_y_max
-            + REAL(6)*S_ddot_x_max*c9_max + REAL(5)*S_dot_x_max*c11_max + REAL(2)*c13_max*omega_x_max
-            + c6_max*theta_dot_max + REAL(3)*g_x_k_x_max*gamma_n_bar_max + REAL(4)*g_x_max*gamma_y_bar_max
-            + STEWART_FABS(y_x_bar));
+        const stewart_real y_x_bar = S_ddot_x*c8 + S_dot_x*c10 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar
+            - Q_y*c_force_x_bar - Y_moment_x*c2 - c12*omega_x;
+        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err
+            + S_ddot_x_err*c8_max + S_ddot_x_max*c8_err + S_dot_x_err*c10_max + S_dot_x_max*c10_err
+            + Y_moment_x_max*c2_err + c12_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
+            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max + REAL(6)*S_ddot_x_max*c8_max
+            + REAL(6)*S_dot_x_max*c10_max + REAL(2)*Y_moment_x_max*c2_max + c12_max*omega_x_max
+            + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
             + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
@@ -3229,32 +3579,23 @@ static void leg_errors(
             + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max + REAL(4)*S_dot_x_max*k_x_max
             + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
-            + L_dot_bar*S_dot_z - H_moment_y_bar*r_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
-            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
-            + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(REAL(3)*H_force_z_bar_max
-            + REAL(4)*H_moment_x_bar_max*r_y_max + H_moment_y_bar_max*r_x_max
-            + REAL(3)*L_ddot_bar_max*S_ddot_z_max + REAL(2)*L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
+        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max
+            + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err
+            + STEWART_UNIT*(H_force_z_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_z_max + L_dot_bar_max*S_dot_z_max
+            + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
-            + L_dot_bar*S_dot_y - H_moment_x_bar*r_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
-            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(REAL(3)*H_force_y_bar_max + H_moment_x_bar_max*r_z_max
-            + REAL(4)*H_moment_z_bar_max*r_x_max + REAL(3)*L_ddot_bar_max*S_ddot_y_max
-            + REAL(2)*L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max
+            + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err
+            + STEWART_UNIT*(H_force_y_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_y_max + L_dot_bar_max*S_dot_y_max
+            + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
-            + L_dot_bar*S_dot_x - H_moment_z_bar*r_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
-            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
-            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
-            + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(REAL(3)*H_force_x_bar_max
-            + REAL(4)*H_moment_y_bar_max*r_z_max + H_moment_z_bar_max*r_y_max
-            + REAL(3)*L_ddot_bar_max*S_ddot_x_max + REAL(2)*L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max
+            + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err
+            + STEWART_UNIT*(H_force_x_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_x_max + L_dot_bar_max*S_dot_x_max
+            + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
@@ -3283,36 +3624,36 @@ static void leg_errors(
             + REAL(3)*a2_bar_max*h2_z_max + REAL(2)*a3_bar_max*h_y_max
             + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
-        const stewart_real c14 = L_bar*inv_L;
-        const stewart_real c14_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c14);
-        const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real rho2_bar = STEWART_HALF*c14 + STEWART_HALF*inv_rho*rho_bar;
-        const stewart_real rho2_bar_err = STEWART_HALF*c14_err + STEWART_HALF*inv_rho_err*rho_bar_max
+        const stewart_real c13 = L_bar*inv_L;
+        const stewart_real c13_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c13);
+        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
+        const stewart_real rho2_bar = STEWART_HALF*c13 + STEWART_HALF*inv_rho*rho_bar;
+        const stewart_real rho2_bar_err = STEWART_HALF*c13_err + STEWART_HALF*inv_rho_err*rho_bar_max
             + STEWART_HALF*inv_rho_max*rho_bar_err + STEWART_UNIT*(STEWART_HALF*inv_rho_max*rho_bar_max
             + STEWART_FABS(rho2_bar));
         const stewart_real rho2_bar_max = STEWART_FABS(rho2_bar) + rho2_bar_err;
-        const stewart_real c15 = REAL(2)*rho2_bar;
-        const stewart_real c15_err = REAL(2)*rho2_bar_err;
-        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
-        const stewart_real k_cross_S_z_bar = c15*k_cross_S_z + inv_rho*y_z_bar;
-        const stewart_real k_cross_S_z_bar_err = c15_err*k_cross_S_z_max + c15_max*k_cross_S_z_err
-            + inv_rho_err*y_z_bar_max + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c15_max*k_cross_S_z_max
+        const stewart_real c14 = REAL(2)*rho2_bar;
+        const stewart_real c14_err = REAL(2)*rho2_bar_err;
+        const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
+        const stewart_real k_cross_S_z_bar = c14*k_cross_S_z + inv_rho*y_z_bar;
+        const stewart_real k_cross_S_z_bar_err = c14_err*k_cross_S_z_max + c14_max*k_cross_S_z_err
+            + inv_rho_err*y_z_bar_max + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c14_max*k_cross_S_z_max
             + inv_rho_max*y_z_bar_max + STEWART_FABS(k_cross_S_z_bar));
         const stewart_real k_cross_S_z_bar_max = STEWART_FABS(k_cross_S_z_bar) + k_cross_S_z_bar_err;
-        const stewart_real k_cross_S_y_bar = c15*k_cross_S_y + inv_rho*y_y_bar;
-        const stewart_real k_cross_S_y_bar_err = c15_err*k_cross_S_y_max + c15_max*k_cross_S_y_err
-            + inv_rho_err*y_y_bar_max + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c15_max*k_cross_S_y_max
+        const stewart_real k_cross_S_y_bar = c14*k_cross_S_y + inv_rho*y_y_bar;
+        const stewart_real k_cross_S_y_bar_err = c14_err*k_cross_S_y_max + c14_max*k_cross_S_y_err
+            + inv_rho_err*y_y_bar_max + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c14_max*k_cross_S_y_max
             + inv_rho_max*y_y_bar_max + STEWART_FABS(k_cross_S_y_bar));
         const stewart_real k_cross_S_y_bar_max = STEWART_FABS(k_cross_S_y_bar) + k_cross_S_y_bar_err;
-        const stewart_real k_cross_S_x_bar = c15*k_cross_S_x + inv_rho*y_x_bar;
-        const stewart_real k_cross_S_x_bar_err = c15_err*k_cross_S_x_max + c15_max*k_cross_S_x_err
-            + inv_rho_err*y_x_bar_max + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c15_max*k_cross_S_x_max
+        const stewart_real k_cross_S_x_bar = c14*k_cross_S_x + inv_rho*y_x_bar;
+        const stewart_real k_cross_S_x_bar_err = c14_err*k_cross_S_x_max + c14_max*k_cross_S_x_err
+            + inv_rho_err*y_x_bar_max + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c14_max*k_cross_S_x_max
             + inv_rho_max*y_x_bar_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
-        const stewart_real zeta_bar = c14*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
-        const stewart_real zeta_bar_err = c14_err*zeta_max + c14_max*zeta_err + inv_L_err*k1_bar_max
+        const stewart_real zeta_bar = c13*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
+        const stewart_real zeta_bar_err = c13_err*zeta_max + c13_max*zeta_err + inv_L_err*k1_bar_max
             + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err
-            + STEWART_UNIT*(REAL(2)*c14_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max
+            + STEWART_UNIT*(REAL(2)*c13_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max
             + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real S_z_bar = inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
@@ -3336,83 +3677,71 @@ static void leg_errors(
             + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
             + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real S_1_z_bar = K_x*Y_moment_y + S_z_bar - K_y*Y_moment_x;
-        const stewart_real S_1_z_bar_err = K_x_err*Y_moment_y_max + K_y_err*Y_moment_x_max + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + K_y_max*Y_moment_x_max + S_z_bar_max
-            + STEWART_FABS(S_1_z_bar));
-        const stewart_real S_1_z_bar_max = STEWART_FABS(S_1_z_bar) + S_1_z_bar_err;
-        const stewart_real S_1_y_bar = K_z*Y_moment_x + S_y_bar - K_x*Y_moment_z;
-        const stewart_real S_1_y_bar_err = K_x_err*Y_moment_z_max + K_z_err*Y_moment_x_max + S_y_bar_err
-            + STEWART_UNIT*(K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
-            + STEWART_FABS(S_1_y_bar));
-        const stewart_real S_1_y_bar_max = STEWART_FABS(S_1_y_bar) + S_1_y_bar_err;
-        const stewart_real S_1_x_bar = K_y*Y_moment_z + S_x_bar - K_z*Y_moment_y;
-        const stewart_real S_1_x_bar_err = K_y_err*Y_moment_z_max + K_z_err*Y_moment_y_max + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + K_z_max*Y_moment_y_max + S_x_bar_max
-            + STEWART_FABS(S_1_x_bar));
-        const stewart_real S_1_x_bar_max = STEWART_FABS(S_1_x_bar) + S_1_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_1_z_bar
-            + S_dot_x_bar*omega_y - S_dot_y_bar*omega_x;
+        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar
+            + S_dot_x_bar*omega_y + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
         const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
             + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
-            + B_zz_max*S_ddot_z_bar_err + S_1_z_bar_err + S_dot_x_bar_err*omega_y_max
-            + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xz_max*S_ddot_x_bar_max
-            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max + REAL(2)*S_1_z_bar_max
-            + REAL(2)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
+            + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max
+            + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
+            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max
+            + REAL(4)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max
+            + arm_z_bar_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_1_y_bar
-            + S_dot_z_bar*omega_x - S_dot_x_bar*omega_z;
+        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar
+            + S_dot_z_bar*omega_x + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
         const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
             + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
-            + B_zy_max*S_ddot_z_bar_err + S_1_y_bar_err + S_dot_x_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xy_max*S_ddot_x_bar_max
-            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max + REAL(2)*S_1_y_bar_max
-            + S_dot_x_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
+            + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max
+            + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
+            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max
+            + S_dot_x_bar_max*omega_z_max + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max
+            + arm_y_bar_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_1_x_bar
-            + S_dot_y_bar*omega_z - S_dot_z_bar*omega_y;
+        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar
+            + S_dot_y_bar*omega_z + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
         const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
             + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
-            + B_zx_max*S_ddot_z_bar_err + S_1_x_bar_err + S_dot_y_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*B_xx_max*S_ddot_x_bar_max
-            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max + REAL(2)*S_1_x_bar_max
-            + REAL(2)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
+            + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max
+            + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
+            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max
+            + REAL(4)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max
+            + arm_x_bar_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
-        const stewart_real c16 = C_s*tau_k_bar;
-        const stewart_real c16_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c16);
-        const stewart_real c16_max = STEWART_FABS(c16) + c16_err;
-        const stewart_real k_x_bar = K_x_bar*Q_k + S_x*zeta_bar + S_y*k_cross_S_z_bar - S_ddot_x*c10
-            - S_dot_x*c12 - S_z*k_cross_S_y_bar - c16*omega_x - c6*phi_dot;
-        const stewart_real k_x_bar_err = K_x_bar_err*Q_k_max + K_x_bar_max*Q_k_err + S_ddot_x_err*c10_max
-            + S_ddot_x_max*c10_err + S_dot_x_err*c12_max + S_dot_x_max*c12_err + S_x_err*zeta_bar_max
-            + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err
-            + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err + c16_err*omega_x_max
-            + c6_err*phi_dot_max + c6_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_x_bar_max*Q_k_max
-            + REAL(5)*S_ddot_x_max*c10_max + REAL(4)*S_dot_x_max*c12_max + REAL(7)*S_x_max*zeta_bar_max
-            + REAL(6)*S_y_max*k_cross_S_z_bar_max + REAL(3)*S_z_max*k_cross_S_y_bar_max
-            + REAL(2)*c16_max*omega_x_max + c6_max*phi_dot_max + STEWART_FABS(k_x_bar));
+        const stewart_real c15 = C_s*tau_k_bar;
+        const stewart_real c15_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c15);
+        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
+        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - Q_k*c_force_x_bar - S_ddot_x*c9
+            - S_dot_x*c11 - S_z*k_cross_S_y_bar - Y_moment_x*c1 - c15*omega_x;
+        const stewart_real k_x_bar_err = Q_k_err*c_force_x_bar_max + Q_k_max*c_force_x_bar_err
+            + S_ddot_x_err*c9_max + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err
+            + S_x_err*zeta_bar_max + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max
+            + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err
+            + Y_moment_x_max*c1_err + c15_err*omega_x_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_x_bar_max
+            + REAL(5)*S_ddot_x_max*c9_max + REAL(4)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max
+            + REAL(7)*S_y_max*k_cross_S_z_bar_max + REAL(3)*S_z_max*k_cross_S_y_bar_max
+            + REAL(2)*Y_moment_x_max*c1_max + c15_max*omega_x_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = K_y_bar*Q_k + S_y*zeta_bar + S_z*k_cross_S_x_bar - S_ddot_y*c10
-            - S_dot_y*c12 - S_x*k_cross_S_z_bar - c16*omega_y - c7*phi_dot;
-        const stewart_real k_y_bar_err = K_y_bar_err*Q_k_max + K_y_bar_max*Q_k_err + S_ddot_y_err*c10_max
-            + S_ddot_y_max*c10_err + S_dot_y_err*c12_max + S_dot_y_max*c12_err + S_x_err*k_cross_S_z_bar_max
-            + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err
-            + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err + c16_err*omega_y_max
-            + c7_err*phi_dot_max + c7_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_y_bar_max*Q_k_max
-            + REAL(5)*S_ddot_y_max*c10_max + REAL(4)*S_dot_y_max*c12_max + REAL(3)*S_x_max*k_cross_S_z_bar_max
-            + REAL(7)*S_y_max*zeta_bar_max + REAL(6)*S_z_max*k_cross_S_x_bar_max + REAL(2)*c16_max*omega_y_max
-            + c7_max*phi_dot_max + STEWART_FABS(k_y_bar));
+        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - Q_k*c_force_y_bar - S_ddot_y*c9
+            - S_dot_y*c11 - S_x*k_cross_S_z_bar - Y_moment_y*c1 - c15*omega_y;
+        const stewart_real k_y_bar_err = Q_k_err*c_force_y_bar_max + Q_k_max*c_force_y_bar_err
+            + S_ddot_y_err*c9_max + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err
+            + S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max
+            + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err
+            + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_y_bar_max
+            + REAL(5)*S_ddot_y_max*c9_max + REAL(4)*S_dot_y_max*c11_max + REAL(3)*S_x_max*k_cross_S_z_bar_max
+            + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c1_max
+            + c15_max*omega_y_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = K_z_bar*Q_k + S_x*k_cross_S_y_bar + S_z*zeta_bar - S_ddot_z*c10
-            - S_dot_z*c12 - S_y*k_cross_S_x_bar - c16*omega_z - c8*phi_dot;
-        const stewart_real k_z_bar_err = K_z_bar_err*Q_k_max + K_z_bar_max*Q_k_err + S_ddot_z_err*c10_max
-            + S_ddot_z_max*c10_err + S_dot_z_err*c12_max + S_dot_z_max*c12_err + S_x_err*k_cross_S_y_bar_max
-            + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err
-            + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + c16_err*omega_z_max + c8_err*phi_dot_max
-            + c8_max*phi_dot_err + STEWART_UNIT*(REAL(7)*K_z_bar_max*Q_k_max + REAL(5)*S_ddot_z_max*c10_max
-            + REAL(4)*S_dot_z_max*c12_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
-            + REAL(3)*S_y_max*k_cross_S_x_bar_max + REAL(6)*S_z_max*zeta_bar_max + REAL(2)*c16_max*omega_z_max
-            + c8_max*phi_dot_max + STEWART_FABS(k_z_bar));
+        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - Q_k*c_force_z_bar - S_ddot_z*c9
+            - S_dot_z*c11 - S_y*k_cross_S_x_bar - Y_moment_z*c1 - c15*omega_z;
+        const stewart_real k_z_bar_err = Q_k_err*c_force_z_bar_max + Q_k_max*c_force_z_bar_err
+            + S_ddot_z_err*c9_max + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err
+            + S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max
+            + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err
+            + c15_err*omega_z_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_z_bar_max
+            + REAL(5)*S_ddot_z_max*c9_max + REAL(4)*S_dot_z_max*c11_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
+            + REAL(3)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c1_max
+            + c15_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
         const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max
@@ -3529,33 +3858,15 @@ static void leg_errors(
         const stewart_real B_zz_bar = S_ddot_z_bar*q_z;
         const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err
             + STEWART_UNIT*STEWART_FABS(B_zz_bar);
-        const stewart_real r_x_bar = H_moment_z_bar*s_y - H_moment_y_bar*s_z - S_x_bar;
-        const stewart_real r_x_bar_err = H_moment_y_bar_err*s_z_max + H_moment_y_bar_max*s_z_err
-            + H_moment_z_bar_err*s_y_max + H_moment_z_bar_max*s_y_err + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_y_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_y_max
-            + STEWART_FABS(r_x_bar));
-        const stewart_real r_x_bar_max = STEWART_FABS(r_x_bar) + r_x_bar_err;
-        const stewart_real r_y_bar = H_moment_x_bar*s_z - H_moment_z_bar*s_x - S_y_bar;
-        const stewart_real r_y_bar_err = H_moment_x_bar_err*s_z_max + H_moment_x_bar_max*s_z_err
-            + H_moment_z_bar_err*s_x_max + H_moment_z_bar_max*s_x_err + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_x_max
-            + STEWART_FABS(r_y_bar));
-        const stewart_real r_y_bar_max = STEWART_FABS(r_y_bar) + r_y_bar_err;
-        const stewart_real r_z_bar = H_moment_y_bar*s_x - H_moment_x_bar*s_y - S_z_bar;
-        const stewart_real r_z_bar_err = H_moment_x_bar_err*s_y_max + H_moment_x_bar_max*s_y_err
-            + H_moment_y_bar_err*s_x_max + H_moment_y_bar_max*s_x_err + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_y_max + REAL(2)*H_moment_y_bar_max*s_x_max
-            + STEWART_FABS(r_z_bar));
-        const stewart_real r_z_bar_max = STEWART_FABS(r_z_bar) + r_z_bar_err;
         error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
             + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
             + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err
             + w_z_bar_max*w_z_err + M_phi_bar_max*J_xx_err + a3_bar_max*J_xy_err + M_theta_bar_max*J_yy_err
             + J_yz_bar_max*J_yz_err + a2_bar_max*J2_xz_err + a1_bar_max*dJ_zx_err + g_k_bar_max*g_k_err
             + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
-            + C_us_bar_max*C_us_err + r_x_bar_max*r_x_err + r_y_bar_max*r_y_err + r_z_bar_max*r_z_err
-            + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_1_x_bar_max*S_1_x_own
-            + S_1_y_bar_max*S_1_y_own + S_1_z_bar_max*S_1_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own
+            + C_us_bar_max*C_us_err + S_x_bar_max*r_x_err + S_y_bar_max*r_y_err + S_z_bar_max*r_z_err
+            + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*S_1_x_own
+            + S_y_bar_max*S_1_y_own + S_z_bar_max*S_1_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own
             + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
             + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own
             + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own
@@ -3574,10 +3885,13 @@ static void leg_errors(
             + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
             + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own
             + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own + Q_y_bar_max*Q_y_own
-            + K_x_bar_max*K_x_own + K_y_bar_max*K_y_own + K_z_bar_max*K_z_own + D_weight_max*D_own
-            + H_moment_x_bar_max*H_moment_x_own + H_moment_y_bar_max*H_moment_y_own
-            + H_moment_z_bar_max*H_moment_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own;
+            + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own
+            + D_weight_max*D_own + c1_bar_max*c1_own + c2_bar_max*c2_own + arm_x_bar_max*arm_x_own
+            + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own + Y_moment_x_max*c_moment_x_own
+            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
+            + H_moment_z_weight_max*H_moment_z_own + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own
+            + Y_arm_z_max*arm_c_z_own;
         add(&slopes[i].R_legs[0], &slopes[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
         add(&slopes[i].R_legs[1], &slopes[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
         add(&slopes[i].R_legs[2], &slopes[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
@@ -3596,9 +3910,12 @@ static void leg_errors(
         add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
         add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
         add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_1_x_bar, S_1_x_bar_err);
-        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_1_y_bar, S_1_y_bar_err);
-        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_1_z_bar, S_1_z_bar_err);
+        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_x_bar, S_x_bar_err);
+        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_y_bar, S_y_bar_err);
+        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_z_bar, S_z_bar_err);
+        add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
+        add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
+        add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
     }
 }
 
@@ -3657,6 +3974,9 @@ static void leg_errors_near_singularity(
         t_1_z_err = shared->t_1_err[2];
     const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
     const stewart_real r_x_err = leg->r_err[0], r_y_err = leg->r_err[1], r_z_err = leg->r_err[2];
+    const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
+    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
+        q_1_z_err = shared->q_1_err[2];
     const stewart_real p_x_max = STEWART_FABS(p_x), p_y_max = STEWART_FABS(p_y),
         p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err, k_y_max = STEWART_FABS(k_y) + k_y_err,
@@ -3695,8 +4015,6 @@ static void leg_errors_near_singularity(
         B_zy_max = STEWART_FABS(B_zy) + B_zy_err, B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
     const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
         g_z_max = STEWART_FABS(g_z);
-    const stewart_real r_x_max = STEWART_FABS(r_x) + r_x_err, r_y_max = STEWART_FABS(r_y) + r_y_err,
-        r_z_max = STEWART_FABS(r_z) + r_z_err;
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
@@ -3717,15 +4035,12 @@ static void leg_errors_near_singularity(
     const stewart_real S_1_x = q_x + t_1_x;
     const stewart_real S_1_x_own = STEWART_UNIT*STEWART_FABS(S_1_x);
     const stewart_real S_1_x_err = q_x_err + t_1_x_err + S_1_x_own;
-    const stewart_real S_1_x_max = STEWART_FABS(S_1_x) + S_1_x_err;
     const stewart_real S_1_y = q_y + t_1_y;
     const stewart_real S_1_y_own = STEWART_UNIT*STEWART_FABS(S_1_y);
     const stewart_real S_1_y_err = q_y_err + t_1_y_err + S_1_y_own;
-    const stewart_real S_1_y_max = STEWART_FABS(S_1_y) + S_1_y_err;
     const stewart_real S_1_z = q_z + t_1_z;
     const stewart_real S_1_z_own = STEWART_UNIT*STEWART_FABS(S_1_z);
     const stewart_real S_1_z_err = q_z_err + t_1_z_err + S_1_z_own;
-    const stewart_real S_1_z_max = STEWART_FABS(S_1_z) + S_1_z_err;
     /* (1) leg vector */
     const stewart_real S_x = S_1_x - r_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
@@ -4153,141 +4468,252 @@ static void leg_errors_near_singularity(
     const stewart_real K_x_own = STEWART_UNIT*(Q_y_max*y_x_max + Q_z_max*z_x_max + STEWART_FABS(K_x));
     const stewart_real K_x_err = Q_y_err*y_x_max + Q_y_max*y_x_err + Q_z_err*z_x_max + Q_z_max*z_x_err
         + K_x_own;
-    const stewart_real K_x_max = STEWART_FABS(K_x) + K_x_err;
     const stewart_real K_y = Q_y*y_y + Q_z*z_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_y_max*y_y_max + Q_z_max*z_y_max + STEWART_FABS(K_y));
     const stewart_real K_y_err = Q_y_err*y_y_max + Q_y_max*y_y_err + Q_z_err*z_y_max + Q_z_max*z_y_err
         + K_y_own;
-    const stewart_real K_y_max = STEWART_FABS(K_y) + K_y_err;
     const stewart_real K_z = Q_y*y_z + Q_z*z_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_y_max*y_z_max + Q_z_max*z_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_y_err*y_z_max + Q_y_max*y_z_err + Q_z_err*z_z_max + Q_z_max*z_z_err
         + K_z_own;
-    const stewart_real K_z_max = STEWART_FABS(K_z) + K_z_err;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
     const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max
         + REAL(2)*h_x_max*theta_dot2_max + REAL(4)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max
         + STEWART_FABS(D));
-    /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = r_y*s_z - r_z*s_y;
-    const stewart_real H_moment_x_own = STEWART_UNIT*(r_y_max*s_z_max + r_z_max*s_y_max
-        + STEWART_FABS(H_moment_x));
-    const stewart_real H_moment_x_err = r_y_err*s_z_max + r_y_max*s_z_err + r_z_err*s_y_max
-        + r_z_max*s_y_err + H_moment_x_own;
-    const stewart_real H_moment_y = r_z*s_x - r_x*s_z;
-    const stewart_real H_moment_y_own = STEWART_UNIT*(r_x_max*s_z_max + r_z_max*s_x_max
-        + STEWART_FABS(H_moment_y));
-    const stewart_real H_moment_y_err = r_x_err*s_z_max + r_x_max*s_z_err + r_z_err*s_x_max
-        + r_z_max*s_x_err + H_moment_y_own;
-    const stewart_real H_moment_z = r_x*s_y - r_y*s_x;
-    const stewart_real H_moment_z_own = STEWART_UNIT*(r_x_max*s_y_max + r_y_max*s_x_max
-        + STEWART_FABS(H_moment_z));
-    const stewart_real H_moment_z_err = r_x_err*s_y_max + r_x_max*s_y_err + r_y_err*s_x_max
-        + r_y_max*s_x_err + H_moment_z_own;
+    const stewart_real c4 = C_s*phi_dot;
+    const stewart_real c4_own = STEWART_UNIT*STEWART_FABS(c4);
+    const stewart_real c4_err = C_s_max*phi_dot_err + c4_own;
+    const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
+    const stewart_real c5 = C_s*theta_dot;
+    const stewart_real c5_own = STEWART_UNIT*STEWART_FABS(c5);
+    const stewart_real c5_err = C_s_max*theta_dot_err + c5_own;
+    const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
+    const stewart_real H_force_x = s_x;
+    const stewart_real H_force_x_err = s_x_err;
+    const stewart_real H_force_x_max = STEWART_FABS(H_force_x) + H_force_x_err;
+    const stewart_real H_force_y = s_y;
+    const stewart_real H_force_y_err = s_y_err;
+    const stewart_real H_force_y_max = STEWART_FABS(H_force_y) + H_force_y_err;
+    const stewart_real H_force_z = s_z;
+    const stewart_real H_force_z_err = s_z_err;
+    const stewart_real H_force_z_max = STEWART_FABS(H_force_z) + H_force_z_err;
+    const stewart_real c_force_x = -K_x;
+    const stewart_real c_force_x_err = K_x_err;
+    const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
+    const stewart_real c_force_y = -K_y;
+    const stewart_real c_force_y_err = K_y_err;
+    const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
+    const stewart_real c_force_z = -K_z;
+    const stewart_real c_force_z_err = K_z_err;
+    const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
+    /* platform point from platform point 1, base frame */
+    const stewart_real arm_x = q_x - q_1_x;
+    const stewart_real arm_x_own = STEWART_UNIT*STEWART_FABS(arm_x);
+    const stewart_real arm_x_err = q_1_x_err + q_x_err + arm_x_own;
+    const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
+    const stewart_real arm_y = q_y - q_1_y;
+    const stewart_real arm_y_own = STEWART_UNIT*STEWART_FABS(arm_y);
+    const stewart_real arm_y_err = q_1_y_err + q_y_err + arm_y_own;
+    const stewart_real arm_y_max = STEWART_FABS(arm_y) + arm_y_err;
+    const stewart_real arm_z = q_z - q_1_z;
+    const stewart_real arm_z_own = STEWART_UNIT*STEWART_FABS(arm_z);
+    const stewart_real arm_z_err = q_1_z_err + q_z_err + arm_z_own;
+    const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = C_s*(k_x*phi_dot + theta_dot*y_x) + K_y*S_1_z - K_z*S_1_y;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_x_max*phi_dot_max
-        + theta_dot_max*y_x_max) + C_s_max*(REAL(2)*k_x_max*phi_dot_max + REAL(2)*theta_dot_max*y_x_max)
-        + REAL(2)*K_y_max*S_1_z_max + K_z_max*S_1_y_max + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = C_s_max*k_x_err*phi_dot_max + C_s_max*k_x_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_x_max + C_s_max*theta_dot_max*y_x_err + K_y_err*S_1_z_max
-        + K_y_max*S_1_z_err + K_z_err*S_1_y_max + K_z_max*S_1_y_err + c_moment_x_own;
-    const stewart_real c_moment_y = C_s*(k_y*phi_dot + theta_dot*y_y) + K_z*S_1_x - K_x*S_1_z;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_y_max*phi_dot_max
-        + theta_dot_max*y_y_max) + C_s_max*(REAL(2)*k_y_max*phi_dot_max + REAL(2)*theta_dot_max*y_y_max)
-        + K_x_max*S_1_z_max + REAL(2)*K_z_max*S_1_x_max + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = C_s_max*k_y_err*phi_dot_max + C_s_max*k_y_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_y_max + C_s_max*theta_dot_max*y_y_err + K_x_err*S_1_z_max
-        + K_x_max*S_1_z_err + K_z_err*S_1_x_max + K_z_max*S_1_x_err + c_moment_y_own;
-    const stewart_real c_moment_z = C_s*(k_z*phi_dot + theta_dot*y_z) + K_x*S_1_y - K_y*S_1_x;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_s_max*(k_z_max*phi_dot_max
-        + theta_dot_max*y_z_max) + C_s_max*(REAL(2)*k_z_max*phi_dot_max + REAL(2)*theta_dot_max*y_z_max)
-        + REAL(2)*K_x_max*S_1_y_max + K_y_max*S_1_x_max + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = C_s_max*k_z_err*phi_dot_max + C_s_max*k_z_max*phi_dot_err
-        + C_s_max*theta_dot_err*y_z_max + C_s_max*theta_dot_max*y_z_err + K_x_err*S_1_y_max
-        + K_x_max*S_1_y_err + K_y_err*S_1_x_max + K_y_max*S_1_x_err + c_moment_z_own;
-    out->H_force[0] = s_x;
-    out->H_force_err[0] = s_x_err;
-    out->H_force[1] = s_y;
-    out->H_force_err[1] = s_y_err;
-    out->H_force[2] = s_z;
-    out->H_force_err[2] = s_z_err;
-    out->H_moment[0] = H_moment_x;
-    out->H_moment_err[0] = H_moment_x_err;
-    out->H_moment[1] = H_moment_y;
-    out->H_moment_err[1] = H_moment_y_err;
-    out->H_moment[2] = H_moment_z;
-    out->H_moment_err[2] = H_moment_z_err;
-    out->c_force[0] = -K_x;
-    out->c_force_err[0] = K_x_err;
-    out->c_force[1] = -K_y;
-    out->c_force_err[1] = K_y_err;
-    out->c_force[2] = -K_z;
-    out->c_force_err[2] = K_z_err;
+    const stewart_real c_moment_x = c4*k_x + c5*y_x;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(c4_max*k_x_max + c5_max*y_x_max
+        + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_err = c4_err*k_x_max + c4_max*k_x_err + c5_err*y_x_max + c5_max*y_x_err
+        + c_moment_x_own;
+    const stewart_real c_moment_y = c4*k_y + c5*y_y;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(c4_max*k_y_max + c5_max*y_y_max
+        + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = c4_err*k_y_max + c4_max*k_y_err + c5_err*y_y_max + c5_max*y_y_err
+        + c_moment_y_own;
+    const stewart_real c_moment_z = c4*k_z + c5*y_z;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(c4_max*k_z_max + c5_max*y_z_max
+        + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_err = c4_err*k_z_max + c4_max*k_z_err + c5_err*y_z_max + c5_max*y_z_err
+        + c_moment_z_own;
+    /* the leg's column of H, moment rows */
+    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
+    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max
+        + STEWART_FABS(H_moment_x));
+    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err
+        + H_force_z_err*arm_y_max + H_force_z_max*arm_y_err + H_moment_x_own;
+    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
+    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max
+        + STEWART_FABS(H_moment_y));
+    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err
+        + H_force_z_err*arm_x_max + H_force_z_max*arm_x_err + H_moment_y_own;
+    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max
+        + STEWART_FABS(H_moment_z));
+    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err
+        + H_force_y_err*arm_x_max + H_force_y_max*arm_x_err + H_moment_z_own;
+    /* moment of the leg's part of c, force rows, about platform point 1 */
+    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
+    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max
+        + STEWART_FABS(arm_c_x));
+    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err
+        + arm_z_err*c_force_y_max + arm_z_max*c_force_y_err + arm_c_x_own;
+    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
+    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max
+        + STEWART_FABS(arm_c_y));
+    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err
+        + arm_z_err*c_force_x_max + arm_z_max*c_force_x_err + arm_c_y_own;
+    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max
+        + STEWART_FABS(arm_c_z));
+    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err
+        + arm_y_err*c_force_x_max + arm_y_max*c_force_x_err + arm_c_z_own;
+    out->H_force[0] = H_force_x;
+    out->H_force_err[0] = H_force_x_err;
+    out->H_force[1] = H_force_y;
+    out->H_force_err[1] = H_force_y_err;
+    out->H_force[2] = H_force_z;
+    out->H_force_err[2] = H_force_z_err;
+    out->c_force[0] = c_force_x;
+    out->c_force_err[0] = c_force_x_err;
+    out->c_force[1] = c_force_y;
+    out->c_force_err[1] = c_force_y_err;
+    out->c_force[2] = c_force_z;
+    out->c_force_err[2] = c_force_z_err;
     out->c_moment[0] = c_moment_x;
     out->c_moment_err[0] = c_moment_x_err;
     out->c_moment[1] = c_moment_y;
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
+    out->H_moment[0] = H_moment_x;
+    out->H_moment_err[0] = H_moment_x_err;
+    out->H_moment[1] = H_moment_y;
+    out->H_moment_err[1] = H_moment_y_err;
+    out->H_moment[2] = H_moment_z;
+    out->H_moment_err[2] = H_moment_z_err;
+    out->arm_c[0] = arm_c_x;
+    out->arm_c_err[0] = arm_c_x_err;
+    out->arm_c[1] = arm_c_y;
+    out->arm_c_err[1] = arm_c_y_err;
+    out->arm_c[2] = arm_c_z;
+    out->arm_c_err[2] = arm_c_z_err;
     for (i = 0; i < 6; ++i) {
         const force_row *row = &rows[i];
         const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
             Y_force_z = row->Y_force[2];
         const stewart_real Y_moment_x = row->Y_moment[0], Y_moment_y = row->Y_moment[1],
             Y_moment_z = row->Y_moment[2];
+        const stewart_real Y_arm_x = row->Y_arm[0], Y_arm_y = row->Y_arm[1], Y_arm_z = row->Y_arm[2];
         const stewart_real D_weight = row->D_weight;
         const stewart_real x = row->x;
-        const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x),
-            Y_force_y_max = STEWART_FABS(Y_force_y), Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
             Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
+        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x), Y_arm_y_max = STEWART_FABS(Y_arm_y),
+            Y_arm_z_max = STEWART_FABS(Y_arm_z);
         const stewart_real D_weight_max = STEWART_FABS(D_weight);
-        const stewart_real H_force_x_bar = Y_force_x*x;
-        const stewart_real H_force_x_bar_err = STEWART_UNIT*STEWART_FABS(H_force_x_bar);
-        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
-        const stewart_real H_force_y_bar = Y_force_y*x;
-        const stewart_real H_force_y_bar_err = STEWART_UNIT*STEWART_FABS(H_force_y_bar);
-        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
-        const stewart_real H_force_z_bar = Y_force_z*x;
-        const stewart_real H_force_z_bar_err = STEWART_UNIT*STEWART_FABS(H_force_z_bar);
+        const stewart_real H_force_x_weight = Y_force_x*x;
+        const stewart_real H_force_x_weight_err = STEWART_UNIT*STEWART_FABS(H_force_x_weight);
+        const stewart_real H_force_x_weight_max = STEWART_FABS(H_force_x_weight) + H_force_x_weight_err;
+        const stewart_real H_force_y_weight = Y_force_y*x;
+        const stewart_real H_force_y_weight_err = STEWART_UNIT*STEWART_FABS(H_force_y_weight);
+        const stewart_real H_force_y_weight_max = STEWART_FABS(H_force_y_weight) + H_force_y_weight_err;
+        const stewart_real H_force_z_weight = Y_force_z*x;
+        const stewart_real H_force_z_weight_err = STEWART_UNIT*STEWART_FABS(H_force_z_weight);
+        const stewart_real H_force_z_weight_max = STEWART_FABS(H_force_z_weight) + H_force_z_weight_err;
+        const stewart_real H_moment_x_weight = Y_arm_x*x;
+        const stewart_real H_moment_x_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_x_weight);
+        const stewart_real H_moment_x_weight_max = STEWART_FABS(H_moment_x_weight) + H_moment_x_weight_err;
+        const stewart_real H_moment_y_weight = Y_arm_y*x;
+        const stewart_real H_moment_y_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_y_weight);
+        const stewart_real H_moment_y_weight_max = STEWART_FABS(H_moment_y_weight) + H_moment_y_weight_err;
+        const stewart_real H_moment_z_weight = Y_arm_z*x;
+        const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
+        const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
+        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y
+            - H_force_y*H_moment_x_weight - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max
+            + H_force_x_max*H_moment_y_weight_err + H_force_y_err*H_moment_x_weight_max
+            + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err + Y_arm_y_max*c_force_x_err
+            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max
+            + REAL(2)*H_force_y_max*H_moment_x_weight_max + REAL(3)*Y_arm_x_max*c_force_y_max
+            + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+        const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
+        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x
+            - H_force_x*H_moment_z_weight - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max
+            + H_force_x_max*H_moment_z_weight_err + H_force_z_err*H_moment_x_weight_max
+            + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err + Y_arm_z_max*c_force_x_err
+            + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max
+            + REAL(3)*H_force_z_max*H_moment_x_weight_max + Y_arm_x_max*c_force_z_max
+            + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+        const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
+        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z
+            - H_force_z*H_moment_y_weight - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max
+            + H_force_y_max*H_moment_z_weight_err + H_force_z_err*H_moment_y_weight_max
+            + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err + Y_arm_z_max*c_force_y_err
+            + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max
+            + REAL(2)*H_force_z_max*H_moment_y_weight_max + REAL(3)*Y_arm_y_max*c_force_z_max
+            + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+        const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
+        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max
+            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_x_max
+            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err
+            + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max
+            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
+        const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
+        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max
+            + H_moment_x_weight_max*arm_y_err + H_moment_y_weight_err*arm_x_max
+            + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max
+            + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
-        const stewart_real H_moment_x_bar = Y_moment_x*x;
-        const stewart_real H_moment_x_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_x_bar);
-        const stewart_real H_moment_x_bar_max = STEWART_FABS(H_moment_x_bar) + H_moment_x_bar_err;
-        const stewart_real H_moment_y_bar = Y_moment_y*x;
-        const stewart_real H_moment_y_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_y_bar);
-        const stewart_real H_moment_y_bar_max = STEWART_FABS(H_moment_y_bar) + H_moment_y_bar_err;
-        const stewart_real H_moment_z_bar = Y_moment_z*x;
-        const stewart_real H_moment_z_bar_err = STEWART_UNIT*STEWART_FABS(H_moment_z_bar);
-        const stewart_real H_moment_z_bar_max = STEWART_FABS(H_moment_z_bar) + H_moment_z_bar_err;
-        const stewart_real K_z_bar = S_1_y*Y_moment_x + Y_force_z - S_1_x*Y_moment_y;
-        const stewart_real K_z_bar_err = S_1_x_err*Y_moment_y_max + S_1_y_err*Y_moment_x_max
-            + STEWART_UNIT*(S_1_x_max*Y_moment_y_max + REAL(2)*S_1_y_max*Y_moment_x_max + Y_force_z_max
-            + STEWART_FABS(K_z_bar));
-        const stewart_real K_z_bar_max = STEWART_FABS(K_z_bar) + K_z_bar_err;
-        const stewart_real K_y_bar = S_1_x*Y_moment_z + Y_force_y - S_1_z*Y_moment_x;
-        const stewart_real K_y_bar_err = S_1_x_err*Y_moment_z_max + S_1_z_err*Y_moment_x_max
-            + STEWART_UNIT*(REAL(2)*S_1_x_max*Y_moment_z_max + S_1_z_max*Y_moment_x_max + Y_force_y_max
-            + STEWART_FABS(K_y_bar));
-        const stewart_real K_y_bar_max = STEWART_FABS(K_y_bar) + K_y_bar_err;
-        const stewart_real K_x_bar = S_1_z*Y_moment_y + Y_force_x - S_1_y*Y_moment_z;
-        const stewart_real K_x_bar_err = S_1_y_err*Y_moment_z_max + S_1_z_err*Y_moment_y_max
-            + STEWART_UNIT*(S_1_y_max*Y_moment_z_max + REAL(2)*S_1_z_max*Y_moment_y_max + Y_force_x_max
-            + STEWART_FABS(K_x_bar));
-        const stewart_real K_x_bar_max = STEWART_FABS(K_x_bar) + K_x_bar_err;
-        const stewart_real Q_z_bar = K_x_bar*z_x + K_y_bar*z_y + K_z_bar*z_z;
-        const stewart_real Q_z_bar_err = K_x_bar_err*z_x_max + K_x_bar_max*z_x_err + K_y_bar_err*z_y_max
-            + K_y_bar_max*z_y_err + K_z_bar_err*z_z_max + K_z_bar_max*z_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*z_x_max + REAL(2)*K_y_bar_max*z_y_max + K_z_bar_max*z_z_max
-            + STEWART_FABS(Q_z_bar));
+        const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
+        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max
+            + H_moment_x_weight_max*arm_z_err + H_moment_z_weight_err*arm_x_max
+            + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
+            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max
+            + STEWART_FABS(H_force_y_bar));
+        const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
+        const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
+        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max
+            + H_moment_y_weight_max*arm_z_err + H_moment_z_weight_err*arm_y_max
+            + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
+            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max
+            + STEWART_FABS(H_force_x_bar));
+        const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
+        const stewart_real c5_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
+        const stewart_real c5_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
+            + Y_moment_z_max*y_z_max + STEWART_FABS(c5_bar));
+        const stewart_real c5_bar_max = STEWART_FABS(c5_bar) + c5_bar_err;
+        const stewart_real c4_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
+        const stewart_real c4_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
+            + Y_moment_z_max*k_z_max + STEWART_FABS(c4_bar));
+        const stewart_real c4_bar_max = STEWART_FABS(c4_bar) + c4_bar_err;
+        const stewart_real Q_z_bar = -c_force_x_bar*z_x - c_force_y_bar*z_y - c_force_z_bar*z_z;
+        const stewart_real Q_z_bar_err = c_force_x_bar_err*z_x_max + c_force_x_bar_max*z_x_err
+            + c_force_y_bar_err*z_y_max + c_force_y_bar_max*z_y_err + c_force_z_bar_err*z_z_max
+            + c_force_z_bar_max*z_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*z_x_max
+            + REAL(2)*c_force_y_bar_max*z_y_max + c_force_z_bar_max*z_z_max + STEWART_FABS(Q_z_bar));
         const stewart_real Q_z_bar_max = STEWART_FABS(Q_z_bar) + Q_z_bar_err;
-        const stewart_real Q_y_bar = K_x_bar*y_x + K_y_bar*y_y + K_z_bar*y_z;
-        const stewart_real Q_y_bar_err = K_x_bar_err*y_x_max + K_x_bar_max*y_x_err + K_y_bar_err*y_y_max
-            + K_y_bar_max*y_y_err + K_z_bar_err*y_z_max + K_z_bar_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*K_x_bar_max*y_x_max + REAL(2)*K_y_bar_max*y_y_max + K_z_bar_max*y_z_max
-            + STEWART_FABS(Q_y_bar));
+        const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
+        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err
+            + c_force_y_bar_err*y_y_max + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max
+            + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
+            + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
@@ -4315,13 +4741,13 @@ static void leg_errors_near_singularity(
             + tau_y_bar_err*w_k_max + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max
             + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
         const stewart_real gamma_n_bar_max = STEWART_FABS(gamma_n_bar) + gamma_n_bar_err;
-        const stewart_real c4 = h2_y*tau_k_bar;
-        const stewart_real c4_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(c4);
-        const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
-        const stewart_real bend_bar = h2_x*tau_y_bar - c4*k1;
-        const stewart_real bend_bar_err = c4_err*k1_max + c4_max*k1_err + h2_x_err*tau_y_bar_max
-            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c4_max*k1_max + h2_x_max*tau_y_bar_max
+        const stewart_real c6 = h2_y*tau_k_bar;
+        const stewart_real c6_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
+            + STEWART_UNIT*STEWART_FABS(c6);
+        const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
+        const stewart_real bend_bar = h2_x*tau_y_bar - c6*k1;
+        const stewart_real bend_bar_err = c6_err*k1_max + c6_max*k1_err + h2_x_err*tau_y_bar_max
+            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c6_max*k1_max + h2_x_max*tau_y_bar_max
             + STEWART_FABS(bend_bar));
         const stewart_real bend_bar_max = STEWART_FABS(bend_bar) + bend_bar_err;
         const stewart_real M_mixed_theta_bar = tau_k_bar*theta_dot2;
@@ -4361,24 +4787,24 @@ static void leg_errors_near_singularity(
         const stewart_real a2_bar = M_phi_bar*k13;
         const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err
             + STEWART_UNIT*STEWART_FABS(a2_bar);
-        const stewart_real c5 = k33 - STEWART_HALF;
-        const stewart_real c5_err = k33_err + STEWART_UNIT*STEWART_FABS(c5);
-        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-        const stewart_real c6 = phi_dot2*tau_y_bar;
-        const stewart_real c6_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(c6);
-        const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
-        const stewart_real c3_bar = a2_bar + c5*c6;
-        const stewart_real c3_bar_err = a2_bar_err + c5_err*c6_max + c5_max*c6_err + STEWART_UNIT*(c5_max*c6_max
+        const stewart_real c7 = k33 - STEWART_HALF;
+        const stewart_real c7_err = k33_err + STEWART_UNIT*STEWART_FABS(c7);
+        const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
+        const stewart_real c8 = phi_dot2*tau_y_bar;
+        const stewart_real c8_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err
+            + STEWART_UNIT*STEWART_FABS(c8);
+        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
+        const stewart_real c3_bar = a2_bar + c7*c8;
+        const stewart_real c3_bar_err = a2_bar_err + c7_err*c8_max + c7_max*c8_err + STEWART_UNIT*(c7_max*c8_max
             + STEWART_FABS(c3_bar));
         const stewart_real c3_bar_max = STEWART_FABS(c3_bar) + c3_bar_err;
-        const stewart_real c7 = c3_bar - STEWART_HALF*tau_k_bar*theta_dot*two_phi_dot;
-        const stewart_real c7_err = c3_bar_err + STEWART_HALF*tau_k_bar_err*theta_dot_max*two_phi_dot_max
+        const stewart_real c9 = c3_bar - STEWART_HALF*tau_k_bar*theta_dot*two_phi_dot;
+        const stewart_real c9_err = c3_bar_err + STEWART_HALF*tau_k_bar_err*theta_dot_max*two_phi_dot_max
             + STEWART_HALF*tau_k_bar_max*theta_dot_err*two_phi_dot_max
             + STEWART_HALF*tau_k_bar_max*theta_dot_max*two_phi_dot_err
-            + STEWART_UNIT*(tau_k_bar_max*theta_dot_max*two_phi_dot_max + STEWART_FABS(c7));
-        const stewart_real c2_bar = -c7;
-        const stewart_real c2_bar_err = c7_err;
+            + STEWART_UNIT*(tau_k_bar_max*theta_dot_max*two_phi_dot_max + STEWART_FABS(c9));
+        const stewart_real c2_bar = -c9;
+        const stewart_real c2_bar_err = c9_err;
         const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
         const stewart_real a1_bar = M_phi_bar*k33;
         const stewart_real a1_bar_err = M_phi_bar_err*k33_max + M_phi_bar_max*k33_err
@@ -4387,13 +4813,13 @@ static void leg_errors_near_singularity(
         const stewart_real L_h2_bar = M_theta_bar + a1_bar;
         const stewart_real L_h2_bar_err = M_theta_bar_err + a1_bar_err + STEWART_UNIT*STEWART_FABS(L_h2_bar);
         const stewart_real L_h2_bar_max = STEWART_FABS(L_h2_bar) + L_h2_bar_err;
-        const stewart_real c8 = J_yy - dJ_zx;
-        const stewart_real c8_err = J_yy_err + dJ_zx_err + STEWART_UNIT*STEWART_FABS(c8);
-        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
-        const stewart_real k13_bar = M_phi_bar*a2 + c6*c8 - M_phi_L_bar*h_z;
+        const stewart_real c10 = J_yy - dJ_zx;
+        const stewart_real c10_err = J_yy_err + dJ_zx_err + STEWART_UNIT*STEWART_FABS(c10);
+        const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
+        const stewart_real k13_bar = M_phi_bar*a2 + c10*c8 - M_phi_L_bar*h_z;
         const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err
-            + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + c6_err*c8_max + c6_max*c8_err
-            + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*c6_max*c8_max
+            + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + c10_err*c8_max + c10_max*c8_err
+            + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*c10_max*c8_max
             + STEWART_FABS(k13_bar));
         const stewart_real phi_ddot_bar = M_mixed*tau_y_bar - D_weight*k3_h;
         const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max
@@ -4423,155 +4849,144 @@ static void leg_errors_near_singularity(
             + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err + STEWART_UNIT*(h_z_max*tau_y_bar_max
             + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
-        const stewart_real c9 = L*L_ddot_bar;
-        const stewart_real c9_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c9);
-        const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c3*c6 + c9*phi_dot2;
+        const stewart_real c11 = L*L_ddot_bar;
+        const stewart_real c11_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err
+            + STEWART_UNIT*STEWART_FABS(c11);
+        const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
+        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c11*phi_dot2 + c3*c8;
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
-            + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + c3_err*c6_max + c3_max*c6_err + c9_err*phi_dot2_max
-            + c9_max*phi_dot2_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + REAL(2)*c3_max*c6_max + c9_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + c11_err*phi_dot2_max + c11_max*phi_dot2_err
+            + c3_err*c8_max + c3_max*c8_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max
+            + REAL(3)*M_phi_bar_max*a1_max + REAL(2)*c11_max*phi_dot2_max + c3_max*c8_max
+            + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
-        const stewart_real c10 = STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2;
-        const stewart_real c10_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err
+        const stewart_real c12 = STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2;
+        const stewart_real c12_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err
             + STEWART_HALF*c2_err + STEWART_UNIT*(STEWART_HALF*J2_xz_max + REAL(2)*J_xx_max*kappa_max
-            + STEWART_FABS(c10));
-        const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
-        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c10*theta_dot)
+            + STEWART_FABS(c12));
+        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
+        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c12*theta_dot)
             - L_share*own_phi_ddot_bar - lean*phi_ddot_bar;
         const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max
             + L_dot_max*M_phi_L_err*tau_k_bar_max + L_share_err*own_phi_ddot_bar_max
-            + L_share_max*own_phi_ddot_bar_err + c10_err*tau_k_bar_max*theta_dot_max
-            + c10_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err
-            + tau_k_bar_err*(L_dot_max*M_phi_L_max + c10_max*theta_dot_max)
+            + L_share_max*own_phi_ddot_bar_err + c12_err*tau_k_bar_max*theta_dot_max
+            + c12_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err
+            + tau_k_bar_err*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max)
             + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + lean_max*phi_ddot_bar_max
-            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c10_max*theta_dot_max)
-            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*c10_max*theta_dot_max)
+            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max)
+            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*c12_max*theta_dot_max)
             + STEWART_FABS(two_phi_dot_bar));
-        const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
-        const stewart_real phi_dot2_bar = c1*theta_ddot_bar + c9*k33 + tau_y_bar*(c3*c5 + c8*k13)
+        const stewart_real phi_dot2_bar = c1*theta_ddot_bar + c11*k33 + tau_y_bar*(c10*k13 + c3*c7)
             - D_weight*M_phi_L;
-        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c1_err*theta_ddot_bar_max
-            + c1_max*theta_ddot_bar_err + c3_err*c5_max*tau_y_bar_max + c3_max*c5_err*tau_y_bar_max
-            + c8_err*k13_max*tau_y_bar_max + c8_max*k13_err*tau_y_bar_max + c9_err*k33_max + c9_max*k33_err
-            + tau_y_bar_err*(c3_max*c5_max + c8_max*k13_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
-            + REAL(3)*c1_max*theta_ddot_bar_max + REAL(3)*c9_max*k33_max + REAL(2)*tau_y_bar_max*(c3_max*c5_max
-            + c8_max*k13_max) + tau_y_bar_max*(REAL(2)*c3_max*c5_max + REAL(2)*c8_max*k13_max)
-            + STEWART_FABS(phi_dot2_bar));
+        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c10_err*k13_max*tau_y_bar_max
+            + c10_max*k13_err*tau_y_bar_max + c11_err*k33_max + c11_max*k33_err + c1_err*theta_ddot_bar_max
+            + c1_max*theta_ddot_bar_err + c3_err*c7_max*tau_y_bar_max + c3_max*c7_err*tau_y_bar_max
+            + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
+            + REAL(3)*c11_max*k33_max + REAL(3)*c1_max*theta_ddot_bar_max
+            + REAL(2)*tau_y_bar_max*(c10_max*k13_max + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*c10_max*k13_max
+            + REAL(2)*c3_max*c7_max) + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
-        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c9 - D_weight*h_x;
+        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c11 - D_weight*h_x;
         const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c9_err + STEWART_UNIT*(D_weight_max*h_x_max
-            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c9_max + STEWART_FABS(theta_dot2_bar));
+            + M_mixed_theta_max*tau_k_bar_err + c11_err + STEWART_UNIT*(D_weight_max*h_x_max
+            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c11_max + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real lean_bar = -phi_ddot_bar*two_phi_dot;
         const stewart_real lean_bar_err = phi_ddot_bar_err*two_phi_dot_max + phi_ddot_bar_max*two_phi_dot_err
             + STEWART_UNIT*STEWART_FABS(lean_bar);
         const stewart_real lean_bar_max = STEWART_FABS(lean_bar) + lean_bar_err;
-        const stewart_real c11 = REAL(2)*own_theta_ddot_bar;
-        const stewart_real c11_err = REAL(2)*own_theta_ddot_bar_err;
-        const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
-        const stewart_real L_share_bar = -c11*theta_dot - own_phi_ddot_bar*two_phi_dot;
-        const stewart_real L_share_bar_err = c11_err*theta_dot_max + c11_max*theta_dot_err
+        const stewart_real c13 = REAL(2)*own_theta_ddot_bar;
+        const stewart_real c13_err = REAL(2)*own_theta_ddot_bar_err;
+        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
+        const stewart_real L_share_bar = -c13*theta_dot - own_phi_ddot_bar*two_phi_dot;
+        const stewart_real L_share_bar_err = c13_err*theta_dot_max + c13_max*theta_dot_err
             + own_phi_ddot_bar_err*two_phi_dot_max + own_phi_ddot_bar_max*two_phi_dot_err
-            + STEWART_UNIT*(c11_max*theta_dot_max + own_phi_ddot_bar_max*two_phi_dot_max
+            + STEWART_UNIT*(c13_max*theta_dot_max + own_phi_ddot_bar_max*two_phi_dot_max
             + STEWART_FABS(L_share_bar));
         const stewart_real L_share_bar_max = STEWART_FABS(L_share_bar) + L_share_bar_err;
-        const stewart_real c12 = C_s*Y_moment_x;
-        const stewart_real c12_err = STEWART_UNIT*STEWART_FABS(c12);
-        const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real c13 = C_s*Y_moment_y;
-        const stewart_real c13_err = STEWART_UNIT*STEWART_FABS(c13);
-        const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
-        const stewart_real c14 = C_s*Y_moment_z;
-        const stewart_real c14_err = STEWART_UNIT*STEWART_FABS(c14);
+        const stewart_real c14 = tau_k_bar*two_phi_dot;
+        const stewart_real c14_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
+            + STEWART_UNIT*STEWART_FABS(c14);
         const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real c15 = tau_k_bar*two_phi_dot;
-        const stewart_real c15_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*STEWART_FABS(c15);
-        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
-        const stewart_real theta_dot_bar = C_us*tau_y_bar + L_dot*bend_bar + kappa*lean_bar
-            + REAL(2)*theta_dot*theta_dot2_bar - L_share*c11 - c10*c15 - c12*y_x - c13*y_y - c14*y_z;
-        const stewart_real theta_dot_bar_err = C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
-            + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*c11_max + L_share_max*c11_err
-            + c10_err*c15_max + c10_max*c15_err + c12_err*y_x_max + c12_max*y_x_err + c13_err*y_y_max
-            + c13_max*y_y_err + c14_err*y_z_max + c14_max*y_z_err + kappa_err*lean_bar_max
+        const stewart_real theta_dot_bar = C_s*c5_bar + C_us*tau_y_bar + L_dot*bend_bar + kappa*lean_bar
+            + REAL(2)*theta_dot*theta_dot2_bar - L_share*c13 - c12*c14;
+        const stewart_real theta_dot_bar_err = C_s_max*c5_bar_err + C_us_err*tau_y_bar_max
+            + C_us_max*tau_y_bar_err + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*c13_max
+            + L_share_max*c13_err + c12_err*c14_max + c12_max*c14_err + kappa_err*lean_bar_max
             + kappa_max*lean_bar_err + REAL(2)*theta_dot2_bar_err*theta_dot_max
-            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(8)*C_us_max*tau_y_bar_max
-            + REAL(8)*L_dot_max*bend_bar_max + REAL(5)*L_share_max*c11_max + REAL(4)*c10_max*c15_max
-            + REAL(3)*c12_max*y_x_max + REAL(2)*c13_max*y_y_max + c14_max*y_z_max
-            + REAL(7)*kappa_max*lean_bar_max + REAL(12)*theta_dot2_bar_max*theta_dot_max
+            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c5_bar_max
+            + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max + REAL(2)*L_share_max*c13_max
+            + c12_max*c14_max + REAL(4)*kappa_max*lean_bar_max + REAL(6)*theta_dot2_bar_max*theta_dot_max
             + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar
-            - c12*k_x - c13*k_y - c14*k_z;
-        const stewart_real phi_dot_bar_err = C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err + c12_err*k_x_max
-            + c12_max*k_x_err + c13_err*k_y_max + c13_max*k_y_err + c14_err*k_z_max + c14_max*k_z_err
-            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
-            + REAL(2)*two_phi_dot_bar_err + STEWART_UNIT*(REAL(5)*C_us_max*tau_k_bar_max
-            + REAL(3)*c12_max*k_x_max + REAL(2)*c13_max*k_y_max + c14_max*k_z_max
-            + REAL(10)*phi_dot2_bar_max*phi_dot_max + REAL(6)*two_phi_dot_bar_max + STEWART_FABS(phi_dot_bar));
+        const stewart_real phi_dot_bar = C_s*c4_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar
+            + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar_err = C_s_max*c4_bar_err + C_us_err*tau_k_bar_max
+            + C_us_max*tau_k_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max
+            + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
+            + STEWART_UNIT*(REAL(3)*C_s_max*c4_bar_max + REAL(3)*C_us_max*tau_k_bar_max
+            + REAL(4)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c15 + bend_bar*theta_dot;
+        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c14 + bend_bar*theta_dot;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
-            + M_phi_L_err*c15_max + M_phi_L_max*c15_err + bend_bar_err*theta_dot_max
+            + M_phi_L_err*c14_max + M_phi_L_max*c14_err + bend_bar_err*theta_dot_max
             + bend_bar_max*theta_dot_err + STEWART_UNIT*(REAL(3)*C_p_max*D_weight_max
-            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c15_max + bend_bar_max*theta_dot_max
+            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c14_max + bend_bar_max*theta_dot_max
             + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
-        const stewart_real c16 = inv_rho*own_phi_ddot_bar;
-        const stewart_real c16_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err
+        const stewart_real c15 = inv_rho*own_phi_ddot_bar;
+        const stewart_real c15_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err
+            + STEWART_UNIT*STEWART_FABS(c15);
+        const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
+        const stewart_real c16 = inv_L*own_theta_ddot_bar;
+        const stewart_real c16_err = inv_L_err*own_theta_ddot_bar_max + inv_L_max*own_theta_ddot_bar_err
             + STEWART_UNIT*STEWART_FABS(c16);
         const stewart_real c16_max = STEWART_FABS(c16) + c16_err;
-        const stewart_real c17 = inv_L*own_theta_ddot_bar;
-        const stewart_real c17_err = inv_L_err*own_theta_ddot_bar_max + inv_L_max*own_theta_ddot_bar_err
+        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c15*y_z - c16*z_z;
+        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c15_err*y_z_max
+            + c15_max*y_z_err + c16_err*z_z_max + c16_max*z_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
+            + REAL(2)*c15_max*y_z_max + c16_max*z_z_max + STEWART_FABS(S_ddot_z_bar));
+        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
+        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c15*y_y - c16*z_y;
+        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c15_err*y_y_max
+            + c15_max*y_y_err + c16_err*z_y_max + c16_max*z_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
+            + REAL(2)*c15_max*y_y_max + c16_max*z_y_max + STEWART_FABS(S_ddot_y_bar));
+        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
+        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c15*y_x - c16*z_x;
+        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c15_err*y_x_max
+            + c15_max*y_x_err + c16_err*z_x_max + c16_max*z_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
+            + REAL(2)*c15_max*y_x_max + c16_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
+        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
+        const stewart_real c17 = inv_rho*phi_dot_bar;
+        const stewart_real c17_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c17);
         const stewart_real c17_max = STEWART_FABS(c17) + c17_err;
-        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c16*y_z - c17*z_z;
-        const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c16_err*y_z_max
-            + c16_max*y_z_err + c17_err*z_z_max + c17_max*z_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c16_max*y_z_max + c17_max*z_z_max + STEWART_FABS(S_ddot_z_bar));
-        const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
-        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c16*y_y - c17*z_y;
-        const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c16_err*y_y_max
-            + c16_max*y_y_err + c17_err*z_y_max + c17_max*z_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c16_max*y_y_max + c17_max*z_y_max + STEWART_FABS(S_ddot_y_bar));
-        const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
-        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c16*y_x - c17*z_x;
-        const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c16_err*y_x_max
-            + c16_max*y_x_err + c17_err*z_x_max + c17_max*z_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c16_max*y_x_max + c17_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
-        const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
-        const stewart_real c18 = inv_rho*phi_dot_bar;
-        const stewart_real c18_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
+        const stewart_real c18 = inv_L*theta_dot_bar;
+        const stewart_real c18_err = inv_L_err*theta_dot_bar_max + inv_L_max*theta_dot_bar_err
             + STEWART_UNIT*STEWART_FABS(c18);
         const stewart_real c18_max = STEWART_FABS(c18) + c18_err;
-        const stewart_real c19 = inv_L*theta_dot_bar;
-        const stewart_real c19_err = inv_L_err*theta_dot_bar_max + inv_L_max*theta_dot_bar_err
+        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c17*y_z - c18*z_z;
+        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c17_err*y_z_max
+            + c17_max*y_z_err + c18_err*z_z_max + c18_max*z_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
+            + REAL(2)*c17_max*y_z_max + c18_max*z_z_max + STEWART_FABS(S_dot_z_bar));
+        const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
+        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c17*y_y - c18*z_y;
+        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c17_err*y_y_max
+            + c17_max*y_y_err + c18_err*z_y_max + c18_max*z_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
+            + REAL(2)*c17_max*y_y_max + c18_max*z_y_max + STEWART_FABS(S_dot_y_bar));
+        const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
+        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c17*y_x - c18*z_x;
+        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c17_err*y_x_max
+            + c17_max*y_x_err + c18_err*z_x_max + c18_max*z_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
+            + REAL(2)*c17_max*y_x_max + c18_max*z_x_max + STEWART_FABS(S_dot_x_bar));
+        const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
+        const stewart_real c19 = c14*theta_dot;
+        const stewart_real c19_err = c14_err*theta_dot_max + c14_max*theta_dot_err
             + STEWART_UNIT*STEWART_FABS(c19);
         const stewart_real c19_max = STEWART_FABS(c19) + c19_err;
-        const stewart_real S_dot_z_bar = L_dot_bar*s_z + c18*y_z - c19*z_z;
-        const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c18_err*y_z_max
-            + c18_max*y_z_err + c19_err*z_z_max + c19_max*z_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c18_max*y_z_max + c19_max*z_z_max + STEWART_FABS(S_dot_z_bar));
-        const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
-        const stewart_real S_dot_y_bar = L_dot_bar*s_y + c18*y_y - c19*z_y;
-        const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c18_err*y_y_max
-            + c18_max*y_y_err + c19_err*z_y_max + c19_max*z_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c18_max*y_y_max + c19_max*z_y_max + STEWART_FABS(S_dot_y_bar));
-        const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
-        const stewart_real S_dot_x_bar = L_dot_bar*s_x + c18*y_x - c19*z_x;
-        const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c18_err*y_x_max
-            + c18_max*y_x_err + c19_err*z_x_max + c19_max*z_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c18_max*y_x_max + c19_max*z_x_max + STEWART_FABS(S_dot_x_bar));
-        const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
-        const stewart_real c20 = c15*theta_dot;
-        const stewart_real c20_err = c15_err*theta_dot_max + c15_max*theta_dot_err
-            + STEWART_UNIT*STEWART_FABS(c20);
-        const stewart_real c20_max = STEWART_FABS(c20) + c20_err;
-        const stewart_real kappa_bar = lean_bar*theta_dot - J_xx*c20;
-        const stewart_real kappa_bar_err = J_xx_err*c20_max + J_xx_max*c20_err + lean_bar_err*theta_dot_max
-            + lean_bar_max*theta_dot_err + STEWART_UNIT*(J_xx_max*c20_max + lean_bar_max*theta_dot_max
+        const stewart_real kappa_bar = lean_bar*theta_dot - J_xx*c19;
+        const stewart_real kappa_bar_err = J_xx_err*c19_max + J_xx_max*c19_err + lean_bar_err*theta_dot_max
+            + lean_bar_max*theta_dot_err + STEWART_UNIT*(J_xx_max*c19_max + lean_bar_max*theta_dot_max
             + STEWART_FABS(kappa_bar));
         const stewart_real kappa_bar_max = STEWART_FABS(kappa_bar) + kappa_bar_err;
         const stewart_real k3_bar = J_yz*M_mixed_bar + c1_bar*k1 + h_y*k3_h_bar + REAL(2)*k3*k33_bar
@@ -4585,70 +5000,70 @@ static void leg_errors_near_singularity(
             + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
             + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
-        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + M_mixed_bar*a3 + c1_bar*k3 + w_k_bar*w_x - bend*c4
+        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + M_mixed_bar*a3 + c1_bar*k3 + w_k_bar*w_x - bend*c6
             - w_n_bar*w_z;
         const stewart_real k1_bar_err = J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err
-            + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c4_max + bend_max*c4_err
+            + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c6_max + bend_max*c6_err
             + c1_bar_err*k3_max + c1_bar_max*k3_err + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err
             + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c4_max + REAL(4)*c1_bar_max*k3_max
+            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c6_max + REAL(4)*c1_bar_max*k3_max
             + REAL(3)*w_k_bar_max*w_x_max + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
-        const stewart_real c21 = C_s*tau_y_bar;
-        const stewart_real c21_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c21);
-        const stewart_real c21_max = STEWART_FABS(c21) + c21_err;
-        const stewart_real y_z_bar = K_z_bar*Q_y + S_ddot_z*c16 + S_dot_z*c18 + g_x_k_z*gamma_n_bar
-            + g_z*gamma_y_bar - c14*theta_dot - c21*omega_z;
-        const stewart_real y_z_bar_err = K_z_bar_err*Q_y_max + K_z_bar_max*Q_y_err + S_ddot_z_err*c16_max
-            + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err + c14_err*theta_dot_max
-            + c14_max*theta_dot_err + c21_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
-            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_z_bar_max*Q_y_max
-            + REAL(6)*S_ddot_z_max*c16_max + REAL(5)*S_dot_z_max*c18_max + REAL(2)*c14_max*theta_dot_max
-            + c21_max*omega_z_max + REAL(4)*g_x_k_z_max*gamma_n_bar_max + REAL(3)*g_z_max*gamma_y_bar_max
-            + STEWART_FABS(y_z_bar));
+        const stewart_real c20 = C_s*tau_y_bar;
+        const stewart_real c20_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c20);
+        const stewart_real c20_max = STEWART_FABS(c20) + c20_err;
+        const stewart_real y_z_bar = S_ddot_z*c15 + S_dot_z*c17 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar
+            - Q_y*c_force_z_bar - Y_moment_z*c5 - c20*omega_z;
+        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err
+            + S_ddot_z_err*c15_max + S_ddot_z_max*c15_err + S_dot_z_err*c17_max + S_dot_z_max*c17_err
+            + Y_moment_z_max*c5_err + c20_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
+            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max + REAL(6)*S_ddot_z_max*c15_max
+            + REAL(6)*S_dot_z_max*c17_max + REAL(2)*Y_moment_z_max*c5_max + c20_max*omega_z_max
+            + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = K_y_bar*Q_y + S_ddot_y*c16 + S_dot_y*c18 + g_x_k_y*gamma_n_bar
-            + g_y*gamma_y_bar - c13*theta_dot - c21*omega_y;
-        const stewart_real y_y_bar_err = K_y_bar_err*Q_y_max + K_y_bar_max*Q_y_err + S_ddot_y_err*c16_max
-            + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err + c13_err*theta_dot_max
-            + c13_max*theta_dot_err + c21_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
-            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_y_bar_max*Q_y_max
-            + REAL(6)*S_ddot_y_max*c16_max + REAL(5)*S_dot_y_max*c18_max + REAL(2)*c13_max*theta_dot_max
-            + c21_max*omega_y_max + REAL(4)*g_x_k_y_max*gamma_n_bar_max + REAL(3)*g_y_max*gamma_y_bar_max
-            + STEWART_FABS(y_y_bar));
+        const stewart_real y_y_bar = S_ddot_y*c15 + S_dot_y*c17 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar
+            - Q_y*c_force_y_bar - Y_moment_y*c5 - c20*omega_y;
+        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err
+            + S_ddot_y_err*c15_max + S_ddot_y_max*c15_err + S_dot_y_err*c17_max + S_dot_y_max*c17_err
+            + Y_moment_y_max*c5_err + c20_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
+            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max + REAL(6)*S_ddot_y_max*c15_max
+            + REAL(6)*S_dot_y_max*c17_max + REAL(2)*Y_moment_y_max*c5_max + c20_max*omega_y_max
+            + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = K_x_bar*Q_y + S_ddot_x*c16 + S_dot_x*c18 + g_x*gamma_y_bar
-            + g_x_k_x*gamma_n_bar - c12*theta_dot - c21*omega_x;
-        const stewart_real y_x_bar_err = K_x_bar_err*Q_y_max + K_x_bar_max*Q_y_err + S_ddot_x_err*c16_max
-            + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err + c12_err*theta_dot_max
-            + c12_max*theta_dot_err + c21_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
-            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(6)*K_x_bar_max*Q_y_max
-            + REAL(6)*S_ddot_x_max*c16_max + REAL(5)*S_dot_x_max*c18_max + REAL(2)*c12_max*theta_dot_max
-            + c21_max*omega_x_max + REAL(3)*g_x_k_x_max*gamma_n_bar_max + REAL(4)*g_x_max*gamma_y_bar_max
-            + STEWART_FABS(y_x_bar));
+        const stewart_real y_x_bar = S_ddot_x*c15 + S_dot_x*c17 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar
+            - Q_y*c_force_x_bar - Y_moment_x*c5 - c20*omega_x;
+        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err
+            + S_ddot_x_err*c15_max + S_ddot_x_max*c15_err + S_dot_x_err*c17_max + S_dot_x_max*c17_err
+            + Y_moment_x_max*c5_err + c20_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
+            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err
+            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max + REAL(6)*S_ddot_x_max*c15_max
+            + REAL(6)*S_dot_x_max*c17_max + REAL(2)*Y_moment_x_max*c5_max + c20_max*omega_x_max
+            + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
-        const stewart_real z_z_bar = K_z_bar*Q_z + s_x*y_y_bar - S_ddot_z*c17 - S_dot_z*c19 - s_y*y_x_bar;
-        const stewart_real z_z_bar_err = K_z_bar_err*Q_z_max + K_z_bar_max*Q_z_err + S_ddot_z_err*c17_max
-            + S_ddot_z_max*c17_err + S_dot_z_err*c19_max + S_dot_z_max*c19_err + s_x_err*y_y_bar_max
-            + s_x_max*y_y_bar_err + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*K_z_bar_max*Q_z_max + REAL(3)*S_ddot_z_max*c17_max
-            + REAL(2)*S_dot_z_max*c19_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max
+        const stewart_real z_z_bar = s_x*y_y_bar - Q_z*c_force_z_bar - S_ddot_z*c16 - S_dot_z*c18 - s_y*y_x_bar;
+        const stewart_real z_z_bar_err = Q_z_err*c_force_z_bar_max + Q_z_max*c_force_z_bar_err
+            + S_ddot_z_err*c16_max + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err
+            + s_x_err*y_y_bar_max + s_x_max*y_y_bar_err + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err
+            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_z_bar_max + REAL(3)*S_ddot_z_max*c16_max
+            + REAL(2)*S_dot_z_max*c18_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max
             + STEWART_FABS(z_z_bar));
         const stewart_real z_z_bar_max = STEWART_FABS(z_z_bar) + z_z_bar_err;
-        const stewart_real z_y_bar = K_y_bar*Q_z + s_z*y_x_bar - S_ddot_y*c17 - S_dot_y*c19 - s_x*y_z_bar;
-        const stewart_real z_y_bar_err = K_y_bar_err*Q_z_max + K_y_bar_max*Q_z_err + S_ddot_y_err*c17_max
-            + S_ddot_y_max*c17_err + S_dot_y_err*c19_max + S_dot_y_max*c19_err + s_x_err*y_z_bar_max
-            + s_x_max*y_z_bar_err + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*K_y_bar_max*Q_z_max + REAL(3)*S_ddot_y_max*c17_max
-            + REAL(2)*S_dot_y_max*c19_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max
+        const stewart_real z_y_bar = s_z*y_x_bar - Q_z*c_force_y_bar - S_ddot_y*c16 - S_dot_y*c18 - s_x*y_z_bar;
+        const stewart_real z_y_bar_err = Q_z_err*c_force_y_bar_max + Q_z_max*c_force_y_bar_err
+            + S_ddot_y_err*c16_max + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err
+            + s_x_err*y_z_bar_max + s_x_max*y_z_bar_err + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err
+            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_y_bar_max + REAL(3)*S_ddot_y_max*c16_max
+            + REAL(2)*S_dot_y_max*c18_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max
             + STEWART_FABS(z_y_bar));
         const stewart_real z_y_bar_max = STEWART_FABS(z_y_bar) + z_y_bar_err;
-        const stewart_real z_x_bar = K_x_bar*Q_z + s_y*y_z_bar - S_ddot_x*c17 - S_dot_x*c19 - s_z*y_y_bar;
-        const stewart_real z_x_bar_err = K_x_bar_err*Q_z_max + K_x_bar_max*Q_z_err + S_ddot_x_err*c17_max
-            + S_ddot_x_max*c17_err + S_dot_x_err*c19_max + S_dot_x_max*c19_err + s_y_err*y_z_bar_max
-            + s_y_max*y_z_bar_err + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err
-            + STEWART_UNIT*(REAL(4)*K_x_bar_max*Q_z_max + REAL(3)*S_ddot_x_max*c17_max
-            + REAL(2)*S_dot_x_max*c19_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max
+        const stewart_real z_x_bar = s_y*y_z_bar - Q_z*c_force_x_bar - S_ddot_x*c16 - S_dot_x*c18 - s_z*y_y_bar;
+        const stewart_real z_x_bar_err = Q_z_err*c_force_x_bar_max + Q_z_max*c_force_x_bar_err
+            + S_ddot_x_err*c16_max + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err
+            + s_y_err*y_z_bar_max + s_y_max*y_z_bar_err + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err
+            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_x_bar_max + REAL(3)*S_ddot_x_max*c16_max
+            + REAL(2)*S_dot_x_max*c18_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max
             + STEWART_FABS(z_x_bar));
         const stewart_real z_x_bar_max = STEWART_FABS(z_x_bar) + z_x_bar_err;
         const stewart_real inv_rho_bar = Q_y_bar*tau_k + kappa_bar*zeta + own_phi_ddot_bar*(S_ddot_x*y_x
@@ -4681,77 +5096,65 @@ static void leg_errors_near_singularity(
             + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
             + STEWART_FABS(rho_bar));
         const stewart_real rho_bar_max = STEWART_FABS(rho_bar) + rho_bar_err;
-        const stewart_real c22 = inv_rho*rho_bar;
-        const stewart_real c22_err = inv_rho_err*rho_bar_max + inv_rho_max*rho_bar_err
-            + STEWART_UNIT*STEWART_FABS(c22);
-        const stewart_real c22_max = STEWART_FABS(c22) + c22_err;
-        const stewart_real s_cross_normal_z_bar = c22*s_cross_normal_z + inv_rho*z_z_bar;
-        const stewart_real s_cross_normal_z_bar_err = c22_err*s_cross_normal_z_max
-            + c22_max*s_cross_normal_z_err + inv_rho_err*z_z_bar_max + inv_rho_max*z_z_bar_err
-            + STEWART_UNIT*(c22_max*s_cross_normal_z_max + inv_rho_max*z_z_bar_max
+        const stewart_real c21 = inv_rho*rho_bar;
+        const stewart_real c21_err = inv_rho_err*rho_bar_max + inv_rho_max*rho_bar_err
+            + STEWART_UNIT*STEWART_FABS(c21);
+        const stewart_real c21_max = STEWART_FABS(c21) + c21_err;
+        const stewart_real s_cross_normal_z_bar = c21*s_cross_normal_z + inv_rho*z_z_bar;
+        const stewart_real s_cross_normal_z_bar_err = c21_err*s_cross_normal_z_max
+            + c21_max*s_cross_normal_z_err + inv_rho_err*z_z_bar_max + inv_rho_max*z_z_bar_err
+            + STEWART_UNIT*(c21_max*s_cross_normal_z_max + inv_rho_max*z_z_bar_max
             + STEWART_FABS(s_cross_normal_z_bar));
         const stewart_real s_cross_normal_z_bar_max = STEWART_FABS(s_cross_normal_z_bar)
             + s_cross_normal_z_bar_err;
-        const stewart_real s_cross_normal_y_bar = c22*s_cross_normal_y + inv_rho*z_y_bar;
-        const stewart_real s_cross_normal_y_bar_err = c22_err*s_cross_normal_y_max
-            + c22_max*s_cross_normal_y_err + inv_rho_err*z_y_bar_max + inv_rho_max*z_y_bar_err
-            + STEWART_UNIT*(c22_max*s_cross_normal_y_max + inv_rho_max*z_y_bar_max
+        const stewart_real s_cross_normal_y_bar = c21*s_cross_normal_y + inv_rho*z_y_bar;
+        const stewart_real s_cross_normal_y_bar_err = c21_err*s_cross_normal_y_max
+            + c21_max*s_cross_normal_y_err + inv_rho_err*z_y_bar_max + inv_rho_max*z_y_bar_err
+            + STEWART_UNIT*(c21_max*s_cross_normal_y_max + inv_rho_max*z_y_bar_max
             + STEWART_FABS(s_cross_normal_y_bar));
         const stewart_real s_cross_normal_y_bar_max = STEWART_FABS(s_cross_normal_y_bar)
             + s_cross_normal_y_bar_err;
-        const stewart_real s_cross_normal_x_bar = c22*s_cross_normal_x + inv_rho*z_x_bar;
-        const stewart_real s_cross_normal_x_bar_err = c22_err*s_cross_normal_x_max
-            + c22_max*s_cross_normal_x_err + inv_rho_err*z_x_bar_max + inv_rho_max*z_x_bar_err
-            + STEWART_UNIT*(c22_max*s_cross_normal_x_max + inv_rho_max*z_x_bar_max
+        const stewart_real s_cross_normal_x_bar = c21*s_cross_normal_x + inv_rho*z_x_bar;
+        const stewart_real s_cross_normal_x_bar_err = c21_err*s_cross_normal_x_max
+            + c21_max*s_cross_normal_x_err + inv_rho_err*z_x_bar_max + inv_rho_max*z_x_bar_err
+            + STEWART_UNIT*(c21_max*s_cross_normal_x_max + inv_rho_max*z_x_bar_max
             + STEWART_FABS(s_cross_normal_x_bar));
         const stewart_real s_cross_normal_x_bar_max = STEWART_FABS(s_cross_normal_x_bar)
             + s_cross_normal_x_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + H_moment_x_bar*r_y + L_ddot_bar*S_ddot_z
-            + L_dot_bar*S_dot_z + k_cross_S_x*s_cross_normal_y_bar + y_x_bar*z_y - H_moment_y_bar*r_x
-            - k_cross_S_y*s_cross_normal_x_bar - y_y_bar*z_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + H_moment_x_bar_err*r_y_max
-            + H_moment_x_bar_max*r_y_err + H_moment_y_bar_err*r_x_max + H_moment_y_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max
-            + L_dot_bar_max*S_dot_z_err + k_cross_S_x_err*s_cross_normal_y_bar_max
-            + k_cross_S_x_max*s_cross_normal_y_bar_err + k_cross_S_y_err*s_cross_normal_x_bar_max
-            + k_cross_S_y_max*s_cross_normal_x_bar_err + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err
-            + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err + STEWART_UNIT*(REAL(7)*H_force_z_bar_max
-            + REAL(8)*H_moment_x_bar_max*r_y_max + REAL(3)*H_moment_y_bar_max*r_x_max
-            + REAL(7)*L_ddot_bar_max*S_ddot_z_max + REAL(6)*L_dot_bar_max*S_dot_z_max
-            + REAL(5)*k_cross_S_x_max*s_cross_normal_y_bar_max
-            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(4)*y_x_bar_max*z_y_max
+        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z
+            + k_cross_S_x*s_cross_normal_y_bar + y_x_bar*z_y - k_cross_S_y*s_cross_normal_x_bar - y_y_bar*z_x;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max
+            + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err
+            + k_cross_S_x_err*s_cross_normal_y_bar_max + k_cross_S_x_max*s_cross_normal_y_bar_err
+            + k_cross_S_y_err*s_cross_normal_x_bar_max + k_cross_S_y_max*s_cross_normal_x_bar_err
+            + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err
+            + STEWART_UNIT*(REAL(5)*H_force_z_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_z_max
+            + REAL(5)*L_dot_bar_max*S_dot_z_max + REAL(4)*k_cross_S_x_max*s_cross_normal_y_bar_max
+            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(3)*y_x_bar_max*z_y_max
             + y_y_bar_max*z_x_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + H_moment_z_bar*r_x + L_ddot_bar*S_ddot_y
-            + L_dot_bar*S_dot_y + k_cross_S_z*s_cross_normal_x_bar + y_z_bar*z_x - H_moment_x_bar*r_z
-            - k_cross_S_x*s_cross_normal_z_bar - y_x_bar*z_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + H_moment_x_bar_err*r_z_max
-            + H_moment_x_bar_max*r_z_err + H_moment_z_bar_err*r_x_max + H_moment_z_bar_max*r_x_err
-            + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max
-            + L_dot_bar_max*S_dot_y_err + k_cross_S_x_err*s_cross_normal_z_bar_max
-            + k_cross_S_x_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_x_bar_max
-            + k_cross_S_z_max*s_cross_normal_x_bar_err + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err
-            + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err + STEWART_UNIT*(REAL(7)*H_force_y_bar_max
-            + REAL(3)*H_moment_x_bar_max*r_z_max + REAL(8)*H_moment_z_bar_max*r_x_max
-            + REAL(7)*L_ddot_bar_max*S_ddot_y_max + REAL(6)*L_dot_bar_max*S_dot_y_max
-            + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
-            + REAL(5)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max
-            + REAL(4)*y_z_bar_max*z_x_max + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y
+            + k_cross_S_z*s_cross_normal_x_bar + y_z_bar*z_x - k_cross_S_x*s_cross_normal_z_bar - y_x_bar*z_z;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max
+            + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err
+            + k_cross_S_x_err*s_cross_normal_z_bar_max + k_cross_S_x_max*s_cross_normal_z_bar_err
+            + k_cross_S_z_err*s_cross_normal_x_bar_max + k_cross_S_z_max*s_cross_normal_x_bar_err
+            + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err
+            + STEWART_UNIT*(REAL(5)*H_force_y_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_y_max
+            + REAL(5)*L_dot_bar_max*S_dot_y_max + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
+            + REAL(4)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max
+            + REAL(3)*y_z_bar_max*z_x_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + H_moment_y_bar*r_z + L_ddot_bar*S_ddot_x
-            + L_dot_bar*S_dot_x + k_cross_S_y*s_cross_normal_z_bar + y_y_bar*z_z - H_moment_z_bar*r_y
-            - k_cross_S_z*s_cross_normal_y_bar - y_z_bar*z_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + H_moment_y_bar_err*r_z_max
-            + H_moment_y_bar_max*r_z_err + H_moment_z_bar_err*r_y_max + H_moment_z_bar_max*r_y_err
-            + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max
-            + L_dot_bar_max*S_dot_x_err + k_cross_S_y_err*s_cross_normal_z_bar_max
-            + k_cross_S_y_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_y_bar_max
-            + k_cross_S_z_max*s_cross_normal_y_bar_err + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err
-            + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err + STEWART_UNIT*(REAL(7)*H_force_x_bar_max
-            + REAL(8)*H_moment_y_bar_max*r_z_max + REAL(3)*H_moment_z_bar_max*r_y_max
-            + REAL(7)*L_ddot_bar_max*S_ddot_x_max + REAL(6)*L_dot_bar_max*S_dot_x_max
-            + REAL(5)*k_cross_S_y_max*s_cross_normal_z_bar_max
-            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(4)*y_y_bar_max*z_z_max
+        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x
+            + k_cross_S_y*s_cross_normal_z_bar + y_y_bar*z_z - k_cross_S_z*s_cross_normal_y_bar - y_z_bar*z_y;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max
+            + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err
+            + k_cross_S_y_err*s_cross_normal_z_bar_max + k_cross_S_y_max*s_cross_normal_z_bar_err
+            + k_cross_S_z_err*s_cross_normal_y_bar_max + k_cross_S_z_max*s_cross_normal_y_bar_err
+            + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err
+            + STEWART_UNIT*(REAL(5)*H_force_x_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_x_max
+            + REAL(5)*L_dot_bar_max*S_dot_x_max + REAL(4)*k_cross_S_y_max*s_cross_normal_z_bar_max
+            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(3)*y_y_bar_max*z_z_max
             + y_z_bar_max*z_y_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
@@ -4814,106 +5217,94 @@ static void leg_errors_near_singularity(
             + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err + STEWART_UNIT*(inv_L_max*k1_bar_max
             + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
-        const stewart_real c23 = L_bar*inv_L;
-        const stewart_real c23_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c23);
-        const stewart_real c23_max = STEWART_FABS(c23) + c23_err;
-        const stewart_real S_z_bar = S_z*c23 + inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar
+        const stewart_real c22 = L_bar*inv_L;
+        const stewart_real c22_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c22);
+        const stewart_real c22_max = STEWART_FABS(c22) + c22_err;
+        const stewart_real S_z_bar = S_z*c22 + inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar
             - k_cross_S_y_bar*k_x;
-        const stewart_real S_z_bar_err = S_z_err*c23_max + S_z_max*c23_err + inv_L_err*s_z_bar_max
+        const stewart_real S_z_bar_err = S_z_err*c22_max + S_z_max*c22_err + inv_L_err*s_z_bar_max
             + inv_L_max*s_z_bar_err + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err
             + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max
-            + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c23_max + REAL(4)*inv_L_max*s_z_bar_max
+            + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c22_max + REAL(4)*inv_L_max*s_z_bar_max
             + REAL(3)*k_cross_S_x_bar_max*k_y_max + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max
             + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
-        const stewart_real S_y_bar = S_y*c23 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar
+        const stewart_real S_y_bar = S_y*c22 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar
             - k_cross_S_x_bar*k_z;
-        const stewart_real S_y_bar_err = S_y_err*c23_max + S_y_max*c23_err + inv_L_err*s_y_bar_max
+        const stewart_real S_y_bar_err = S_y_err*c22_max + S_y_max*c22_err + inv_L_err*s_y_bar_max
             + inv_L_max*s_y_bar_err + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err
             + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max
-            + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c23_max + REAL(4)*inv_L_max*s_y_bar_max
+            + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c22_max + REAL(4)*inv_L_max*s_y_bar_max
             + k_cross_S_x_bar_max*k_z_max + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max
             + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
-        const stewart_real S_x_bar = S_x*c23 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar
+        const stewart_real S_x_bar = S_x*c22 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar
             - k_cross_S_z_bar*k_y;
-        const stewart_real S_x_bar_err = S_x_err*c23_max + S_x_max*c23_err + inv_L_err*s_x_bar_max
+        const stewart_real S_x_bar_err = S_x_err*c22_max + S_x_max*c22_err + inv_L_err*s_x_bar_max
             + inv_L_max*s_x_bar_err + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err
             + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max
-            + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c23_max + REAL(4)*inv_L_max*s_x_bar_max
+            + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c22_max + REAL(4)*inv_L_max*s_x_bar_max
             + REAL(3)*k_cross_S_y_bar_max*k_z_max + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max
             + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real S_1_z_bar = K_x*Y_moment_y + S_z_bar - K_y*Y_moment_x;
-        const stewart_real S_1_z_bar_err = K_x_err*Y_moment_y_max + K_y_err*Y_moment_x_max + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*K_x_max*Y_moment_y_max + K_y_max*Y_moment_x_max + S_z_bar_max
-            + STEWART_FABS(S_1_z_bar));
-        const stewart_real S_1_z_bar_max = STEWART_FABS(S_1_z_bar) + S_1_z_bar_err;
-        const stewart_real S_1_y_bar = K_z*Y_moment_x + S_y_bar - K_x*Y_moment_z;
-        const stewart_real S_1_y_bar_err = K_x_err*Y_moment_z_max + K_z_err*Y_moment_x_max + S_y_bar_err
-            + STEWART_UNIT*(K_x_max*Y_moment_z_max + REAL(2)*K_z_max*Y_moment_x_max + S_y_bar_max
-            + STEWART_FABS(S_1_y_bar));
-        const stewart_real S_1_y_bar_max = STEWART_FABS(S_1_y_bar) + S_1_y_bar_err;
-        const stewart_real S_1_x_bar = K_y*Y_moment_z + S_x_bar - K_z*Y_moment_y;
-        const stewart_real S_1_x_bar_err = K_y_err*Y_moment_z_max + K_z_err*Y_moment_y_max + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*K_y_max*Y_moment_z_max + K_z_max*Y_moment_y_max + S_x_bar_max
-            + STEWART_FABS(S_1_x_bar));
-        const stewart_real S_1_x_bar_max = STEWART_FABS(S_1_x_bar) + S_1_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_1_z_bar
-            + S_dot_x_bar*omega_y - S_dot_y_bar*omega_x;
+        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar
+            + S_dot_x_bar*omega_y + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
         const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
             + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
-            + B_zz_max*S_ddot_z_bar_err + S_1_z_bar_err + S_dot_x_bar_err*omega_y_max
-            + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xz_max*S_ddot_x_bar_max
-            + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max + REAL(2)*S_1_z_bar_max
-            + REAL(2)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
+            + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max
+            + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
+            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max
+            + REAL(4)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max
+            + arm_z_bar_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_1_y_bar
-            + S_dot_z_bar*omega_x - S_dot_x_bar*omega_z;
+        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar
+            + S_dot_z_bar*omega_x + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
         const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
             + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
-            + B_zy_max*S_ddot_z_bar_err + S_1_y_bar_err + S_dot_x_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*B_xy_max*S_ddot_x_bar_max
-            + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max + REAL(2)*S_1_y_bar_max
-            + S_dot_x_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
+            + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max
+            + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
+            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max
+            + S_dot_x_bar_max*omega_z_max + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max
+            + arm_y_bar_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_1_x_bar
-            + S_dot_y_bar*omega_z - S_dot_z_bar*omega_y;
+        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar
+            + S_dot_y_bar*omega_z + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
         const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
             + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
-            + B_zx_max*S_ddot_z_bar_err + S_1_x_bar_err + S_dot_y_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*B_xx_max*S_ddot_x_bar_max
-            + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max + REAL(2)*S_1_x_bar_max
-            + REAL(2)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
+            + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max
+            + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
+            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max
+            + REAL(4)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max
+            + arm_x_bar_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
-        const stewart_real c24 = C_s*tau_k_bar;
-        const stewart_real c24_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c24);
-        const stewart_real c24_max = STEWART_FABS(c24) + c24_err;
-        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar - c12*phi_dot
-            - c24*omega_x;
+        const stewart_real c23 = C_s*tau_k_bar;
+        const stewart_real c23_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c23);
+        const stewart_real c23_max = STEWART_FABS(c23) + c23_err;
+        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar - Y_moment_x*c4
+            - c23*omega_x;
         const stewart_real k_x_bar_err = S_x_err*zeta_bar_max + S_x_max*zeta_bar_err
             + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max
-            + S_z_max*k_cross_S_y_bar_err + c12_err*phi_dot_max + c12_max*phi_dot_err + c24_err*omega_x_max
+            + S_z_max*k_cross_S_y_bar_err + Y_moment_x_max*c4_err + c23_err*omega_x_max
             + STEWART_UNIT*(REAL(4)*S_x_max*zeta_bar_max + REAL(4)*S_y_max*k_cross_S_z_bar_max
-            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*c12_max*phi_dot_max + c24_max*omega_x_max
+            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c4_max + c23_max*omega_x_max
             + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar - c13*phi_dot
-            - c24*omega_y;
+        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar - Y_moment_y*c4
+            - c23*omega_y;
         const stewart_real k_y_bar_err = S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err
             + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max
-            + S_z_max*k_cross_S_x_bar_err + c13_err*phi_dot_max + c13_max*phi_dot_err + c24_err*omega_y_max
+            + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c4_err + c23_err*omega_y_max
             + STEWART_UNIT*(REAL(3)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
-            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*c13_max*phi_dot_max + c24_max*omega_y_max
+            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c4_max + c23_max*omega_y_max
             + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - S_y*k_cross_S_x_bar - c14*phi_dot
-            - c24*omega_z;
+        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - S_y*k_cross_S_x_bar - Y_moment_z*c4
+            - c23*omega_z;
         const stewart_real k_z_bar_err = S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err
             + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max
-            + S_z_max*zeta_bar_err + c14_err*phi_dot_max + c14_max*phi_dot_err + c24_err*omega_z_max
+            + S_z_max*zeta_bar_err + Y_moment_z_max*c4_err + c23_err*omega_z_max
             + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(3)*S_y_max*k_cross_S_x_bar_max
-            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*c14_max*phi_dot_max + c24_max*omega_z_max
+            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c4_max + c23_max*omega_z_max
             + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
@@ -4960,25 +5351,25 @@ static void leg_errors_near_singularity(
             + k3_max*w_k_bar_err + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max
             + STEWART_FABS(w_z_bar));
         const stewart_real w_z_bar_max = STEWART_FABS(w_z_bar) + w_z_bar_err;
-        const stewart_real J_xx_bar = M_phi_bar - c20*kappa;
-        const stewart_real J_xx_bar_err = M_phi_bar_err + c20_err*kappa_max + c20_max*kappa_err
-            + STEWART_UNIT*(c20_max*kappa_max + STEWART_FABS(J_xx_bar));
+        const stewart_real J_xx_bar = M_phi_bar - c19*kappa;
+        const stewart_real J_xx_bar_err = M_phi_bar_err + c19_err*kappa_max + c19_max*kappa_err
+            + STEWART_UNIT*(c19_max*kappa_max + STEWART_FABS(J_xx_bar));
         const stewart_real J_xx_bar_max = STEWART_FABS(J_xx_bar) + J_xx_bar_err;
-        const stewart_real c25 = c6*k13;
-        const stewart_real c25_err = c6_err*k13_max + c6_max*k13_err + STEWART_UNIT*STEWART_FABS(c25);
-        const stewart_real J_yy_bar = M_theta_bar + c25;
-        const stewart_real J_yy_bar_err = M_theta_bar_err + c25_err + STEWART_UNIT*STEWART_FABS(J_yy_bar);
+        const stewart_real c24 = c8*k13;
+        const stewart_real c24_err = c8_err*k13_max + c8_max*k13_err + STEWART_UNIT*STEWART_FABS(c24);
+        const stewart_real J_yy_bar = M_theta_bar + c24;
+        const stewart_real J_yy_bar_err = M_theta_bar_err + c24_err + STEWART_UNIT*STEWART_FABS(J_yy_bar);
         const stewart_real J_yy_bar_max = STEWART_FABS(J_yy_bar) + J_yy_bar_err;
         const stewart_real J_yz_bar = M_mixed_bar*k3 + M_mixed_theta_bar*k1;
         const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err
             + M_mixed_theta_bar_err*k1_max + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max
             + M_mixed_theta_bar_max*k1_max + STEWART_FABS(J_yz_bar));
         const stewart_real J_yz_bar_max = STEWART_FABS(J_yz_bar) + J_yz_bar_err;
-        const stewart_real J2_xz_bar = c7;
-        const stewart_real J2_xz_bar_err = c7_err;
+        const stewart_real J2_xz_bar = c9;
+        const stewart_real J2_xz_bar_err = c9_err;
         const stewart_real J2_xz_bar_max = STEWART_FABS(J2_xz_bar) + J2_xz_bar_err;
-        const stewart_real dJ_zx_bar = a1_bar - c25;
-        const stewart_real dJ_zx_bar_err = a1_bar_err + c25_err + STEWART_UNIT*STEWART_FABS(dJ_zx_bar);
+        const stewart_real dJ_zx_bar = a1_bar - c24;
+        const stewart_real dJ_zx_bar_err = a1_bar_err + c24_err + STEWART_UNIT*STEWART_FABS(dJ_zx_bar);
         const stewart_real dJ_zx_bar_max = STEWART_FABS(dJ_zx_bar) + dJ_zx_bar_err;
         const stewart_real g_k_bar = tau_y_bar*w_n;
         const stewart_real g_k_bar_err = tau_y_bar_err*w_n_max + tau_y_bar_max*w_n_err
@@ -5046,37 +5437,19 @@ static void leg_errors_near_singularity(
         const stewart_real B_zz_bar = S_ddot_z_bar*q_z;
         const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err
             + STEWART_UNIT*STEWART_FABS(B_zz_bar);
-        const stewart_real r_x_bar = H_moment_z_bar*s_y - H_moment_y_bar*s_z - S_x_bar;
-        const stewart_real r_x_bar_err = H_moment_y_bar_err*s_z_max + H_moment_y_bar_max*s_z_err
-            + H_moment_z_bar_err*s_y_max + H_moment_z_bar_max*s_y_err + S_x_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_y_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_y_max
-            + STEWART_FABS(r_x_bar));
-        const stewart_real r_x_bar_max = STEWART_FABS(r_x_bar) + r_x_bar_err;
-        const stewart_real r_y_bar = H_moment_x_bar*s_z - H_moment_z_bar*s_x - S_y_bar;
-        const stewart_real r_y_bar_err = H_moment_x_bar_err*s_z_max + H_moment_x_bar_max*s_z_err
-            + H_moment_z_bar_err*s_x_max + H_moment_z_bar_max*s_x_err + S_y_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_z_max + REAL(2)*H_moment_z_bar_max*s_x_max
-            + STEWART_FABS(r_y_bar));
-        const stewart_real r_y_bar_max = STEWART_FABS(r_y_bar) + r_y_bar_err;
-        const stewart_real r_z_bar = H_moment_y_bar*s_x - H_moment_x_bar*s_y - S_z_bar;
-        const stewart_real r_z_bar_err = H_moment_x_bar_err*s_y_max + H_moment_x_bar_max*s_y_err
-            + H_moment_y_bar_err*s_x_max + H_moment_y_bar_max*s_x_err + S_z_bar_err
-            + STEWART_UNIT*(REAL(2)*H_moment_x_bar_max*s_y_max + REAL(2)*H_moment_y_bar_max*s_x_max
-            + STEWART_FABS(r_z_bar));
-        const stewart_real r_z_bar_max = STEWART_FABS(r_z_bar) + r_z_bar_err;
         error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
             + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
             + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err
             + w_z_bar_max*w_z_err + J_xx_bar_max*J_xx_err + a3_bar_max*J_xy_err + J_yy_bar_max*J_yy_err
             + J_yz_bar_max*J_yz_err + J2_xz_bar_max*J2_xz_err + dJ_zx_bar_max*dJ_zx_err
             + g_k_bar_max*g_k_err + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err
-            + g_x_k_z_bar_max*g_x_k_z_err + C_us_bar_max*C_us_err + r_x_bar_max*r_x_err
-            + r_y_bar_max*r_y_err + r_z_bar_max*r_z_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own
-            + q_z_bar_max*q_z_own + S_1_x_bar_max*S_1_x_own + S_1_y_bar_max*S_1_y_own
-            + S_1_z_bar_max*S_1_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own
-            + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
-            + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own
-            + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
+            + g_x_k_z_bar_max*g_x_k_z_err + C_us_bar_max*C_us_err + S_x_bar_max*r_x_err
+            + S_y_bar_max*r_y_err + S_z_bar_max*r_z_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own
+            + q_z_bar_max*q_z_own + S_x_bar_max*S_1_x_own + S_y_bar_max*S_1_y_own + S_z_bar_max*S_1_z_own
+            + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own
+            + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
+            + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own + inv_L_bar_max*inv_L_own
+            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
             + s_cross_normal_x_bar_max*s_cross_normal_x_own + s_cross_normal_y_bar_max*s_cross_normal_y_own
             + s_cross_normal_z_bar_max*s_cross_normal_z_own + rho_bar_max*rho_own
             + inv_rho_bar_max*inv_rho_own + z_x_bar_max*z_x_own + z_y_bar_max*z_y_own + z_z_bar_max*z_z_own
@@ -5094,10 +5467,13 @@ static void leg_errors_near_singularity(
             + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
             + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own
             + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_y_bar_max*Q_y_own + Q_z_bar_max*Q_z_own
-            + K_x_bar_max*K_x_own + K_y_bar_max*K_y_own + K_z_bar_max*K_z_own + D_weight_max*D_own
-            + H_moment_x_bar_max*H_moment_x_own + H_moment_y_bar_max*H_moment_y_own
-            + H_moment_z_bar_max*H_moment_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own;
+            + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own
+            + D_weight_max*D_own + c4_bar_max*c4_own + c5_bar_max*c5_own + arm_x_bar_max*arm_x_own
+            + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own + Y_moment_x_max*c_moment_x_own
+            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
+            + H_moment_z_weight_max*H_moment_z_own + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own
+            + Y_arm_z_max*arm_c_z_own;
         add(&slopes[i].R_legs[0], &slopes[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
         add(&slopes[i].R_legs[1], &slopes[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
         add(&slopes[i].R_legs[2], &slopes[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
@@ -5116,59 +5492,83 @@ static void leg_errors_near_singularity(
         add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
         add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
         add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_1_x_bar, S_1_x_bar_err);
-        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_1_y_bar, S_1_y_bar_err);
-        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_1_z_bar, S_1_z_bar_err);
+        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_x_bar, S_x_bar_err);
+        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_y_bar, S_y_bar_err);
+        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_z_bar, S_z_bar_err);
+        add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
+        add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
+        add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
     }
 }
 
 /* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
- * near the joint singularity. A leg that is near it while `near` is 0 makes it 1 and the equations useless. */
+ * near the joint singularity, legs having been found to be neither at it nor too short. */
 static int equations_of_pose(
     const stewart_exact_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
-    int *near, stewart_real D[6], platform_equations *out)
+    int near, stewart_real D[6], platform_equations *out)
 {
-    const int path = *near;
     leg_terms leg;
     int i, j;
+    out->near = near;
+    out->close = near != 0 ? out->close : 0;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
-        out->c[j + 3] = shared->c_moment[j];
+        out->c[j + 3] = shared->c_tip[j];
         out->c_own[j] = 0;
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        (path ? leg_of_pose_near_singularity : leg_of_pose)(
+        (near != 0 ? leg_of_pose_near_singularity : leg_of_pose)(
             &model->platform, &model->leg[i], at, shared, &leg);
-        if (path == 0 && leg.status != STEWART_OK) {
-            return leg.status;
+        if (near == 0) {
+            const int status = leg_status(&leg);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            out->near = leg.sine > STEWART_NEAR_POLE ? out->near : 1;
+            out->close = leg.L > STEWART_SHORT_SHARE * leg.reach ? out->close : 1;
         }
-        *near = leg.sine > STEWART_NEAR_POLE ? *near : 1;
         D[i] = leg.D;
+        out->L[i] = leg.L;
+        out->reach[i] = leg.reach;
+        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
-            out->H[j + 3][i] = leg.H_moment[j];
+            out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
             add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+            if (i > 0) {
+                add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
+            }
         }
     }
     return STEWART_OK;
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel; `per_length`: of its moment rows. */
-static int solution(
-    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+/* Status of the platform's equations by the product of their pivots. */
+static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real moment = 0;
-    int column, i, j;
-    for (i = 3; i < 6; ++i) {
+    stewart_real H[6][6];
+    int i, j;
+    if (of->close == 0 && STEWART_FABS(pivots) > least) {
+        return STEWART_OK;
+    }
+    for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(of->H[i][j]), moment);
+            H[i][j] = of->H[i][j];
         }
     }
+    return singular_status(H, of->L, of->reach, of->arm);
+}
+
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */
+static stewart_real solution(
+    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+{
+    stewart_real pivots = 0;
+    int column, i, j;
     for (column = 0; column < 7; ++column) {
         stewart_real A[6][LANES], found[6];
-        int status;
         for (i = 0; i < 6; ++i) {
             const stewart_real unit = i < 3 ? 1 : per_length;
             for (j = 0; j < 6; ++j) {
@@ -5177,21 +5577,18 @@ static int solution(
             A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
             A[i][7] = 0;
         }
-        status = solve_pose(A, per_length * moment, found);
-        if (status != STEWART_OK) {
-            return status;
-        }
+        pivots = solve_pose(A, found);
         for (i = 0; i < 6; ++i) {
             *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
  * and that of the difference. Completes the errors of the platform's equations. */
 static void bound_of_pose(
-    const stewart_exact_bounds_model *model, const stewart_motions *at, int near, const stewart_real x[6],
+    const stewart_exact_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
     stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])
 {
     shared_terms shared;
@@ -5199,9 +5596,10 @@ static void bound_of_pose(
     force_row rows[6];
     slopes_of_legs slopes[6];
     stewart_real *numbers = (stewart_real *)slopes;
-    const stewart_real R_err = rotation_error(at->R);
+    stewart_real stretch[9];
+    const stewart_real R_err = rotation_error(at->R, stretch);
     size_t number;
-    int i, j;
+    int i, j, k;
     for (number = 0; number < 6 * (sizeof(slopes_of_legs) / sizeof(stewart_real)); ++number) {
         numbers[number] = 0;
     }
@@ -5215,23 +5613,29 @@ static void bound_of_pose(
     shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
-        of->c_err[j + 3] = shared.c_moment_err[j];
+        of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             rows[j].D_weight = i == j ? 1 : 0;
             rows[j].x = x[i];
+            for (k = 0; k < 3; ++k) {
+                rows[j].Y_arm[k] = i > 0 ? rows[j].Y_moment[k] : 0;
+            }
         }
-        (near ? leg_errors_near_singularity : leg_errors)(
+        (of->near != 0 ? leg_errors_near_singularity : leg_errors)(
             &model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
-            of->H_err[j + 3][i] = leg.H_moment_err[j];
+            of->H_err[j + 3][i] = i > 0 ? leg.H_moment_err[j] : 0;
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + (i > 0 ? leg.arm_c_err[j] : 0);
         }
     }
     shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
+    for (i = 0; i < 6; ++i) {
+        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes[i]);
+    }
     solution_error(of, x, Y, bound);
     for (i = 0; i < 6; ++i) {
         bound[i] = STEWART_SLACK * (bound[i] + STEWART_UNIT * STEWART_FABS(F[i]));
@@ -5249,14 +5653,14 @@ static int forces_of_pose(
     shared_terms shared;
     platform_equations equations;
     stewart_real Y[6][6], x[6], D[6], found[6];
-    int i, status, near = 0;
+    int i, status;
     shared_of_pose(&model->platform, at, &shared);
-    status = equations_of_pose(model, at, &shared, &near, D, &equations);
-    if (status == STEWART_OK && near != 0) {
-        status = equations_of_pose(model, at, &shared, &near, D, &equations);
+    status = equations_of_pose(model, at, &shared, 0, D, &equations);
+    if (status == STEWART_OK && equations.near != 0) {
+        status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        status = solution(&equations, model->per_length, x, Y);
+        status = pose_status(&equations, solution(&equations, model->per_length, x, Y), model->least);
     }
     if (status != STEWART_OK) {
         return status;
@@ -5271,10 +5675,10 @@ static int forces_of_pose(
         F[i] = found[i];
     }
     if (bound) {
-        bound_of_pose(model, at, near, x, Y, F, &equations, bound);
+        bound_of_pose(model, at, x, Y, F, &equations, bound);
     }
     if (rcond) {
-        *rcond = reciprocal_condition(equations.H, Y, shared.t_1, model->length);
+        *rcond = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
     }
     return STEWART_OK;
 }

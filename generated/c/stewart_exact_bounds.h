@@ -48,6 +48,7 @@ typedef struct {
     stewart_real C_P, C_P_err; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real p_1[3]; /* m: platform point 1, platform frame */
 } stewart_exact_bounds_platform;
 
 /* A robot's constants, prepared once. */
@@ -56,6 +57,7 @@ typedef struct {
     stewart_exact_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
     stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 } stewart_exact_bounds_model;
 
 /* Prepares the constants; k may have any length. Returns a status: STEWART_NOT_FINITE if a number of the

@@ -8,12 +8,13 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      287 (169 mul, 114 add, 2 div, 2 sqrt)     252 (149 mul, 99 add, 2 div, 2 sqrt)
+ * leg      265 (156 mul, 105 add, 2 div, 2 sqrt)     234 (137 mul, 93 add, 2 div, 2 sqrt)
  * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
+ * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)       162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2116 (1197 mul, 889 add, 18 div, 12 sqrt) 1900 (1074 mul, 796 add, 18 div, 12 sqrt)
+ * total    2109 (1184 mul, 895 add, 18 div, 12 sqrt) 1899 (1067 mul, 802 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_FORCES_H
 #define STEWART_EXACT_FORCES_H
@@ -56,6 +57,7 @@ typedef struct {
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif

@@ -9,12 +9,13 @@
  * Fidelity: at rest.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      106 (65 mul, 37 add, 2 div, 2 sqrt)
+ * leg      88 (53 mul, 31 add, 2 div, 2 sqrt)
  * platform 78 (42 mul, 36 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
+ * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    913 (516 mul, 367 add, 18 div, 12 sqrt)
+ * total    912 (509 mul, 373 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_GENERAL_STATIC_FORCES_H
 #define STEWART_EXACT_GENERAL_STATIC_FORCES_H
@@ -44,6 +45,7 @@ typedef struct {
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif

@@ -20,7 +20,7 @@
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -55,6 +55,19 @@
 #endif
 
 #define LANES 8
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
+#if !defined(STEWART_SUSPECT)
+#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#endif
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+
+#if !defined(STEWART_CUBE)
+#define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
@@ -141,6 +154,100 @@ static void column_rows(
             rows[(i + 3) * width + j] = moment[i][j];
         }
     }
+}
+
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
+ * the arms of the moments.
+ *
+ * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
+ * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
+ * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
+ * for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+{
+    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        size = STEWART_LARGER(arm[i], size);
+        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
+        v[i] = REAL(1);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            force = force + error[k] * v[k];
+            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+        }
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
+            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            largest = STEWART_LARGER(grown[i], largest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+
+/* Status of a pose by its H and the product of the pivots of H. */
+static int pose_status(
+    const stewart_exact_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
+    const leg_judgement *judged, stewart_real pivots)
+{
+    stewart_real H[36], rows[6][6], arm[6], size = REAL(0);
+    int i, close = 0;
+    for (i = 0; i < 6; ++i) {
+        arm[i] = STEWART_FABS(model->p[0][i]) + STEWART_FABS(model->p[1][i]) + STEWART_FABS(model->p[2][i]);
+        size = STEWART_LARGER(arm[i], size);
+        close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
+    }
+    if (close == 0 && STEWART_FABS(pivots) > STEWART_SUSPECT * STEWART_CUBE(size)) {
+        return STEWART_OK;
+    }
+    column_rows(force, moment, 6, H);
+    for (i = 0; i < 36; ++i) {
+        rows[i / 6][i % 6] = H[i];
+    }
+    return singular_status(rows, judged->L, judged->reach, arm);
 }
 
 /* ---- equations ---- */
@@ -2249,39 +2356,25 @@ static int solve_definite_24(stewart_real A[6 * 24])
 }
 
 /* Solves for X the rows [H | Y] of 12 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns a status. */
-static int solve_pivoted_12(stewart_real A[6 * 12])
+ * Returns the product of the pivots. */
+static stewart_real solve_pivoted_12(stewart_real A[6 * 12])
 {
-    stewart_real scale[6], inverse[6];
+    stewart_real pivots, inverse[6];
     int i, j, k;
-    stewart_real moment = REAL(0);
-    for (i = 3; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i * 12 + j]), moment);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? REAL(1) : moment;
-    }
+    pivots = REAL(1);
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * 12 + k]) > STEWART_FABS(A[pivot * 12 + k])) {
                 pivot = i;
             }
-        }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        size = STEWART_FABS(A[pivot * 12 + k]);
-        if (!(size > STEWART_ROUNDING * row_scale)) {
-            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 12; ++j) {
             const stewart_real moved = A[k * 12 + j];
             A[k * 12 + j] = A[pivot * 12 + j];
             A[pivot * 12 + j] = moved;
         }
+        pivots = pivots * A[k * 12 + k];
         inverse[k] = REAL(1) / A[k * 12 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 12 + k] * inverse[k];
@@ -2301,43 +2394,29 @@ static int solve_pivoted_12(stewart_real A[6 * 12])
             }
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
 
 /* Solves for X the rows [H | Y] of 24 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns a status. */
-static int solve_pivoted_24(stewart_real A[6 * 24])
+ * Returns the product of the pivots. */
+static stewart_real solve_pivoted_24(stewart_real A[6 * 24])
 {
-    stewart_real scale[6], inverse[6];
+    stewart_real pivots, inverse[6];
     int i, j, k;
-    stewart_real moment = REAL(0);
-    for (i = 3; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            moment = STEWART_LARGER(STEWART_FABS(A[i * 24 + j]), moment);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        scale[i] = i < 3 ? REAL(1) : moment;
-    }
+    pivots = REAL(1);
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale, size;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i * 24 + k]) > STEWART_FABS(A[pivot * 24 + k])) {
                 pivot = i;
             }
-        }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
-        size = STEWART_FABS(A[pivot * 24 + k]);
-        if (!(size > STEWART_ROUNDING * row_scale)) {
-            return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
         }
         for (j = 0; pivot != k && j < 24; ++j) {
             const stewart_real moved = A[k * 24 + j];
             A[k * 24 + j] = A[pivot * 24 + j];
             A[pivot * 24 + j] = moved;
         }
+        pivots = pivots * A[k * 24 + k];
         inverse[k] = REAL(1) / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 24 + k] * inverse[k];
@@ -2357,7 +2436,7 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
             }
         }
     }
-    return STEWART_OK;
+    return pivots;
 }
 
 int stewart_exact_equations(
@@ -2463,7 +2542,7 @@ int stewart_exact_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = solve_pivoted_12(A);
+    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }
@@ -2476,10 +2555,7 @@ int stewart_exact_joint_inertia(
     for (i = 0; i < 6; ++i) {
         copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
-    status = solve_pivoted_12(A);
-    if (status != STEWART_OK) {
-        return status;
-    }
+    (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
@@ -2513,10 +2589,7 @@ int stewart_exact_derivatives(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     inertia_rows(sum, 24, &A[18]);
-    status = solve_pivoted_24(A);
-    if (status != STEWART_OK) {
-        return status;
-    }
+    (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         if (is_finite(&A[24 * i + 6], 18) == 0) {
             return STEWART_NOT_FINITE;

@@ -9,12 +9,13 @@
  * Fidelity: no inertia about the leg's axis, with friction.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
- * leg      245 (148 mul, 93 add, 2 div, 2 sqrt)
+ * leg      223 (135 mul, 84 add, 2 div, 2 sqrt)
  * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1864 (1071 mul, 763 add, 18 div, 12 sqrt)
+ * total    1857 (1058 mul, 769 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_SLENDER_FRICTION_FORCES_H
 #define STEWART_EXACT_SLENDER_FRICTION_FORCES_H
@@ -52,6 +53,7 @@ typedef struct {
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif

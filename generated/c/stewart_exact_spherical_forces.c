@@ -20,7 +20,7 @@
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -56,6 +56,20 @@
 
 #define LANES 8
 
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
+#if !defined(STEWART_SUSPECT)
+#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#endif
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+
+#if !defined(STEWART_CUBE)
+#define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
+
+
 #if defined(STEWART_SCALED)
 #define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
 #define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = REAL(1) / unit_of_length(made))
@@ -63,6 +77,8 @@
 #define STEWART_OVER_LENGTH(value) (value)
 #define STEWART_CHOOSE_LENGTH(made) ((void)(made))
 #endif
+
+#define STEWART_LEAST (model->least)
 
 /* Motions of eight poses, component by component. */
 typedef struct {
@@ -79,9 +95,10 @@ typedef struct {
 /* What a pose has for all legs. */
 typedef struct {
     stewart_real B[9];
-    stewart_real t_1[3];
     stewart_real c_force[3];
     stewart_real c_moment[3];
+    stewart_real t_1[3];
+    stewart_real c_tip[3];
 } shared_terms;
 
 typedef struct {
@@ -91,13 +108,15 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real q[3][8];
     stewart_real D[8];
     stewart_real H_force[3][8];
-    stewart_real H_moment[3][8];
     stewart_real c_force[3][8];
     stewart_real c_moment[3][8];
+    stewart_real H_moment[3][8];
+    stewart_real arm_c[3][8];
     stewart_real L[LANES], reach[LANES];
-    stewart_real bad[LANES]; /* 1 where `leg_status` has something to say, else 0 */
+    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
 /* Status of the leg in one lane. */
@@ -267,6 +286,20 @@ static stewart_real unit_of_length(const stewart_exact_spherical_model *model)
 }
 #endif
 
+/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
+static stewart_real least_pivots(const stewart_exact_spherical_model *model)
+{
+    stewart_real largest = REAL(0);
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 1; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
+        }
+    }
+    largest = STEWART_OVER_LENGTH(largest);
+    return STEWART_SUSPECT * STEWART_CUBE(largest);
+}
+
 int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_spherical_model *model)
 {
     stewart_exact_spherical_model made;
@@ -357,6 +390,7 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
     made.b_1[1] = platform.b_1[1];
     made.b_1[2] = platform.b_1[2];
     STEWART_CHOOSE_LENGTH(&made);
+    made.least = least_pivots(&made);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -366,7 +400,7 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
     return STEWART_OK;
 }
 
-/* What one pose has for all legs: 189 (96 mul, 93 add, 0 div, 0 sqrt) operations. */
+/* What one pose has for all legs: 177 (90 mul, 87 add, 0 div, 0 sqrt) operations. */
 static void shared_of_pose(const stewart_exact_spherical_model *model, const stewart_motion *at, shared_terms *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
@@ -434,13 +468,6 @@ static void shared_of_pose(const stewart_exact_spherical_model *model, const ste
     const stewart_real t_1_x = t_x - b_1_x;
     const stewart_real t_1_y = t_y - b_1_y;
     const stewart_real t_1_z = t_z - b_1_z;
-    /* (33) the platform's part of c, force and moment */
-    const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-        - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-        - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-        - B_zy*h_base_y - B_zz*h_base_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -450,21 +477,24 @@ static void shared_of_pose(const stewart_exact_spherical_model *model, const ste
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
+        - B_xy*h_base_y - B_xz*h_base_z;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
+        - B_yy*h_base_y - B_yz*h_base_z;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
+        - B_zy*h_base_y - B_zz*h_base_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
+        - fall_y*h_base_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
+        - fall_z*h_base_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
+        - fall_x*h_base_y;
     out->t_1[0] = t_1_x;
     out->t_1[1] = t_1_y;
     out->t_1[2] = t_1_z;
-    out->c_force[0] = load_x;
-    out->c_force[1] = load_y;
-    out->c_force[2] = load_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y + load_z*t_1_y
-        - fall_y*h_base_z - load_y*t_1_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z + load_x*t_1_z
-        - fall_z*h_base_x - load_z*t_1_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x + load_y*t_1_x
-        - fall_x*h_base_y - load_x*t_1_y;
 }
 
-/* The legs of one pose side by side: 242 (140 mul, 100 add, 1 div, 1 sqrt) operations each. */
+/* The legs of one pose side by side: 221 (128 mul, 91 add, 1 div, 1 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_spherical_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -583,15 +613,15 @@ static void legs_of_pose(
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = r_y*s_z - r_z*s_y;
-        out->H_moment[1][l] = r_z*s_x - r_x*s_z;
-        out->H_moment[2][l] = r_x*s_y - r_y*s_x;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = K_y*S_1_z + f_x - K_z*S_1_y;
-        out->c_moment[1][l] = K_z*S_1_x + f_y - K_x*S_1_z;
-        out->c_moment[2][l] = K_x*S_1_y + f_z - K_y*S_1_x;
+        out->c_moment[0][l] = f_x;
+        out->c_moment[1][l] = f_y;
+        out->c_moment[2][l] = f_z;
+        out->q[0][l] = q_x;
+        out->q[1][l] = q_y;
+        out->q[2][l] = q_z;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
@@ -606,8 +636,39 @@ static void legs_of_pose(
         out->reach[l] = reach;
         out->L[l] = L;
         fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
         out->bad[l] = fault;
+    }
+}
+
+/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the first, which has none. */
+static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT legs)
+{
+    int l;
+    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
+    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1],
+        c_force_z = shared->c_force[2];
+    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1],
+        c_moment_z = shared->c_moment[2];
+    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
+        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l],
+            c_force_z = legs->c_force[2][l];
+        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l],
+            H_force_z = legs->H_force[2][l];
+        /* platform point from platform point 1, base frame */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
+        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
+        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
+        legs->arm_c[0][l] = arm_y*c_force_z - arm_z*c_force_y;
+        legs->arm_c[1][l] = arm_z*c_force_x - arm_x*c_force_z;
+        legs->arm_c[2][l] = arm_x*c_force_y - arm_y*c_force_x;
     }
 }
 
@@ -631,20 +692,13 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. `moment` is the size of the moment rows.
+ * updated, so that a row is one vector. Returns the product of the pivots.
  * The first column has no moment rows. */
-static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_real x[6])
+static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real scale[6];
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size, pivots;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
     int pivot;
-    scale[0] = REAL(1);
-    scale[1] = REAL(1);
-    scale[2] = REAL(1);
-    scale[3] = moment;
-    scale[4] = moment;
-    scale[5] = moment;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -659,17 +713,14 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a2);
         pivot = 2;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 0) {
         const stewart_real moved = a0;
         exchange_rows(A[0], A[pivot]);
-        scale[pivot] = scale[0];
         a0 = pivot == 2 ? a2 : pivot == 1 ? a1 : a0;
         a1 = pivot == 1 ? moved : a1;
         a2 = pivot == 2 ? moved : a2;
     }
+    pivots = a0;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -699,19 +750,16 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 1) {
         const stewart_real moved = a1;
         exchange_rows(A[1], A[pivot]);
-        scale[pivot] = scale[1];
         a1 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : pivot == 2 ? a2 : a1;
         a2 = pivot == 2 ? moved : a2;
         a3 = pivot == 3 ? moved : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -740,18 +788,15 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 2) {
         const stewart_real moved = a2;
         exchange_rows(A[2], A[pivot]);
-        scale[pivot] = scale[2];
         a2 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : a2;
         a3 = pivot == 3 ? moved : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a2;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -773,17 +818,14 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 3) {
         const stewart_real moved = a3;
         exchange_rows(A[3], A[pivot]);
-        scale[pivot] = scale[3];
         a3 = pivot == 5 ? a5 : pivot == 4 ? a4 : a3;
         a4 = pivot == 4 ? moved : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a3;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -798,33 +840,115 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real moment, stewart_rea
         size = STEWART_FABS(a5);
         pivot = 5;
     }
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
     if (pivot != 4) {
         const stewart_real moved = a4;
         exchange_rows(A[4], A[pivot]);
-        scale[pivot] = scale[4];
         a4 = pivot == 5 ? a5 : a4;
         a5 = pivot == 5 ? moved : a5;
     }
+    pivots = pivots * a4;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    size = STEWART_FABS(a5);
-    pivot = 5;
-    if (!(size > STEWART_ROUNDING * scale[pivot])) {
-        return size <= STEWART_MAX ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-    }
+    pivots = pivots * a5;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return STEWART_OK;
+    return pivots;
+}
+
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
+ * the arms of the moments.
+ *
+ * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
+ * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
+ * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
+ * for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+{
+    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        size = STEWART_LARGER(arm[i], size);
+        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
+        v[i] = REAL(1);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            force = force + error[k] * v[k];
+            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+        }
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
+            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            largest = STEWART_LARGER(grown[i], largest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+
+/* Status of a pose whose H may be singular to rounding. */
+STEWART_APART static int pose_status(const leg_lanes *legs)
+{
+    stewart_real H[6][6], arm[6];
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        arm[i] = REAL(0);
+        for (j = 0; j < 3; ++j) {
+            const stewart_real coordinate = STEWART_FABS(legs->q[j][i] - legs->q[j][0]);
+            arm[i] = STEWART_LARGER(coordinate, arm[i]);
+            H[j][i] = legs->H_force[j][i];
+            H[j + 3][i] = legs->H_moment[j][i];
+        }
+    }
+    return singular_status(H, legs->L, legs->reach, arm);
 }
 
 int stewart_exact_spherical_forces(
@@ -834,8 +958,9 @@ int stewart_exact_spherical_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real moment = REAL(0);
+    stewart_real pivots;
     int i, j, status;
+    int close = 0;
     if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -843,15 +968,21 @@ int stewart_exact_spherical_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            return leg_status(&legs, i);
+            status = leg_status(&legs, i);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
         }
     }
+    moments_of_pose(&shared, &legs);
     for (j = 0; j < 3; ++j) {
-        stewart_real force = shared.c_force[j], turn = shared.c_moment[j];
+        stewart_real force = shared.c_force[j];
+        stewart_real turn = shared.c_tip[j];
         for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.c_moment[j][i];
-            moment = STEWART_LARGER(STEWART_FABS(legs.H_moment[j][i]), moment);
+            turn = turn + legs.arm_c[j][i];
         }
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
@@ -862,9 +993,12 @@ int stewart_exact_spherical_forces(
         A[j][7] = REAL(0);
         A[j + 3][7] = REAL(0);
     }
-    status = solve_pose(A, STEWART_OVER_LENGTH(moment), x);
-    if (status != STEWART_OK) {
-        return status;
+    pivots = solve_pose(A, x);
+    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
+        status = pose_status(&legs);
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
     for (i = 0; i < 6; ++i) {
         found[i] = legs.D[i] - x[i];
@@ -882,9 +1016,13 @@ int stewart_exact_spherical_forces(
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
     stewart_real D[6][LANES], F[6][LANES];
-    stewart_real moment[LANES]; /* size of the moment rows */
-    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force is no good, else 0 */
+    stewart_real bad[LANES]; /* 1 where a leg, the pivots or a force need a closer look, else 0 */
 } block;
+
+/* What a leg of eight poses hands to the moments. */
+typedef struct {
+    stewart_real q[3][LANES], c_force[3][LANES], c_moment[3][LANES];
+} leg_block;
 
 /* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
@@ -963,13 +1101,6 @@ static void shared_of_block(
         const stewart_real t_1_x = t_x - b_1_x;
         const stewart_real t_1_y = t_y - b_1_y;
         const stewart_real t_1_z = t_z - b_1_z;
-        /* (33) the platform's part of c, force and moment */
-        const stewart_real load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-            - B_xy*h_base_y - B_xz*h_base_z;
-        const stewart_real load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-            - B_yy*h_base_y - B_yz*h_base_z;
-        const stewart_real load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-            - B_zy*h_base_y - B_zz*h_base_z;
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -982,25 +1113,25 @@ static void shared_of_block(
         out->t_1[0][l] = t_1_x;
         out->t_1[1][l] = t_1_y;
         out->t_1[2][l] = t_1_z;
-        c[0][l] = load_x;
-        c[1][l] = load_y;
-        c[2][l] = load_z;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y + load_z*t_1_y
-            - fall_y*h_base_z - load_y*t_1_z;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z + load_x*t_1_z
-            - fall_z*h_base_x - load_z*t_1_x;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x + load_y*t_1_x
-            - fall_x*h_base_y - load_x*t_1_y;
+        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
+            - B_xz*h_base_z;
+        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
+            - B_yz*h_base_z;
+        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
+            - B_zz*h_base_z;
+        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - fall_y*h_base_z;
+        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - fall_z*h_base_x;
+        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - fall_x*h_base_y;
     }
 }
 
-/* One leg of eight poses side by side, 242 (140 mul, 100 add, 1 div, 1 sqrt) operations each:
- * its column of H, its D, its part of c. */
+/* One leg of eight poses side by side, 221 (128 mul, 91 add, 1 div, 1 sqrt) operations each:
+ * its column of H, forces alone, its D, its part of c. */
 static void leg_of_block(
     const stewart_exact_spherical_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    stewart_real (*STEWART_RESTRICT c)[LANES], stewart_real *STEWART_RESTRICT known,
-    stewart_real *STEWART_RESTRICT moment, stewart_real *STEWART_RESTRICT bad)
+    leg_block *STEWART_RESTRICT out, 
+    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
@@ -1118,19 +1249,16 @@ static void leg_of_block(
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
-        column[3][l] = r_y*s_z - r_z*s_y;
-        column[4][l] = r_z*s_x - r_x*s_z;
-        column[5][l] = r_x*s_y - r_y*s_x;
-        c[0][l] = c[0][l] - K_x;
-        c[1][l] = c[1][l] - K_y;
-        c[2][l] = c[2][l] - K_z;
-        c[3][l] = c[3][l] + (K_y*S_1_z + f_x - K_z*S_1_y);
-        c[4][l] = c[4][l] + (K_z*S_1_x + f_y - K_x*S_1_z);
-        c[5][l] = c[5][l] + (K_x*S_1_y + f_z - K_y*S_1_x);
+        out->q[0][l] = q_x;
+        out->q[1][l] = q_y;
+        out->q[2][l] = q_z;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = f_x;
+        out->c_moment[1][l] = f_y;
+        out->c_moment[2][l] = f_z;
         known[l] = D;
-        moment[l] = STEWART_LARGER(STEWART_FABS(column[3][l]), moment[l]);
-        moment[l] = STEWART_LARGER(STEWART_FABS(column[4][l]), moment[l]);
-        moment[l] = STEWART_LARGER(STEWART_FABS(column[5][l]), moment[l]);
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
@@ -1143,17 +1271,68 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
         fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
         bad[l] = fault;
     }
 }
 
+/* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
+static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l],
+            c_moment_x = c[3][l], c_moment_y = c[4][l], c_moment_z = c[5][l];
+        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
+        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
+        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[0][l] = c[0][l] + own->c_force[0][l];
+        c[1][l] = c[1][l] + own->c_force[1][l];
+        c[2][l] = c[2][l] + own->c_force[2][l];
+        c[3][l] = c[3][l] + own->c_moment[0][l];
+        c[4][l] = c[4][l] + own->c_moment[1][l];
+        c[5][l] = c[5][l] + own->c_moment[2][l];
+    }
+}
+
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each, and its part of c. */
+static void moments_of_block(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
+    stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
+        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l],
+            c_force_z = own->c_force[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l],
+            H_force_z = column[2][l];
+        /* platform point from platform point 1, base frame */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
+        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
+        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        c[0][l] = c[0][l] + own->c_force[0][l];
+        c[1][l] = c[1][l] + own->c_force[1][l];
+        c[2][l] = c[2][l] + own->c_force[2][l];
+        c[3][l] = c[3][l] + own->c_moment[0][l];
+        c[4][l] = c[4][l] + own->c_moment[1][l];
+        c[5][l] = c[5][l] + own->c_moment[2][l];
+        c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
+        c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
+        c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+    }
+}
+
 /* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = D - x, (37). Marks as bad where a pivot is rounding error or a force is not finite. */
+ * F = D - x, (37). Marks as bad where the product of the pivots is small or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    const stewart_real *STEWART_RESTRICT moment, stewart_real (*STEWART_RESTRICT F)[LANES],
-    stewart_real *STEWART_RESTRICT bad)
+    stewart_real least, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -1172,14 +1351,9 @@ STEWART_APART static void solve_block(
             a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
         stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
             a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
-        stewart_real s0 = REAL(1), s1 = REAL(1), s2 = REAL(1), s3 = moment[l], s4 = moment[l],
-            s5 = moment[l];
         stewart_real fault = bad[l];
         const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
             ? REAL(1) : REAL(0);
-        const stewart_real s0_1 = below10 > REAL(0) ? s1 : s0;
-        s1 = below10 > REAL(0) ? s0 : s1;
-        s0 = s0_1;
         const stewart_real a00_1 = below10 > REAL(0) ? a10 : a00;
         a10 = below10 > REAL(0) ? a00 : a10;
         a00 = a00_1;
@@ -1203,9 +1377,6 @@ STEWART_APART static void solve_block(
         a06 = a06_1;
         const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
             ? REAL(1) : REAL(0);
-        const stewart_real s0_2 = below20 > REAL(0) ? s2 : s0;
-        s2 = below20 > REAL(0) ? s0 : s2;
-        s0 = s0_2;
         const stewart_real a00_2 = below20 > REAL(0) ? a20 : a00;
         a20 = below20 > REAL(0) ? a00 : a20;
         a00 = a00_2;
@@ -1242,12 +1413,8 @@ STEWART_APART static void solve_block(
         a24 = a24 - factor20 * a04;
         a25 = a25 - factor20 * a05;
         a26 = a26 - factor20 * a06;
-        fault = STEWART_FABS(a00) > STEWART_ROUNDING * s0 ? fault : REAL(1);
         const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
             ? REAL(1) : REAL(0);
-        const stewart_real s1_2 = below21 > REAL(0) ? s2 : s1;
-        s2 = below21 > REAL(0) ? s1 : s2;
-        s1 = s1_2;
         const stewart_real a11_2 = below21 > REAL(0) ? a21 : a11;
         a21 = below21 > REAL(0) ? a11 : a21;
         a11 = a11_2;
@@ -1268,9 +1435,6 @@ STEWART_APART static void solve_block(
         a16 = a16_2;
         const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
             ? REAL(1) : REAL(0);
-        const stewart_real s1_3 = below31 > REAL(0) ? s3 : s1;
-        s3 = below31 > REAL(0) ? s1 : s3;
-        s1 = s1_3;
         const stewart_real a11_3 = below31 > REAL(0) ? a31 : a11;
         a31 = below31 > REAL(0) ? a11 : a31;
         a11 = a11_3;
@@ -1291,9 +1455,6 @@ STEWART_APART static void solve_block(
         a16 = a16_3;
         const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
             ? REAL(1) : REAL(0);
-        const stewart_real s1_4 = below41 > REAL(0) ? s4 : s1;
-        s4 = below41 > REAL(0) ? s1 : s4;
-        s1 = s1_4;
         const stewart_real a11_4 = below41 > REAL(0) ? a41 : a11;
         a41 = below41 > REAL(0) ? a11 : a41;
         a11 = a11_4;
@@ -1314,9 +1475,6 @@ STEWART_APART static void solve_block(
         a16 = a16_4;
         const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
             ? REAL(1) : REAL(0);
-        const stewart_real s1_5 = below51 > REAL(0) ? s5 : s1;
-        s5 = below51 > REAL(0) ? s1 : s5;
-        s1 = s1_5;
         const stewart_real a11_5 = below51 > REAL(0) ? a51 : a11;
         a51 = below51 > REAL(0) ? a11 : a51;
         a11 = a11_5;
@@ -1360,12 +1518,8 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor51 * a14;
         a55 = a55 - factor51 * a15;
         a56 = a56 - factor51 * a16;
-        fault = STEWART_FABS(a11) > STEWART_ROUNDING * s1 ? fault : REAL(1);
         const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
             ? REAL(1) : REAL(0);
-        const stewart_real s2_3 = below32 > REAL(0) ? s3 : s2;
-        s3 = below32 > REAL(0) ? s2 : s3;
-        s2 = s2_3;
         const stewart_real a22_3 = below32 > REAL(0) ? a32 : a22;
         a32 = below32 > REAL(0) ? a22 : a32;
         a22 = a22_3;
@@ -1383,9 +1537,6 @@ STEWART_APART static void solve_block(
         a26 = a26_3;
         const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
             ? REAL(1) : REAL(0);
-        const stewart_real s2_4 = below42 > REAL(0) ? s4 : s2;
-        s4 = below42 > REAL(0) ? s2 : s4;
-        s2 = s2_4;
         const stewart_real a22_4 = below42 > REAL(0) ? a42 : a22;
         a42 = below42 > REAL(0) ? a22 : a42;
         a22 = a22_4;
@@ -1403,9 +1554,6 @@ STEWART_APART static void solve_block(
         a26 = a26_4;
         const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
             ? REAL(1) : REAL(0);
-        const stewart_real s2_5 = below52 > REAL(0) ? s5 : s2;
-        s5 = below52 > REAL(0) ? s2 : s5;
-        s2 = s2_5;
         const stewart_real a22_5 = below52 > REAL(0) ? a52 : a22;
         a52 = below52 > REAL(0) ? a22 : a52;
         a22 = a22_5;
@@ -1437,12 +1585,8 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor52 * a24;
         a55 = a55 - factor52 * a25;
         a56 = a56 - factor52 * a26;
-        fault = STEWART_FABS(a22) > STEWART_ROUNDING * s2 ? fault : REAL(1);
         const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
             ? REAL(1) : REAL(0);
-        const stewart_real s3_4 = below43 > REAL(0) ? s4 : s3;
-        s4 = below43 > REAL(0) ? s3 : s4;
-        s3 = s3_4;
         const stewart_real a33_4 = below43 > REAL(0) ? a43 : a33;
         a43 = below43 > REAL(0) ? a33 : a43;
         a33 = a33_4;
@@ -1457,9 +1601,6 @@ STEWART_APART static void solve_block(
         a36 = a36_4;
         const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
             ? REAL(1) : REAL(0);
-        const stewart_real s3_5 = below53 > REAL(0) ? s5 : s3;
-        s5 = below53 > REAL(0) ? s3 : s5;
-        s3 = s3_5;
         const stewart_real a33_5 = below53 > REAL(0) ? a53 : a33;
         a53 = below53 > REAL(0) ? a33 : a53;
         a33 = a33_5;
@@ -1481,12 +1622,8 @@ STEWART_APART static void solve_block(
         a54 = a54 - factor53 * a34;
         a55 = a55 - factor53 * a35;
         a56 = a56 - factor53 * a36;
-        fault = STEWART_FABS(a33) > STEWART_ROUNDING * s3 ? fault : REAL(1);
         const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
             ? REAL(1) : REAL(0);
-        const stewart_real s4_5 = below54 > REAL(0) ? s5 : s4;
-        s5 = below54 > REAL(0) ? s4 : s5;
-        s4 = s4_5;
         const stewart_real a44_5 = below54 > REAL(0) ? a54 : a44;
         a54 = below54 > REAL(0) ? a44 : a54;
         a44 = a44_5;
@@ -1500,8 +1637,8 @@ STEWART_APART static void solve_block(
         const stewart_real factor54 = a54 * inverse4;
         a55 = a55 - factor54 * a45;
         a56 = a56 - factor54 * a46;
-        fault = STEWART_FABS(a44) > STEWART_ROUNDING * s4 ? fault : REAL(1);
-        fault = STEWART_FABS(a55) > STEWART_ROUNDING * s5 ? fault : REAL(1);
+        const stewart_real pivots = a00 * a11 * a22 * a33 * a44 * a55;
+        fault = STEWART_FABS(pivots) > least ? fault : REAL(1);
         a56 = a56 / a55;
         a46 = a46 - a45 * a56;
         a46 = a46 * inverse4;
@@ -1619,29 +1756,33 @@ static void load_block(const stewart_motions *motions, size_t first, size_t coun
 static void forces_of_block(const stewart_exact_spherical_model *model, const motion_lanes *in, block *out)
 {
     shared_lanes shared;
+    leg_block first, other;
     int i, l;
     for (l = 0; l < LANES; ++l) {
-        out->moment[l] = REAL(0);
         out->bad[l] = REAL(0);
     }
     shared_of_block(model, in, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
         leg_of_block(
             model, i, in, &shared, out->column[i],
-            out->column[6], out->D[i], out->moment, out->bad);
+            i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i == 0) {
+            moments_of_first(&first, out->column[6]);
+        } else {
+            moments_of_block(&other, first.q, out->column[i], out->column[6]);
+        }
     }
 #if defined(STEWART_SCALED)
     for (l = 0; l < LANES; ++l) {
-        for (i = 0; i < 7; ++i) {
+        for (i = 1; i < 7; ++i) {
             int j;
             for (j = 3; j < 6; ++j) {
                 out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
             }
         }
-        out->moment[l] = STEWART_OVER_LENGTH(out->moment[l]);
     }
 #endif
-    solve_block(out->column, out->D, out->moment, out->F, out->bad);
+    solve_block(out->column, out->D, STEWART_LEAST, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -20,7 +20,7 @@
 #endif
 #endif
 
-/* A length, sine or pivot below this many rounding units of its terms is rounding error and nothing else. */
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
@@ -39,6 +39,25 @@
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the pole of the universal joint. */
 #define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
+
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#else
+#define STEWART_APART
+#endif
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
+#if !defined(STEWART_SUSPECT)
+#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#endif
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+
+#if !defined(STEWART_CUBE)
+#define STEWART_CUBE(value) ((value) * (value) * (value))
+#endif
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -484,49 +503,37 @@ static int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
-/* S = q + t - b is known to within rounding of its largest term. */
-static int leg_status(const leg_terms *terms, const stewart_leg *leg, const stewart_motions *at)
+/* S = q + t - b is known to within rounding of its largest term, `reach`. */
+static int leg_status(const leg_terms *terms, stewart_real reach)
 {
-    stewart_real reach = largest(terms->q, 3, REAL(0));
     if (is_finite(&terms->L, 1) == 0) {
         return STEWART_NOT_FINITE;
     }
-    reach = largest(at->t, 3, reach);
-    reach = largest(leg->b, 3, reach);
     if (!(terms->L > STEWART_ROUNDING * reach && terms->L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
     return STEWART_OK;
 }
 
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). `moment` is the size
- * of the moment rows; a pivot that is rounding error beside its row means that H is singular. */
-static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product of
+ * the pivots. */
+static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
-    stewart_real scale[6] = {REAL(1), REAL(1), REAL(1), REAL(1), REAL(1), REAL(1)};
-    stewart_real inverse[6];
+    stewart_real inverse[6], pivots = REAL(1);
     int i, j, k;
-    for (i = 3; i < 6; ++i) {
-        scale[i] = moment;
-    }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
-        stewart_real row_scale;
         for (i = k + 1; i < 6; ++i) {
             if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
                 pivot = i;
             }
         }
-        row_scale = scale[pivot];
-        scale[pivot] = scale[k];
         for (j = k; j < 7; ++j) {
             const stewart_real moved = A[k][j];
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        if (!(STEWART_FABS(A[k][k]) > STEWART_ROUNDING * row_scale)) {
-            return is_finite(&A[k][k], 1) != 0 ? STEWART_SINGULAR : STEWART_NOT_FINITE;
-        }
+        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
         inverse[k] = REAL(1) / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -542,7 +549,79 @@ static int solve(stewart_real A[6][7], stewart_real moment, stewart_real x[6])
         }
         x[i] = sum * inverse[i];
     }
-    return STEWART_OK;
+    return pivots;
+}
+
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
+ * the arms of the moments.
+ *
+ * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
+ * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
+ * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
+ * for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+{
+    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        size = STEWART_LARGER(arm[i], size);
+        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
+        v[i] = REAL(1);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            force = force + error[k] * v[k];
+            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+        }
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
+            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            largest = STEWART_LARGER(grown[i], largest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
 
 static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
@@ -585,9 +664,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 {
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7];
-    stewart_real moment = REAL(0);
+    stewart_real A[6][7], arm[6], reach[6], L[6];
+    stewart_real pivots, least, size = REAL(0);
     int i, j, status;
+    int close = 0;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
         out->c[j] = own.c_force[j];
@@ -595,10 +675,15 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        status = leg_status(&terms, &robot->leg[i], at);
+        arm[i] = largest(terms.q, 3, REAL(0));
+        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, arm[i]));
+        L[i] = terms.L;
+        size = STEWART_LARGER(arm[i], size);
+        status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
         }
+        close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
             out->K[i][j] = terms.K[j];
@@ -614,12 +699,19 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    for (i = 3; i < 6; ++i) {
-        moment = largest(out->H[i], 6, moment);
-    }
-    status = solve(A, moment, out->x);
-    if (status != STEWART_OK) {
-        return status;
+    pivots = solve(A, out->x);
+    least = STEWART_SUSPECT * STEWART_CUBE(size);
+    if (close != 0 || !(STEWART_FABS(pivots) > least)) {
+        stewart_real H[6][6];
+        for (i = 0; i < 6; ++i) {
+            for (j = 0; j < 6; ++j) {
+                H[i][j] = out->H[i][j];
+            }
+        }
+        status = singular_status(H, L, reach, arm);
+        if (status != STEWART_OK) {
+            return status;
+        }
     }
     for (i = 0; i < 6; ++i) {
         out->F[i] = out->D[i] - out->x[i];

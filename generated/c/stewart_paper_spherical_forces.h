@@ -8,12 +8,13 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      243 (141 mul, 100 add, 1 div, 1 sqrt)     176 (100 mul, 74 add, 1 div, 1 sqrt)
+ * leg      222 (129 mul, 91 add, 1 div, 1 sqrt)      158 (88 mul, 68 add, 1 div, 1 sqrt)
  * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
- * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
+ * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)       162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1846 (1026 mul, 802 add, 12 div, 6 sqrt)  1444 (780 mul, 646 add, 12 div, 6 sqrt)
+ * total    1845 (1019 mul, 808 add, 12 div, 6 sqrt)  1443 (773 mul, 652 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_PAPER_SPHERICAL_FORCES_H
 #define STEWART_PAPER_SPHERICAL_FORCES_H
@@ -50,6 +51,7 @@ typedef struct {
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real b_1[3]; /* m: base point 1, base frame */
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
 #endif

@@ -17,7 +17,7 @@ from ..derive import notation as n
 from ..derive.block import Block, Quantity
 from ..derive.fidelity import FIDELITIES, fidelity_kernel
 from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.prepared import ADDED
+from ..derive.prepared import ADDED, arm_c, c_tip
 from ..derive.regroup import ForceKernel
 from ..kernel import kernel_name, loaded
 from ..motion import Motion
@@ -96,19 +96,29 @@ class ForceTerms:
         """D (6,), H (6, 6), c (6,) of one pose, given as arrays by name; moments about the kernel's point."""
         robot, legs, platform = self._constants
         pose = robot | self._named(n.MOTION, motion)
-        turn = platform | self._components(self.kernel.shared, pose | platform)
-        found = [self._components(self.kernel.leg, pose | turn | constants) for constants in legs]
+        turn = platform | self._components(self._kernel.shared, pose | platform)
+        found = [self._components(self._kernel.leg, pose | turn | constants) for constants in legs]
         # A fidelity leaves out what is zero.
         D = [leg.get(n.D.name, 0) for leg in found]
         H = [[leg[row] for leg in found] for row in _COLUMN]
-        return D, H, [sum((leg.get(row, 0) for leg in found), turn[row]) for row in _WRENCH]
+        tip = c_tip.names if self.kernel.about_tip else n.c_moment.names
+        c = [turn[row] for row in (*n.c_force.names, *tip)]
+        for rows, place in ((n.c_force, 0), (n.c_moment, 3), (arm_c, 3)):
+            for j, row in enumerate(rows.names):
+                c[place + j] = sum((leg.get(row, 0) for leg in found), c[place + j])
+        return D, H, c
+
+    @cached_property
+    def _kernel(self) -> ForceKernel:
+        """The kernel with moments in its blocks."""
+        return self.kernel.whole() if self.kernel.about_tip else self.kernel
 
     @cached_property
     def _constants(self) -> tuple[Values, list[Values], Values]:
         """The robot's numbers that all legs share, those of each leg, and the prepared ones."""
-        robot, kernel = self.robot, self.kernel
+        robot, kernel = self.robot, self._kernel
         whole = self._named(n.PLATFORM, {q.name: getattr(robot, q.name) for q in n.PLATFORM})
-        whole |= self._named([n.b_1], {n.b_1.name: robot.b[0]})
+        whole |= self._named([n.b_1, n.p_1], {n.b_1.name: robot.b[0], n.p_1.name: robot.p[0]})
         legs = []
         for i in LEGS:
             raw = self._named(n.LEG, {q.name: getattr(robot, q.name)[i] for q in n.LEG})
@@ -143,4 +153,3 @@ def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
 
 
 _COLUMN = (*n.H_force.names, *n.H_moment.names)
-_WRENCH = (*n.c_force.names, *n.c_moment.names)
