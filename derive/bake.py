@@ -105,7 +105,7 @@ def _rounded(coarse: mpf, fine: mpf) -> mpf:
 def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
     """Both preparations in the given digits."""
     with mp.workdps(digits):
-        of_all = _components(n.PLATFORM, robot) | _components([n.b_1], {n.b_1.name: robot[n.b.name][0]})
+        of_all = _components(n.PLATFORM, robot)
         given = [
             of_all | _components(n.LEG, {q.name: robot[q.name][leg] for q in n.LEG}) for leg in range(LEGS)
         ]

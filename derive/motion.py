@@ -27,7 +27,7 @@ from .joint_leg import (
     tip_force,
 )
 from .leg import cross
-from .regroup import from_base_point, rotary
+from .regroup import from_difference, rotary
 
 
 def _matrix(name: str, unit: str, meaning: str, symmetric: bool = False) -> Quantity:
@@ -102,14 +102,14 @@ class SumKernel:
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
-    """All of them: equations, bias, forward dynamics, derivatives; S from base point 1."""
+    """All of them: equations, bias, forward dynamics, derivatives."""
     derived = (
         equations_kernel(friction),
         bias_kernel(friction),
         forward_kernel(friction),
         derivatives_kernel(friction),
     )
-    return tuple(replace(each, leg=from_base_point(each.leg)) for each in derived)
+    return tuple(replace(each, leg=from_difference(each.leg)) for each in derived)
 
 
 # ---------------------------------------------------------------- the platform's own part
@@ -151,8 +151,7 @@ def _external() -> tuple[sp.Matrix, sp.Matrix]:
     return n.R.value * n.F_ext.value, n.R.value * n.M_ext.value
 
 
-_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.b_1, n.g)
-T_1 = (p.t_1, n.t.value - n.b_1.value)
+_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g)
 
 
 def _centripetal(build: Builder) -> sp.Matrix:
@@ -197,7 +196,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
@@ -256,7 +255,7 @@ def bias_kernel(friction: bool) -> SumKernel:
         "bias_of_platform",
         "the platform's part of C twist + g + friction",
         _POSE_INPUTS,
-        [T_1, (B_0, _centripetal(build)), *zip(BIAS, (force, moment), strict=True)],
+        [(B_0, _centripetal(build)), *zip(BIAS, (force, moment), strict=True)],
     )
     build = Builder()
     leg = _leg(build)
@@ -293,7 +292,6 @@ def forward_kernel(friction: bool) -> SumKernel:
         "the platform's part of M and of the right side",
         _POSE_INPUTS,
         [
-            T_1,
             (B_0, _centripetal(build)),
             *_platform_inertia(at),
             *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
@@ -337,7 +335,6 @@ def _equations_of_platform(friction: bool) -> Block:
         "the platform's part of M, C, g and friction",
         _POSE_INPUTS,
         [
-            T_1,
             *_platform_inertia(at),
             *zip(CORIOLIS, coriolis, strict=True),
             *zip(GRAVITY, (-p.M_P.value * g, -cross(at.h, g)), strict=True),
@@ -453,7 +450,6 @@ def _derivatives_of_platform(friction: bool) -> Block:
         "the platform's part of the derivatives of the wrench",
         _POSE_INPUTS,
         [
-            T_1,
             (p.B, B),
             *_platform_inertia(at),
             *zip(BY_POSE, pose, strict=True),

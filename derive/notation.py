@@ -41,12 +41,10 @@ I_p = Quantity(
 )
 g = Quantity("g", (3,), "m/s^2", "acceleration due to gravity, base frame")
 PLATFORM = (M, R_0, I_p, g)
-b_1 = Quantity("b_1", (3,), "m", "base point 1, base frame")
 p_1 = Quantity("p_1", (3,), "m", "platform point 1, platform frame")
 
 # What one leg gives to the platform's equations.
 q = Quantity("q", (3,), "m", "platform point from the reference point, base frame")
-S_1 = Quantity("S_1", (3,), "m", "platform point from base point 1, base frame")
 s = Quantity("s", (3,), "1", "unit vector along the leg, base frame")
 L = Quantity("L", (), "m", "length of the leg")
 k3 = Quantity("k3", (), "1", "|k x s|, sine of the angle between the leg and the fixed axis")

@@ -13,6 +13,8 @@ from .prepared import arm_c
 from .regroup import ForceKernel
 
 LEGS = 6
+PIVOTS = Operations(mul=LEGS - 1)
+"""Of the product of the pivots, by which poses that may be singular are found."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=elimination(LEGS),
+        solve=elimination(LEGS) + PIVOTS,
         forces=Operations(add=LEGS),
     )
 
@@ -86,7 +88,7 @@ def force_operations(kernel: ForceKernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve + Operations(mul=LEGS - 1),
+        solve=solve + PIVOTS,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

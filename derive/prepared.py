@@ -30,14 +30,13 @@ g_k = Quantity("g_k", (), "m/s^2", "gravity along the fixed axis")
 g_x_k = Quantity("g_x_k", (3,), "m/s^2", "g x k, base frame")
 C_us = Quantity("C_us", (), "N m s", "C_u + C_s")
 m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
-r = Quantity("r", (3,), "m", "base point from base point 1, base frame")
 h_s = Quantity("h_s", (), "kg m", "first moment of the upper part about the platform point, along the leg")
 w_s = Quantity("w_s", (), "kg m", "first moments of both parts, along the leg")
 J_s = Quantity("J_s", (), "kg m^2", "inertia of both parts about the axis of the leg")
 J_t = Quantity("J_t", (), "kg m^2", "inertias about base and platform point across the leg, mean of two axes")
 J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the masses as points")
 J_ts = Quantity("J_ts", (), "kg m^2", "J_t - J_s")
-LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, r, h_s, w_s, J_s, J_t, J_m, J_ts)
+LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, h_s, w_s, J_s, J_t, J_m, J_ts)
 
 COMBINED: dict[Quantity, sp.Expr] = {
     **{double: 2 * single for double, single in zip((h2_x, h2_y, h2_z), h.symbols, strict=True)},
@@ -62,9 +61,8 @@ C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
 
 # What the pose hands to the legs.
 B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
-t_1 = Quantity("t_1", (3,), "m", "reference point from base point 1, base frame")
+t_b = Quantity("t_b", (3,), "m", "reference point from base point, base frame")
 q_1 = Quantity("q_1", (3,), "m", "platform point 1 from the reference point, base frame")
-arm = Quantity("arm", (3,), "m", "platform point from platform point 1, base frame")
 c_tip = Quantity("c_tip", (3,), "N m", "the platform's part of c, moment rows, about platform point 1")
 arm_c = Quantity("arm_c", (3,), "N m", "moment of the leg's part of c, force rows, about platform point 1")
 
@@ -123,7 +121,6 @@ def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
         g_x_k: cross(n.g.value, k),
         C_us: n.C_u.value + n.C_s.value,
         m_L2: m_u,
-        r: n.b.value - n.b_1.value,
         **_axial(first, both, tensor),
     }
     mass = m_u if riding.mass else sp.S.Zero
@@ -136,7 +133,7 @@ def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
     return build.block(
         "prepare_leg",
         "constants of one leg, and what it adds to the platform",
-        (*n.LEG, n.b_1, n.g),
+        (*n.LEG, n.g),
         [*((q, values[q]) for q in needed if q in values), *added],
     )
 
@@ -159,7 +156,7 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     build = Builder()
     M, R_0 = n.M.value, n.R_0.value
     tensor = build.tensor("J_P", n.I_p.value + point_inertia(M, R_0) + J_add.value)
-    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in (*n.PLATFORM, n.b_1)} | {
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.PLATFORM} | {
         M_P: M + M_add.value,
         h_P: M * R_0 + h_add.value,
         J_P: tensor,
@@ -169,6 +166,6 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     return build.block(
         "prepare_platform",
         "constants of the platform",
-        (*n.PLATFORM, n.b_1, *ADDED),
+        (*n.PLATFORM, *ADDED),
         [(q, values[q]) for q in needed if q in values],
     )

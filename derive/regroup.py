@@ -30,7 +30,7 @@ from .leg import cross
 from .platform import LegShare, platform
 from .printed_leg import printed_leg
 
-FROM_POSE = (*n.MOTION, p.B, p.t_1)
+FROM_POSE = (*n.MOTION, p.B)
 
 
 @dataclass(frozen=True)
@@ -39,9 +39,10 @@ class ForceKernel:
 
     prepare_leg, prepare_platform: constants, once per robot; shared: what the pose has for all legs, with the
     platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_pole: the same, for poses
-    in which a leg is near the pole of its universal joint. about_base_point: moments are about base point 1
-    and leg 1 has none; otherwise they are about the reference point. per_length: 1/m, of a baked kernel, one
-    over the length by which float takes its moments.
+    in which a leg is near its joint singularity. about_tip: moments are about platform point 1, made by
+    ``moments`` and ``shift``, and of moments a leg's own block has no more than its friction; otherwise they
+    are about the reference point, and a leg's block has them. per_length: 1/m, of a baked kernel, one over
+    the length by which float takes its moments; size: m, largest coordinate of the arms of its moments.
     """
 
     formulation: Formulation
@@ -185,65 +186,53 @@ def _is_not_zero(out: Output) -> bool:
 
 
 def about_tip(kernel: ForceKernel) -> ForceKernel:
-    """The same kernel with moments about platform point 1, and S = S_1 - r, S_1 = q + t_1."""
+    """The same kernel with moments about platform point 1, and S = q + (t - b)."""
     leg = _leg_without_moments(kernel.leg)
-    pose = _pose_with_base_point(kernel.shared)
     riding = p.riding(kernel.prepare_leg)
-    moved = with_constants(kernel.formulation, kernel.friction, pose, leg, riding)
+    moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, riding)
     near = None if kernel.leg_near_pole is None else _leg_without_moments(kernel.leg_near_pole)
     return replace(moved, leg_near_pole=near, about_tip=True, fidelity=kernel.fidelity)
 
 
-def from_base_point(leg: Block) -> Block:
-    """The leg with S_1 = q + t_1, S = S_1 - r in place of S = q + t - b; it hands out S_1 in place of q."""
+def from_difference(leg: Block) -> Block:
+    """The leg with S = q + (t - b): t and b are given, and the error of their difference is as small as it."""
     steps: list[Step] = []
     for step in leg.steps:
         if step.name == "S_x":
             steps += [
-                Step(name, q + t, "(1)", n.S_1.meaning)
-                for name, q, t in zip(n.S_1.names, n.q.symbols, p.t_1.symbols, strict=True)
+                Step(name, t - b, "(1)", p.t_b.meaning)
+                for name, t, b in zip(p.t_b.names, n.t.symbols, n.b.symbols, strict=True)
             ]
         if step.name in ("S_x", "S_y", "S_z"):
-            tip, base = (sp.Symbol(f"{name}_{step.name[-1]}", real=True) for name in ("S_1", "r"))
-            step = replace(step, expr=tip - base)
+            tip, base = (sp.Symbol(f"{name}_{step.name[-1]}", real=True) for name in ("q", "t_b"))
+            step = replace(step, expr=tip + base)
         steps.append(step)
-    outputs = [Output(n.S_1, n.S_1.symbols) if out.quantity == n.q else out for out in leg.outputs]
-    return rebuilt(leg, steps, outputs, (*leg.inputs, p.t_1, p.r))
+    return rebuilt(leg, steps, list(leg.outputs), leg.inputs)
 
 
 def _leg_without_moments(leg: Block) -> Block:
-    """The leg from base point 1, with q, and of the moments nothing but friction."""
-    moved = from_base_point(leg)
+    """The leg with q, and of the moments nothing but friction."""
+    moved = from_difference(leg)
     given = {out.quantity: out.exprs for out in moved.outputs}
     force = sp.Matrix(given[n.c_force])
     friction = sp.Matrix(given[n.c_moment]) - cross(n.q.value, force)
-    outputs = [Output(n.q, n.q.symbols)]
+    outputs: list[Output] = []
     for quantity, exprs in given.items():
         if quantity == n.c_moment:
             exprs = tuple(friction.applyfunc(sp.expand))
-        if quantity not in (n.S_1, n.H_moment) and (quantity != n.c_moment or any(e != 0 for e in exprs)):
+        if quantity != n.H_moment and (quantity != n.c_moment or any(e != 0 for e in exprs)):
             outputs.append(Output(quantity, exprs))
     return rebuilt(moved, list(moved.steps), outputs, moved.inputs)
-
-
-def _pose_with_base_point(pose: Block) -> Block:
-    build = Builder(list(pose.steps))
-    values = {out.quantity: out.exprs for out in pose.outputs}
-    t_1 = build.vector("t_1", n.t.value - n.b_1.value, "", p.t_1.meaning)
-    outputs = [*((q, as_value(q, exprs)) for q, exprs in values.items()), (p.t_1, t_1)]
-    return build.block(pose.name, pose.meaning, (*pose.inputs, n.t, n.b_1), outputs)
 
 
 @cache
 def _leg_moments(with_force: bool) -> Block:
     build = Builder()
-    arm = build.vector("arm", n.q.value - p.q_1.value, "", p.arm.meaning)
+    arm = build.vector("arm", n.q.value - p.q_1.value, "", "platform point from platform point 1")
     outputs = [(n.H_moment, cross(arm, n.H_force.value))]
     if with_force:
         outputs.append((p.arm_c, cross(arm, n.c_force.value)))
-    return build.block(
-        "moments_of", "moments of one leg", (n.q, p.q_1, n.H_force, n.c_force), outputs
-    )
+    return build.block("moments_of", "moments of one leg", (n.q, p.q_1, n.H_force, n.c_force), outputs)
 
 
 @cache
@@ -264,9 +253,7 @@ def _whole(kernel: ForceKernel) -> ForceKernel:
         before, inputs=(*before.inputs, n.p_1), outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols))
     )
     leg = _joined(kernel.leg, kernel.moments)
-    return replace(
-        kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False
-    )
+    return replace(kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False)
 
 
 def _joined(
@@ -287,7 +274,9 @@ def _joined(
     given = [q for q in second.inputs if q not in read]
     named = {step.name for step in steps}
     needed = [q for q in (*first.inputs, *given, *inputs) if not named.intersection(q.names)]
-    return replace(first, inputs=tuple(dict.fromkeys(needed)), steps=steps, outputs=(*outputs, *second.outputs))
+    return replace(
+        first, inputs=tuple(dict.fromkeys(needed)), steps=steps, outputs=(*outputs, *second.outputs)
+    )
 
 
 # ---------------------------------------------------------------- pose and platform

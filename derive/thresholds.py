@@ -31,7 +31,13 @@ THRESHOLDS = (
         "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 79, "1.0e-14"
     ),
     Threshold("POLE", "pole", "sine below 4096 rounding units", 136, "6.5e-11"),
-    Threshold("SINGULAR", "singular", "pivot within 16 rounding units of its row", 152, "9.9e-08"),
+    Threshold(
+        "SINGULAR",
+        "singular",
+        "spectral radius of |1/H| times the error bounds of H above 1/2",
+        152,
+        "9.9e-08",
+    ),
 )
 
 

@@ -4,4 +4,4 @@ Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 """
 
 # Numbers of ``stewart_exact_bounds_model``.
-MODEL_NUMBERS = 406
+MODEL_NUMBERS = 385

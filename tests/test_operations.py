@@ -38,7 +38,7 @@ static bool operator>(Real a, Real b) { return a.value > b.value; }
 static bool operator<=(Real a, Real b) { return a.value <= b.value; }
 static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
 /* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
-struct Threshold {};
+struct Threshold { operator Real() const { return Real(1.8e-15); } };
 static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
 static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
 static Threshold operator*(Real, Threshold t) { return t; }

@@ -34,7 +34,7 @@ def by_name(block: Block, outputs: dict[str, tuple]) -> dict[str, mp.mpf]:
 def forces(kernel: ForceKernel, robot: Robot, motion: Motion) -> mp.matrix:
     """F from the regrouped blocks, in the working precision."""
     kernel = kernel.whole()
-    first = named("b_1", robot.b[0]) | named("p_1", robot.p[0])
+    first = named("p_1", robot.p[0])
     raw = [block_inputs(robot, motion, leg) | first for leg in range(6)]
     legs = [by_name(kernel.prepare_leg, kernel.prepare_leg.run(values, mp.sqrt)) for values in raw]
     added = {name: sum(leg[name] for leg in legs) for quantity in ADDED for name in quantity.names}

@@ -152,7 +152,7 @@ def statement_mutants(text: str) -> tuple[int, list[str]]:
 
 def test_every_statement_bounds_its_quantity_and_no_mutant_of_it_does() -> None:
     count, missed = statement_mutants(source())
-    assert count > 5000
+    assert count > 4000
     assert missed == []
 
 
@@ -205,7 +205,7 @@ def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
     """Groups, or strains of R, whose error the mutant may lose: its own if that can be told."""
     groups = rounding.groups()
     own = re.search(r"(\w+)_own$", mutant.whole.strip())
-    handed = re.match(r"slope of (R|B|t_1|q_1)(\d)", mutant.whole)
+    handed = re.match(r"slope of (R|B|q_1)(\d)", mutant.whole)
     entry = re.search(r"R_([xyz])([xyz])_bar_max\*R_err$", mutant.whole)
     block = rounding.block_of(mutant.function)
     if own and f"{block} {own[1]}" in groups:

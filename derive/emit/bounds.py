@@ -13,8 +13,8 @@ import sympy as sp
 
 from .. import notation as n
 from ..adjoint import Adjoint, adjoint
-from ..block import Output, Quantity
-from ..prepared import ADDED, B, arm, arm_c, c_tip, q_1, t_1
+from ..block import AXES, Output, Quantity
+from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
 from . import singular
@@ -123,7 +123,7 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        inexact = R | constants | component_errors((B, t_1, q_1))
+        inexact = R | constants | component_errors((B, q_1))
         # By the ending of the functions' names: away from the joint singularity and near it.
         self.legs = {
             end: rounded(leg, inexact)
@@ -176,7 +176,7 @@ class _Blocks:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
         given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
         weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
-        weights |= {q: _LEGS_SLOPES[q].value for q in (B, t_1, q_1)}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
         slopes = {name: found.slopes[name] for name in n.R.names}
@@ -226,7 +226,7 @@ _Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
 _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
 _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
-_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, t_1, q_1)}
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
 
 
@@ -330,7 +330,7 @@ def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
     """What tells the status of a leg and of the pose."""
     terms, _ = reach_terms(kernel)
     length, sine = judged(leg.block)
-    arms = [f"STEWART_FABS({name})" for name in arm.names]
+    arms = [f"STEWART_FABS(arm_{axis})" for axis in AXES]
     return [
         wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
         f"    const stewart_real arms[3] = {{{', '.join(arms)}}};",

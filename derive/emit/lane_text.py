@@ -12,7 +12,7 @@ from .c import size, wrap_list
 from .infix import infix, wrap
 
 LANES = 8
-JUDGED = (n.q, n.S_1, n.L, n.k3)
+JUDGED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is judged; they are not stored as they are."""
 
 
@@ -26,6 +26,9 @@ def filled(text: str, parts: dict[str, list[str]]) -> str:
     for mark, lines in parts.items():
         text = text.replace(mark, "\n".join(lines))
     return text
+
+
+EMPTY = "    int none; /* C has no structure without members */"
 
 
 def entries(quantities: Iterable[Quantity]) -> list[str]:
@@ -46,7 +49,7 @@ def loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str
 
 def raw_member(quantity: Quantity, owner: str) -> str:
     """Where a quantity stands; those of leg 1 alone are members of it where they are read from the robot."""
-    return {n.b_1: "leg[0].b", n.p_1: "leg[0].p"}.get(quantity, quantity.name) if owner == "robot" else quantity.name
+    return {n.p_1: "leg[0].p"}.get(quantity, quantity.name) if owner == "robot" else quantity.name
 
 
 def stores(outputs: tuple[Output, ...], lane: str, indent: str) -> list[str]:

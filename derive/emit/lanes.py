@@ -12,7 +12,7 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Quantity
 from ..operations import force_operations
-from ..prepared import ADDED, arm_c, q_1, r, t_1
+from ..prepared import ADDED, arm_c, q_1
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
@@ -20,6 +20,7 @@ from .infix import infix, wrap
 from .lane_scale import LEAST_PIVOTS, MEMBER, SWITCH, UNIT_OF_LENGTH
 from .lane_scale import macros as scale_macros
 from .lane_text import (
+    EMPTY,
     JUDGED,
     LANES,
     MACROS,
@@ -150,7 +151,8 @@ def _structs(kernel: ForceKernel) -> str:
             f"    stewart_real {q.name}[{size(q)}][{LANES}];"
             for q in _from_pose(kernel)
             if q not in _RIGHT_SIDE
-        ],
+        ]
+        or [EMPTY],
         "@TERMS@": [f"    stewart_real {q.name}{dims(q)}[{LANES}];" for q in _terms(kernel)],
     }
     return filled(_STRUCTS, parts)
@@ -291,6 +293,7 @@ def _block_shared(kernel: ForceKernel) -> str:
         *(assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
     ]
     text = _used(_SHARED_BLOCK, outside, "model")
+    outside += [] if kept else ["    (void)out;"]
     return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
 
 
@@ -390,10 +393,8 @@ def reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     inputs: tuple[Quantity, ...] = (n.t, n.b)
-    if kernel.about_tip and kernel.constants is None:
-        inputs = (t_1, r)
-    elif kernel.about_tip:
-        inputs = (t_1, *(part for part in kernel.leg_constants() if part.name in r.names))
+    if kernel.constants is not None:
+        inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
     terms = (*exprs[n.q], *(symbol for quantity in inputs for symbol in quantity.symbols))
     return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
 
@@ -425,7 +426,12 @@ def _moment_lines(kernel: ForceKernel, column: str, own: str) -> list[str]:
     leg, used = kernel.moments, names_used(kernel.moments)
     owners = {n.q: own, n.c_force: own, n.H_force: column}
     return [
-        *(line for q, owner in owners.items() if q in leg.inputs for line in loads(q, owner, "[l]", used, " " * 8)),
+        *(
+            line
+            for q, owner in owners.items()
+            if q in leg.inputs
+            for line in loads(q, owner, "[l]", used, " " * 8)
+        ),
         *step_lines(leg.steps, " " * 8),
         *(line.replace("out->", f"{column}->") for line in stores(leg.outputs, "[l]", " " * 8)),
     ]
@@ -451,18 +457,32 @@ def _moments_of_block(kernel: ForceKernel) -> list[str]:
         "@FIRST@": [
             wrap_list(f"        const stewart_real {', '.join(first)};", " " * 12),
             wrap_list(f"        const stewart_real {', '.join(c)};", " " * 12),
-            *(assigned(f"c[{i + 3}][l]", infix(e, "STEWART_SQRT")) for i, e in enumerate(shift.outputs[0].exprs)),
+            *(
+                assigned(f"c[{i + 3}][l]", infix(e, "STEWART_SQRT"))
+                for i, e in enumerate(shift.outputs[0].exprs)
+            ),
             *sums,
         ],
         "@OTHER@": [
-            wrap_list(f"        const stewart_real {', '.join(f'{s} = q_1[{i}][l]' for i, s in enumerate(q_1.names))};", " " * 12),
-            *(line for q in (n.q, n.c_force) if q in leg.inputs for line in loads(q, "own", "[l]", used, " " * 8)),
+            wrap_list(
+                f"        const stewart_real {', '.join(f'{s} = q_1[{i}][l]' for i, s in enumerate(q_1.names))};",
+                " " * 12,
+            ),
+            *(
+                line
+                for q in (n.q, n.c_force)
+                if q in leg.inputs
+                for line in loads(q, "own", "[l]", used, " " * 8)
+            ),
             wrap_list(
                 f"        const stewart_real {', '.join(f'{s} = column[{i}][l]' for i, s in enumerate(n.H_force.names))};",
                 " " * 12,
             ),
             *step_lines(leg.steps, " " * 8),
-            *(assigned(f"column[{i + 3}][l]", infix(e, "STEWART_SQRT")) for i, e in enumerate(exprs[n.H_moment])),
+            *(
+                assigned(f"column[{i + 3}][l]", infix(e, "STEWART_SQRT"))
+                for i, e in enumerate(exprs[n.H_moment])
+            ),
             *sums,
             *(
                 assigned(f"c[{i + 3}][l]", f"c[{i + 3}][l]{_added(e)}")

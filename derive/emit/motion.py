@@ -10,12 +10,12 @@ from collections.abc import Collection
 from .. import notation as n
 from ..block import Block, Operations
 from ..motion import F_LEG, SumKernel
-from ..prepared import t_1
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix, wrap
 from .lane_text import (
+    EMPTY,
     JUDGED,
     LANES,
     MACROS,
@@ -84,7 +84,7 @@ def source(
     pieces = [
         *_SHARED.items(),
         ("singular_status", singular.FUNCTION),
-        ("pose_status", _POSE_STATUS),
+        ("columns_status", _COLUMNS_STATUS),
         *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
@@ -146,10 +146,10 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     text = text.replace("@FORCE_ARGUMENT@", ", force" if forced else "")
     text = text.replace("@FORCE_LANES@", ", const stewart_real *STEWART_RESTRICT force" if forced else "")
     parts = {
-        "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
+        "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given] or [EMPTY],
         "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
-        "@POSE_BODY@": _pose_body(kernel),
-        "@OUTSIDE@": _leg_loads(kernel.leg, model)[0],
+        "@POSE_BODY@": [*([] if given else ["    (void)out;"]), *_pose_body(kernel)],
+        "@OUTSIDE@": [*([] if given else ["    (void)pose;"]), *_leg_loads(kernel.leg, model)[0]],
         "@LEG_BODY@": _leg_body(kernel, model),
         "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
         "@SPREAD@": _SPREAD_FORCE if forced else [],
@@ -198,7 +198,7 @@ def _pose_body(kernel: SumKernel) -> list[str]:
 
 def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     """Loads of what all legs share, and of what differs from leg to leg."""
-    used = names_used(block) | set(t_1.names) | {f"r_{axis}" for axis in "xyz"}
+    used = names_used(block) | {*n.t.names, *n.b.names}
     outside: list[str] = []
     inside: list[str] = []
     for q in block.inputs:
@@ -216,8 +216,7 @@ def _leg_body(kernel: SumKernel, model: ForceKernel) -> list[str]:
     block = kernel.leg
     kept = tuple(o for o in block.outputs if o.quantity not in (*kernel.summed, *JUDGED))
     length, sine = judged(block)
-    terms = [f"STEWART_FABS({name})" for q in (n.S_1, t_1) for name in q.names]
-    terms += [f"STEWART_FABS(r_{axis})" for axis in "xyz"]
+    terms = [f"STEWART_FABS({name})" for q in (n.q, n.t, n.b) for name in q.names]
     return [
         *_leg_loads(block, model)[1],
         *step_lines(block.steps, " " * 8),
@@ -520,9 +519,9 @@ static void column_rows(
 }
 """What kernels and functions share: name -> text."""
 
-_POSE_STATUS = """\
+_COLUMNS_STATUS = """\
 /* Status of a pose by its H and the product of the pivots of H. */
-static int pose_status(
+static int columns_status(
     const stewart_@NAME@_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
     const leg_judgement *judged, stewart_real pivots)
 {
@@ -779,7 +778,7 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }

@@ -66,8 +66,6 @@ def _index(key: tuple[int, ...]) -> str:
 
 
 def _of_leg(quantity: Quantity, key: tuple[int, ...], _: str) -> str:
-    if quantity == n.b_1:
-        return f"robot.b[0{_index(key)}]"
     if quantity in n.LEG:
         return f"robot.{quantity.name}[:{_index(key)}]" if key else f"robot.{quantity.name}"
     return f"robot.{quantity.name}[{key[0]}]"
@@ -76,8 +74,6 @@ def _of_leg(quantity: Quantity, key: tuple[int, ...], _: str) -> str:
 def _of_platform(quantity: Quantity, key: tuple[int, ...], name: str) -> str:
     if quantity in ADDED:
         return f'added["{name}"]'
-    if quantity == n.b_1:
-        return f"robot.b[0{_index(key)}]"
     return f"robot.{quantity.name}[{', '.join(map(str, key))}]" if key else f"robot.{quantity.name}"
 
 
@@ -271,7 +267,7 @@ def _sums(
             for name, value in of_leg(leg, platform, pose, motion, F).items()
         }
         total = {name: np.broadcast_to(pose[name], shape[:-1]) + _six(parts[name]) for name in _SUMMED[what]}
-        return total, parts, _leg_status(leg, pose, parts)
+        return total, parts, _leg_status(leg, motion, parts)
 
 
 def _six(parts: Array) -> Array:
@@ -281,10 +277,10 @@ def _six(parts: Array) -> Array:
     return total
 
 
-def _leg_status(leg: dict[str, Array], pose: dict[str, Array], parts: dict[str, Array]) -> Array:
+def _leg_status(leg: dict[str, Array], motion: Any, parts: dict[str, Array]) -> Array:
     """The first leg's fault of each pose: not finite, too short, along its universal axis."""
-    terms = [parts[f"S_1_{axis}"] for axis in "xyz"]
-    terms += [pose[f"t_1_{axis}"][..., None] for axis in "xyz"] + [leg[f"r_{axis}"] for axis in "xyz"]
+    terms = [parts[f"q_{axis}"] for axis in "xyz"] + [motion.t[..., i, None] for i in range(3)]
+    terms += [leg[f"b_{axis}"] for axis in "xyz"]
     L, reach = parts["L"], np.abs(np.broadcast_arrays(*terms)).max(axis=0)
     fault = np.where(parts["k3"] > POLE_SINE, OK, POLE)
     fault = np.where(L > np.maximum(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)

@@ -12,7 +12,7 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Output, Quantity, rebuilt
 from ..operations import force_operations
-from ..prepared import ADDED, arm_c, q_1, r, t_1
+from ..prepared import ADDED, arm_c, q_1
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, operations_table, step_lines, wrap_list
@@ -121,14 +121,14 @@ def _preparation(kernel: ForceKernel) -> list[str]:
 def _size(kernel: ForceKernel) -> float:
     """The model's ``size`` of a baked kernel, or somewhat more."""
     constants = {q.name: values for q, values in (kernel.constants or {}).items()}
-    # A coordinate that is 0, 1 or -1 for all legs is no constant any more; of r it is 0, as for leg 1.
-    missing = {n.p: min(1.0, 1 / (kernel.per_length or 1.0)), r: 0.0}
+    # A coordinate that is 0, 1 or -1 for all legs is no constant any more.
+    missing = {n.p: min(1.0, 1 / (kernel.per_length or 1.0)), n.b: 1.0}
     extents = [
         sum(
             abs((constants[name] * 6)[leg]) if name in constants else missing[quantity]
             for name in quantity.names
         )
-        for quantity in (n.p, r)
+        for quantity in (n.p, n.b)
         for leg in range(6)
     ]
     return max(extents)
@@ -188,8 +188,8 @@ def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[
 def _closely(kernel: ForceKernel) -> str:
     """What is seldom asked: how long a leg is, and how large the terms are that it is the sum of."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    # In a baked kernel a coordinate of r that is zero for all legs is none of its inputs.
-    around = [q for q in kernel.leg.inputs if q in (n.t, n.b, t_1, r) or q.name in r.names]
+    # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
+    around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
     outputs = [Output(each, exprs[each]) for each in (n.q, n.L)]
     block = rebuilt(kernel.leg, kernel.leg.steps, outputs, kernel.leg.inputs)
     used = names_used(block) | {name for quantity in around for name in quantity.names}
@@ -287,9 +287,7 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
     has_force = n.c_force in exprs
     right = [(i, q, j) for q, i in ((n.c_force, 0), (n.c_moment, 3)) if q in exprs for j in range(3)]
     call = [f"    {moments}{'force, ' if has_force else ''}column, pose, A);"]
-    add = [
-        wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right
-    ]
+    add = [wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right]
     body = [
         *_leg_loads(kernel, block.inputs, names_used(block)),
         "    stewart_real q[3];",
@@ -299,7 +297,10 @@ def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
         *_judged_sine(exprs, "STEWART_POLE_SINE" if at_pole == _AT_POLE else "STEWART_NEAR_POLE", at_pole),
         *(wrap(f"    A[{i}][column] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.H_force])),
         *(wrap(f"    q[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.q])),
-        *(wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs.get(n.c_force, ()))),
+        *(
+            wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8)
+            for i, e in enumerate(exprs.get(n.c_force, ()))
+        ),
         *(["    if (column == 0) {", *(f"    {line}" for line in call), "    }"] if add else []),
         *add,
         *(["    if (column != 0) {", *(f"    {line}" for line in call), "    }"] if add else call),
@@ -434,7 +435,7 @@ typedef struct {
 /* A robot's constants, prepared once. */
 typedef struct {
     stewart_@NAME@_pose_leg leg[6];
-    stewart_real size; /* m: no platform point and no base point from base point 1 is farther */
+    stewart_real size; /* m: no platform point and no base point is farther from its origin */
 @PLATFORM@
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 @SCALE@
@@ -506,7 +507,7 @@ int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_
 @ADD@
 @HELD@
         size = STEWART_LARGER(extent(found.p), size);
-        size = STEWART_LARGER(extent(found.r), size);
+        size = STEWART_LARGER(extent(found.b), size);
     }
     prepare_platform(robot, &sum, &platform);
 @HELD_PLATFORM@
@@ -639,6 +640,9 @@ STEWART_APART static int pose_status(
             model, &model->leg[i], //M
             &legs[i], //B
             at, pose, &reach[i], &arm[i]);
+        if (!(length[i] <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
         arm[i] = STEWART_OVER_LENGTH(arm[i]);
         for (j = 0; j < 6; ++j) {
             H[j][i] = A[j][i];
@@ -674,7 +678,7 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     pose.close = 0;
     /* A leg above this is long beside the vectors that it is the sum of. */
     least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
-        * (STEWART_FABS(pose.t_1[0]) + STEWART_FABS(pose.t_1[1]) + STEWART_FABS(pose.t_1[2]) + SIZE));
+        * (STEWART_FABS(motion->t[0]) + STEWART_FABS(motion->t[1]) + STEWART_FABS(motion->t[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(
             model, &model->leg[i], //M

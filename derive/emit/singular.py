@@ -21,6 +21,8 @@ MACROS = """
 """
 
 FUNCTION = """\
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -92,5 +94,6 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 """
 """``singular_status``; needs ``STEWART_APART`` and ``c.ARITHMETIC``."""

@@ -10,12 +10,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      194 (116 mul, 74 add, 2 div, 2 sqrt)
- * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
  * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1659 (941 mul, 688 add, 18 div, 12 sqrt)
+ * total    1656 (941 mul, 685 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_AXISYMMETRIC_FORCES_H
 #define STEWART_EXACT_AXISYMMETRIC_FORCES_H
@@ -35,6 +35,7 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
@@ -44,13 +45,11 @@ typedef struct {
     stewart_real J_s[8]; /* kg m^2: inertia of both parts about the axis of the leg */
     stewart_real J_t[8]; /* kg m^2: inertias about base and platform point across the leg, mean of two axes */
     stewart_real J_ts[8]; /* kg m^2: J_t - J_s */
-    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */

@@ -180,7 +180,6 @@ typedef struct {
     stewart_real B[9], B_err[9];
     stewart_real c_force[3], c_force_err[3];
     stewart_real c_moment[3], c_moment_err[3];
-    stewart_real t_1[3], t_1_err[3];
     stewart_real c_tip[3], c_tip_err[3];
     stewart_real q_1[3], q_1_err[3];
 } shared_terms;
@@ -217,7 +216,6 @@ typedef struct {
 typedef struct {
     stewart_real R_legs[9], R_legs_err[9];
     stewart_real B_legs[9], B_legs_err[9];
-    stewart_real t_1_legs[3], t_1_legs_err[3];
     stewart_real q_1_legs[3], q_1_legs_err[3];
 } slopes_of_legs;
 
@@ -239,8 +237,6 @@ static void prepare_leg(
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real p_y_max = STEWART_FABS(p_y), p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x), k_y_max = STEWART_FABS(k_y),
@@ -381,13 +377,6 @@ static void prepare_leg(
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
-    /* base point from base point 1, base frame */
-    const stewart_real r_x = b_x - b_1_x;
-    const stewart_real r_x_err = STEWART_UNIT*STEWART_FABS(r_x);
-    const stewart_real r_y = b_y - b_1_y;
-    const stewart_real r_y_err = STEWART_UNIT*STEWART_FABS(r_y);
-    const stewart_real r_z = b_z - b_1_z;
-    const stewart_real r_z_err = STEWART_UNIT*STEWART_FABS(r_z);
     /* its first moment, platform frame */
     const stewart_real h_add_z = m_u*p_z;
     const stewart_real h_add_z_err = STEWART_UNIT*STEWART_FABS(h_add_z);
@@ -407,6 +396,9 @@ static void prepare_leg(
     const stewart_real J_add_zz = m_u*(c13 + c15);
     const stewart_real J_add_zz_err = c13_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max
         + c15_max) + STEWART_FABS(J_add_zz));
+    out->b[0] = b_x;
+    out->b[1] = b_y;
+    out->b[2] = b_z;
     out->p[0] = p_x;
     out->p[1] = p_y;
     out->p[2] = p_z;
@@ -462,12 +454,6 @@ static void prepare_leg(
     out->g_x_k_err[2] = g_x_k_z_err;
     out->C_us = C_us;
     out->C_us_err = C_us_err;
-    out->r[0] = r_x;
-    out->r_err[0] = r_x_err;
-    out->r[1] = r_y;
-    out->r_err[1] = r_y_err;
-    out->r[2] = r_z;
-    out->r_err[2] = r_z_err;
     sum->M_add = m_u;
     sum->M_add_err = REAL(0);
     sum->h_add[0] = c11;
@@ -501,8 +487,6 @@ static void prepare_platform(
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
         I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real M_add_err = sum->M_add_err;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
@@ -609,9 +593,6 @@ static void prepare_platform(
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
-    out->b_1[0] = b_1_x;
-    out->b_1[1] = b_1_y;
-    out->b_1[2] = b_1_z;
     out->p_1[0] = p_1_x;
     out->p_1[1] = p_1_y;
     out->p_1[2] = p_1_z;
@@ -734,8 +715,6 @@ static void shared_of_pose(
         dJ_P_z = platform->dJ_P[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
     const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
@@ -783,10 +762,6 @@ static void shared_of_pose(
         - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
     const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    /* reference point from base point 1, base frame */
-    const stewart_real t_1_x = t_x - b_1_x;
-    const stewart_real t_1_y = t_y - b_1_y;
-    const stewart_real t_1_z = t_z - b_1_z;
     const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
     const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
@@ -822,9 +797,6 @@ static void shared_of_pose(
     out->c_moment[0] = c_moment_x;
     out->c_moment[1] = c_moment_y;
     out->c_moment[2] = c_moment_z;
-    out->t_1[0] = t_1_x;
-    out->t_1[1] = t_1_y;
-    out->t_1[2] = t_1_z;
     out->c_tip[0] = c_tip_x;
     out->c_tip[1] = c_tip_y;
     out->c_tip[2] = c_tip_z;
@@ -861,6 +833,7 @@ static void leg_of_pose(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, leg_terms *out)
 {
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real C_p = leg->C_p;
@@ -878,6 +851,7 @@ static void leg_of_pose(
     const stewart_real C_us = leg->C_us;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -885,21 +859,19 @@ static void leg_of_pose(
         B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_z = q_z + t_1_z;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_z = t_z - b_z;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
-    const stewart_real S_y = S_1_y - r_y;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_x = q_x + t_b_x;
+    const stewart_real S_y = q_y + t_b_y;
+    const stewart_real S_z = q_z + t_b_z;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -999,7 +971,7 @@ static void leg_of_pose(
     const stewart_real c_force_x = -K_x;
     const stewart_real c_force_y = -K_y;
     const stewart_real c_force_z = -K_z;
-    /* platform point from platform point 1, base frame */
+    /* platform point from platform point 1 */
     const stewart_real arm_x = q_x - q_1_x;
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
@@ -1032,8 +1004,8 @@ static void leg_of_pose(
     out->arm_c[1] = arm_c_y;
     out->arm_c[2] = arm_c_z;
     const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
-        STEWART_FABS(t_1_x), STEWART_FABS(t_1_y), STEWART_FABS(t_1_z), STEWART_FABS(r_x),
-        STEWART_FABS(r_y), STEWART_FABS(r_z)};
+        STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
+        STEWART_FABS(b_z)};
     const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
     out->L = L;
     out->sine = k3;
@@ -1046,6 +1018,7 @@ static void leg_of_pose_near_singularity(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, leg_terms *out)
 {
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real C_p = leg->C_p;
@@ -1063,6 +1036,7 @@ static void leg_of_pose_near_singularity(
     const stewart_real C_us = leg->C_us;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -1070,21 +1044,19 @@ static void leg_of_pose_near_singularity(
         B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_z = q_z + t_1_z;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_z = t_z - b_z;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
-    const stewart_real S_y = S_1_y - r_y;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_x = q_x + t_b_x;
+    const stewart_real S_y = q_y + t_b_y;
+    const stewart_real S_z = q_z + t_b_z;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
     const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -1196,7 +1168,7 @@ static void leg_of_pose_near_singularity(
     const stewart_real c_force_x = -K_x;
     const stewart_real c_force_y = -K_y;
     const stewart_real c_force_z = -K_z;
-    /* platform point from platform point 1, base frame */
+    /* platform point from platform point 1 */
     const stewart_real arm_x = q_x - q_1_x;
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
@@ -1229,8 +1201,8 @@ static void leg_of_pose_near_singularity(
     out->arm_c[1] = arm_c_y;
     out->arm_c[2] = arm_c_z;
     const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
-        STEWART_FABS(t_1_x), STEWART_FABS(t_1_y), STEWART_FABS(t_1_z), STEWART_FABS(r_x),
-        STEWART_FABS(r_y), STEWART_FABS(r_z)};
+        STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
+        STEWART_FABS(b_z)};
     const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
     out->L = L;
     out->sine = k3;
@@ -1428,6 +1400,8 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     return pivots;
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -1499,6 +1473,7 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 /* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 + ...)
  * with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part of
@@ -1644,8 +1619,6 @@ static void shared_errors(
     const stewart_real C_P = platform->C_P;
     const stewart_real C_P_err = platform->C_P_err;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real b_1_x = platform->b_1[0], b_1_y = platform->b_1[1], b_1_z = platform->b_1[2];
     const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
     const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
         R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
@@ -1854,16 +1827,6 @@ static void shared_errors(
         + J_P_yz_max*alpha_P_y_err + J_P_zz_err*alpha_P_z_max + J_P_zz_max*alpha_P_z_err
         + P_xy_err*dJ_P_z_max + P_xy_max*dJ_P_z_err + M_P_load_z_own;
     const stewart_real M_P_load_z_max = STEWART_FABS(M_P_load_z) + M_P_load_z_err;
-    /* reference point from base point 1, base frame */
-    const stewart_real t_1_x = t_x - b_1_x;
-    const stewart_real t_1_x_own = STEWART_UNIT*STEWART_FABS(t_1_x);
-    const stewart_real t_1_x_err = t_1_x_own;
-    const stewart_real t_1_y = t_y - b_1_y;
-    const stewart_real t_1_y_own = STEWART_UNIT*STEWART_FABS(t_1_y);
-    const stewart_real t_1_y_err = t_1_y_own;
-    const stewart_real t_1_z = t_z - b_1_z;
-    const stewart_real t_1_z_own = STEWART_UNIT*STEWART_FABS(t_1_z);
-    const stewart_real t_1_z_err = t_1_z_own;
     const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
     const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max
@@ -1989,12 +1952,6 @@ static void shared_errors(
     out->c_moment_err[1] = c_moment_y_err;
     out->c_moment[2] = c_moment_z;
     out->c_moment_err[2] = c_moment_z_err;
-    out->t_1[0] = t_1_x;
-    out->t_1_err[0] = t_1_x_err;
-    out->t_1[1] = t_1_y;
-    out->t_1_err[1] = t_1_y_err;
-    out->t_1[2] = t_1_z;
-    out->t_1_err[2] = t_1_z_err;
     out->c_tip[0] = c_tip_x;
     out->c_tip_err[0] = c_tip_x_err;
     out->c_tip[1] = c_tip_y;
@@ -2032,10 +1989,6 @@ static void shared_errors(
             B_legs_yy_err = of_legs->B_legs_err[4], B_legs_yz_err = of_legs->B_legs_err[5],
             B_legs_zx_err = of_legs->B_legs_err[6], B_legs_zy_err = of_legs->B_legs_err[7],
             B_legs_zz_err = of_legs->B_legs_err[8];
-        const stewart_real t_1_legs_x = of_legs->t_1_legs[0], t_1_legs_y = of_legs->t_1_legs[1],
-            t_1_legs_z = of_legs->t_1_legs[2];
-        const stewart_real t_1_legs_x_err = of_legs->t_1_legs_err[0],
-            t_1_legs_y_err = of_legs->t_1_legs_err[1], t_1_legs_z_err = of_legs->t_1_legs_err[2];
         const stewart_real q_1_legs_x = of_legs->q_1_legs[0], q_1_legs_y = of_legs->q_1_legs[1],
             q_1_legs_z = of_legs->q_1_legs[2];
         const stewart_real q_1_legs_x_err = of_legs->q_1_legs_err[0],
@@ -2053,9 +2006,6 @@ static void shared_errors(
             R_legs_zx_max = STEWART_FABS(R_legs_zx) + R_legs_zx_err,
             R_legs_zy_max = STEWART_FABS(R_legs_zy) + R_legs_zy_err,
             R_legs_zz_max = STEWART_FABS(R_legs_zz) + R_legs_zz_err;
-        const stewart_real t_1_legs_x_max = STEWART_FABS(t_1_legs_x) + t_1_legs_x_err,
-            t_1_legs_y_max = STEWART_FABS(t_1_legs_y) + t_1_legs_y_err,
-            t_1_legs_z_max = STEWART_FABS(t_1_legs_z) + t_1_legs_z_err;
         const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err,
             q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err,
             q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
@@ -2478,12 +2428,11 @@ static void shared_errors(
             + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own + P_xy_bar_max*P_xy_own
             + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own + P_yy_bar_max*P_yy_own
             + P_zz_bar_max*P_zz_own + M_P_load_x_bar_max*M_P_load_x_own + M_P_load_y_bar_max*M_P_load_y_own
-            + M_P_load_z_bar_max*M_P_load_z_own + t_1_legs_x_max*t_1_x_own + t_1_legs_y_max*t_1_y_own
-            + t_1_legs_z_max*t_1_z_own + c_force_x_bar_max*c_force_x_own + c_force_y_bar_max*c_force_y_own
-            + c_force_z_bar_max*c_force_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own + q_1_x_bar_max*q_1_x_own
-            + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own + Y_moment_x_max*c_tip_x_own
-            + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
+            + M_P_load_z_bar_max*M_P_load_z_own + c_force_x_bar_max*c_force_x_own
+            + c_force_y_bar_max*c_force_y_own + c_force_z_bar_max*c_force_z_own
+            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + q_1_x_bar_max*q_1_x_own + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own
+            + Y_moment_x_max*c_tip_x_own + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
         slopes[i].R_legs[0] = R_xx_bar;
         slopes[i].R_legs_err[0] = R_xx_bar_err;
         slopes[i].R_legs[1] = R_xy_bar;
@@ -2513,6 +2462,7 @@ static void leg_errors(
     slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
 {
     int i;
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real k_x_err = leg->k_err[0], k_y_err = leg->k_err[1], k_z_err = leg->k_err[2];
@@ -2544,6 +2494,7 @@ static void leg_errors(
     const stewart_real C_us_err = leg->C_us_err;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -2555,11 +2506,6 @@ static void leg_errors(
         B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6], B_zy_err = shared->B_err[7],
         B_zz_err = shared->B_err[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real t_1_x_err = shared->t_1_err[0], t_1_y_err = shared->t_1_err[1],
-        t_1_z_err = shared->t_1_err[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
-    const stewart_real r_x_err = leg->r_err[0], r_y_err = leg->r_err[1], r_z_err = leg->r_err[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
         q_1_z_err = shared->q_1_err[2];
@@ -2615,28 +2561,28 @@ static void leg_errors(
         + R_zz_max*p_z_max + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_x_own = STEWART_UNIT*STEWART_FABS(S_1_x);
-    const stewart_real S_1_x_err = q_x_err + t_1_x_err + S_1_x_own;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_y_own = STEWART_UNIT*STEWART_FABS(S_1_y);
-    const stewart_real S_1_y_err = q_y_err + t_1_y_err + S_1_y_own;
-    const stewart_real S_1_z = q_z + t_1_z;
-    const stewart_real S_1_z_own = STEWART_UNIT*STEWART_FABS(S_1_z);
-    const stewart_real S_1_z_err = q_z_err + t_1_z_err + S_1_z_own;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_x_own = STEWART_UNIT*STEWART_FABS(t_b_x);
+    const stewart_real t_b_x_err = t_b_x_own;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_y_own = STEWART_UNIT*STEWART_FABS(t_b_y);
+    const stewart_real t_b_y_err = t_b_y_own;
+    const stewart_real t_b_z = t_z - b_z;
+    const stewart_real t_b_z_own = STEWART_UNIT*STEWART_FABS(t_b_z);
+    const stewart_real t_b_z_err = t_b_z_own;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
+    const stewart_real S_x = q_x + t_b_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
-    const stewart_real S_x_err = S_1_x_err + r_x_err + S_x_own;
+    const stewart_real S_x_err = q_x_err + t_b_x_err + S_x_own;
     const stewart_real S_x_max = STEWART_FABS(S_x) + S_x_err;
-    const stewart_real S_y = S_1_y - r_y;
+    const stewart_real S_y = q_y + t_b_y;
     const stewart_real S_y_own = STEWART_UNIT*STEWART_FABS(S_y);
-    const stewart_real S_y_err = S_1_y_err + r_y_err + S_y_own;
+    const stewart_real S_y_err = q_y_err + t_b_y_err + S_y_own;
     const stewart_real S_y_max = STEWART_FABS(S_y) + S_y_err;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_z = q_z + t_b_z;
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
-    const stewart_real S_z_err = S_1_z_err + r_z_err + S_z_own;
+    const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
@@ -3030,7 +2976,7 @@ static void leg_errors(
     const stewart_real c_force_z = -K_z;
     const stewart_real c_force_z_err = K_z_err;
     const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
-    /* platform point from platform point 1, base frame */
+    /* platform point from platform point 1 */
     const stewart_real arm_x = q_x - q_1_x;
     const stewart_real arm_x_own = STEWART_UNIT*STEWART_FABS(arm_x);
     const stewart_real arm_x_err = q_1_x_err + q_x_err + arm_x_own;
@@ -3864,31 +3810,30 @@ static void leg_errors(
             + w_z_bar_max*w_z_err + M_phi_bar_max*J_xx_err + a3_bar_max*J_xy_err + M_theta_bar_max*J_yy_err
             + J_yz_bar_max*J_yz_err + a2_bar_max*J2_xz_err + a1_bar_max*dJ_zx_err + g_k_bar_max*g_k_err
             + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
-            + C_us_bar_max*C_us_err + S_x_bar_max*r_x_err + S_y_bar_max*r_y_err + S_z_bar_max*r_z_err
-            + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*S_1_x_own
-            + S_y_bar_max*S_1_y_own + S_z_bar_max*S_1_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own
-            + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
-            + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own
-            + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own
-            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own
-            + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own
-            + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
-            + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own
-            + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own + L_dot_bar_max*L_dot_own
-            + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own + L_share_bar_max*L_share_own
-            + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own + phi_dot2_bar_max*phi_dot2_own
-            + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own + L_ddot_bar_max*L_ddot_own
-            + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own + k13_bar_max*k13_own
-            + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + a2_bar_max*a2_own + a3_bar_max*a3_own
-            + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own + M_mixed_bar_max*M_mixed_own
-            + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own + M_phi_L_bar_max*M_phi_L_own
-            + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
-            + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own
-            + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own + Q_y_bar_max*Q_y_own
-            + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own
-            + D_weight_max*D_own + c1_bar_max*c1_own + c2_bar_max*c2_own + arm_x_bar_max*arm_x_own
-            + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own
+            + S_x_bar_max*t_b_x_own + S_y_bar_max*t_b_y_own + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own
+            + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own
+            + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
+            + k_cross_S_z_bar_max*k_cross_S_z_own + rho2_bar_max*rho2_own + L_bar_max*L_own
+            + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own
+            + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own
+            + y_z_bar_max*y_z_own + k1_bar_max*k1_own + k3_bar_max*k3_own + kappa_bar_max*kappa_own
+            + S_dot_x_bar_max*S_dot_x_own + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own
+            + S_ddot_x_bar_max*S_ddot_x_own + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own
+            + L_dot_bar_max*L_dot_own + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own
+            + L_share_bar_max*L_share_own + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own
+            + phi_dot2_bar_max*phi_dot2_own + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own
+            + L_ddot_bar_max*L_ddot_own + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own
+            + k13_bar_max*k13_own + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + a2_bar_max*a2_own
+            + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own
+            + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own
+            + M_phi_L_bar_max*M_phi_L_own + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own
+            + gamma_n_bar_max*gamma_n_own + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own
+            + w_n_bar_max*w_n_own + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own
+            + Q_y_bar_max*Q_y_own + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own
+            + c_force_z_bar_max*K_z_own + D_weight_max*D_own + c1_bar_max*c1_own + c2_bar_max*c2_own
+            + arm_x_bar_max*arm_x_own + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own
+            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
             + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
             + H_moment_z_weight_max*H_moment_z_own + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own
             + Y_arm_z_max*arm_c_z_own;
@@ -3910,9 +3855,6 @@ static void leg_errors(
         add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
         add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
         add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_x_bar, S_x_bar_err);
-        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_y_bar, S_y_bar_err);
-        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_z_bar, S_z_bar_err);
         add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
         add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
         add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
@@ -3927,6 +3869,7 @@ static void leg_errors_near_singularity(
     slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
 {
     int i;
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
     const stewart_real k_x_err = leg->k_err[0], k_y_err = leg->k_err[1], k_z_err = leg->k_err[2];
@@ -3958,6 +3901,7 @@ static void leg_errors_near_singularity(
     const stewart_real C_us_err = leg->C_us_err;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -3969,11 +3913,6 @@ static void leg_errors_near_singularity(
         B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6], B_zy_err = shared->B_err[7],
         B_zz_err = shared->B_err[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
-    const stewart_real t_1_x_err = shared->t_1_err[0], t_1_y_err = shared->t_1_err[1],
-        t_1_z_err = shared->t_1_err[2];
-    const stewart_real r_x = leg->r[0], r_y = leg->r[1], r_z = leg->r[2];
-    const stewart_real r_x_err = leg->r_err[0], r_y_err = leg->r_err[1], r_z_err = leg->r_err[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
         q_1_z_err = shared->q_1_err[2];
@@ -4031,28 +3970,28 @@ static void leg_errors_near_singularity(
         + R_zz_max*p_z_max + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
-    /* (1) platform point from base point 1, base frame */
-    const stewart_real S_1_x = q_x + t_1_x;
-    const stewart_real S_1_x_own = STEWART_UNIT*STEWART_FABS(S_1_x);
-    const stewart_real S_1_x_err = q_x_err + t_1_x_err + S_1_x_own;
-    const stewart_real S_1_y = q_y + t_1_y;
-    const stewart_real S_1_y_own = STEWART_UNIT*STEWART_FABS(S_1_y);
-    const stewart_real S_1_y_err = q_y_err + t_1_y_err + S_1_y_own;
-    const stewart_real S_1_z = q_z + t_1_z;
-    const stewart_real S_1_z_own = STEWART_UNIT*STEWART_FABS(S_1_z);
-    const stewart_real S_1_z_err = q_z_err + t_1_z_err + S_1_z_own;
+    /* (1) reference point from base point, base frame */
+    const stewart_real t_b_x = t_x - b_x;
+    const stewart_real t_b_x_own = STEWART_UNIT*STEWART_FABS(t_b_x);
+    const stewart_real t_b_x_err = t_b_x_own;
+    const stewart_real t_b_y = t_y - b_y;
+    const stewart_real t_b_y_own = STEWART_UNIT*STEWART_FABS(t_b_y);
+    const stewart_real t_b_y_err = t_b_y_own;
+    const stewart_real t_b_z = t_z - b_z;
+    const stewart_real t_b_z_own = STEWART_UNIT*STEWART_FABS(t_b_z);
+    const stewart_real t_b_z_err = t_b_z_own;
     /* (1) leg vector */
-    const stewart_real S_x = S_1_x - r_x;
+    const stewart_real S_x = q_x + t_b_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
-    const stewart_real S_x_err = S_1_x_err + r_x_err + S_x_own;
+    const stewart_real S_x_err = q_x_err + t_b_x_err + S_x_own;
     const stewart_real S_x_max = STEWART_FABS(S_x) + S_x_err;
-    const stewart_real S_y = S_1_y - r_y;
+    const stewart_real S_y = q_y + t_b_y;
     const stewart_real S_y_own = STEWART_UNIT*STEWART_FABS(S_y);
-    const stewart_real S_y_err = S_1_y_err + r_y_err + S_y_own;
+    const stewart_real S_y_err = q_y_err + t_b_y_err + S_y_own;
     const stewart_real S_y_max = STEWART_FABS(S_y) + S_y_err;
-    const stewart_real S_z = S_1_z - r_z;
+    const stewart_real S_z = q_z + t_b_z;
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
-    const stewart_real S_z_err = S_1_z_err + r_z_err + S_z_own;
+    const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
@@ -4507,7 +4446,7 @@ static void leg_errors_near_singularity(
     const stewart_real c_force_z = -K_z;
     const stewart_real c_force_z_err = K_z_err;
     const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
-    /* platform point from platform point 1, base frame */
+    /* platform point from platform point 1 */
     const stewart_real arm_x = q_x - q_1_x;
     const stewart_real arm_x_own = STEWART_UNIT*STEWART_FABS(arm_x);
     const stewart_real arm_x_err = q_1_x_err + q_x_err + arm_x_own;
@@ -5443,13 +5382,12 @@ static void leg_errors_near_singularity(
             + w_z_bar_max*w_z_err + J_xx_bar_max*J_xx_err + a3_bar_max*J_xy_err + J_yy_bar_max*J_yy_err
             + J_yz_bar_max*J_yz_err + J2_xz_bar_max*J2_xz_err + dJ_zx_bar_max*dJ_zx_err
             + g_k_bar_max*g_k_err + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err
-            + g_x_k_z_bar_max*g_x_k_z_err + C_us_bar_max*C_us_err + S_x_bar_max*r_x_err
-            + S_y_bar_max*r_y_err + S_z_bar_max*r_z_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own
-            + q_z_bar_max*q_z_own + S_x_bar_max*S_1_x_own + S_y_bar_max*S_1_y_own + S_z_bar_max*S_1_z_own
-            + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own
-            + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
-            + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own + inv_L_bar_max*inv_L_own
-            + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
+            + g_x_k_z_bar_max*g_x_k_z_err + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own
+            + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*t_b_x_own + S_y_bar_max*t_b_y_own
+            + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own
+            + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
+            + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own
+            + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
             + s_cross_normal_x_bar_max*s_cross_normal_x_own + s_cross_normal_y_bar_max*s_cross_normal_y_own
             + s_cross_normal_z_bar_max*s_cross_normal_z_own + rho_bar_max*rho_own
             + inv_rho_bar_max*inv_rho_own + z_x_bar_max*z_x_own + z_y_bar_max*z_y_own + z_z_bar_max*z_z_own
@@ -5492,9 +5430,6 @@ static void leg_errors_near_singularity(
         add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
         add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
         add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].t_1_legs[0], &slopes[i].t_1_legs_err[0], S_x_bar, S_x_bar_err);
-        add(&slopes[i].t_1_legs[1], &slopes[i].t_1_legs_err[1], S_y_bar, S_y_bar_err);
-        add(&slopes[i].t_1_legs[2], &slopes[i].t_1_legs_err[2], S_z_bar, S_z_bar_err);
         add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
         add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
         add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);

@@ -21,6 +21,7 @@ extern "C" {
 
 /* Constants of one leg; `_err`: bound of the error of what stands before it. */
 typedef struct {
+    stewart_real b[3]; /* m: base point, base frame */
     stewart_real p[3]; /* m: platform point, platform frame */
     stewart_real k[3], k_err[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
@@ -36,7 +37,6 @@ typedef struct {
     stewart_real g_k, g_k_err; /* m/s^2: gravity along the fixed axis */
     stewart_real g_x_k[3], g_x_k_err[3]; /* m/s^2: g x k, base frame */
     stewart_real C_us, C_us_err; /* N m s: C_u + C_s */
-    stewart_real r[3], r_err[3]; /* m: base point from base point 1, base frame */
 } stewart_exact_bounds_leg;
 
 /* Constants of the platform. */
@@ -47,7 +47,6 @@ typedef struct {
     stewart_real dJ_P[3], dJ_P_err[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real C_P, C_P_err; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real p_1[3]; /* m: platform point 1, platform frame */
 } stewart_exact_bounds_platform;
 

@@ -10,12 +10,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      31 (15 mul, 14 add, 1 div, 1 sqrt)
- * platform 183 (90 mul, 93 add, 0 div, 0 sqrt)
+ * platform 180 (90 mul, 90 add, 0 div, 0 sqrt)
  * moments  12 (6 mul, 6 add, 0 div, 0 sqrt)
  * sum of c 0 (0 mul, 0 add, 0 div, 0 sqrt)
  * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   0 (0 mul, 0 add, 0 div, 0 sqrt)
- * total    591 (299 mul, 274 add, 12 div, 6 sqrt)
+ * total    588 (299 mul, 271 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_EXACT_MASSLESS_FORCES_H
 #define STEWART_EXACT_MASSLESS_FORCES_H
@@ -35,14 +35,13 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
-    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */

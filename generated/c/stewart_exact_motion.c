@@ -156,6 +156,8 @@ static void column_rows(
     }
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -227,9 +229,10 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 /* Status of a pose by its H and the product of the pivots of H. */
-static int pose_status(
+static int columns_status(
     const stewart_exact_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
     const leg_judgement *judged, stewart_real pivots)
 {
@@ -253,7 +256,7 @@ static int pose_status(
 /* ---- equations ---- */
 
 typedef struct {
-    stewart_real t_1[3];
+    int none; /* C has no structure without members */
 } equations_pose;
 
 typedef struct {
@@ -265,21 +268,20 @@ typedef struct {
     leg_judgement judged;
 } equations_legs;
 
-/* The platform's part: 155 (93 mul, 62 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 152 (93 mul, 59 add, 0 div, 0 sqrt) operations. */
 static void equations_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
 {
+    (void)out;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
@@ -311,9 +313,6 @@ static void equations_of_pose(
     const stewart_real c10 = half_trace*omega_y;
     const stewart_real c11 = -J_base_yz*omega_x;
     const stewart_real c12 = half_trace*omega_x;
-    out->t_1[0] = t_x - b_1_x;
-    out->t_1[1] = t_y - b_1_y;
-    out->t_1[2] = t_z - b_1_z;
     sum[0] = M_P;
     sum[1] = REAL(0);
     sum[2] = REAL(0);
@@ -391,13 +390,15 @@ STEWART_APART static void equations_of_legs(
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
+    (void)pose;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
     for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real C_p = model->C_p[l];
@@ -414,19 +415,18 @@ STEWART_APART static void equations_of_legs(
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
             g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -711,15 +711,15 @@ STEWART_APART static void equations_of_legs(
         out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
@@ -749,7 +749,6 @@ static int equations_sums(
 /* ---- bias ---- */
 
 typedef struct {
-    stewart_real t_1[3];
     stewart_real B_0[9];
 } bias_pose;
 
@@ -758,21 +757,19 @@ typedef struct {
     leg_judgement judged;
 } bias_legs;
 
-/* The platform's part: 168 (99 mul, 69 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 165 (99 mul, 66 add, 0 div, 0 sqrt) operations. */
 static void bias_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
@@ -811,9 +808,6 @@ static void bias_of_pose(
     const stewart_real B_xx = -omega_yy - omega_zz;
     const stewart_real B_yy = -omega_xx - omega_zz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    out->t_1[0] = t_x - b_1_x;
-    out->t_1[1] = t_y - b_1_y;
-    out->t_1[2] = t_z - b_1_z;
     out->B_0[0] = B_xx;
     out->B_0[1] = omega_xy;
     out->B_0[2] = omega_xz;
@@ -839,14 +833,15 @@ STEWART_APART static void bias_of_legs(
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
         B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
         B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
     for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real C_p = model->C_p[l];
@@ -864,19 +859,18 @@ STEWART_APART static void bias_of_legs(
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
             g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -994,15 +988,15 @@ STEWART_APART static void bias_of_legs(
         out->sum[5][l] = R_tip_y*q_x - C_s*(k_z*phi_dot + theta_dot*y_z) - R_tip_x*q_y;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
@@ -1032,7 +1026,6 @@ static int bias_sums(
 /* ---- forward_dynamics ---- */
 
 typedef struct {
-    stewart_real t_1[3];
     stewart_real B_0[9];
 } forward_dynamics_pose;
 
@@ -1041,14 +1034,13 @@ typedef struct {
     leg_judgement judged;
 } forward_dynamics_legs;
 
-/* The platform's part: 204 (117 mul, 87 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 201 (117 mul, 84 add, 0 div, 0 sqrt) operations. */
 static void forward_dynamics_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     forward_dynamics_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
@@ -1057,7 +1049,6 @@ static void forward_dynamics_of_pose(
     const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
@@ -1096,9 +1087,6 @@ static void forward_dynamics_of_pose(
     const stewart_real B_xx = -omega_yy - omega_zz;
     const stewart_real B_yy = -omega_xx - omega_zz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    out->t_1[0] = t_x - b_1_x;
-    out->t_1[1] = t_y - b_1_y;
-    out->t_1[2] = t_z - b_1_z;
     out->B_0[0] = B_xx;
     out->B_0[1] = omega_xy;
     out->B_0[2] = omega_xz;
@@ -1145,14 +1133,15 @@ STEWART_APART static void forward_dynamics_of_legs(
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
         B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
         B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
     for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real C_p = model->C_p[l];
@@ -1171,19 +1160,18 @@ STEWART_APART static void forward_dynamics_of_legs(
             g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
         const stewart_real F = force[l];
-        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -1358,15 +1346,15 @@ STEWART_APART static void forward_dynamics_of_legs(
         out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z) + push_y*q_x - push_x*q_y;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
@@ -1401,7 +1389,6 @@ static int forward_dynamics_sums(
 /* ---- derivatives ---- */
 
 typedef struct {
-    stewart_real t_1[3];
     stewart_real B[9];
 } derivatives_pose;
 
@@ -1412,14 +1399,13 @@ typedef struct {
     leg_judgement judged;
 } derivatives_legs;
 
-/* The platform's part: 341 (168 mul, 173 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 338 (168 mul, 170 add, 0 div, 0 sqrt) operations. */
 static void derivatives_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -1430,7 +1416,6 @@ static void derivatives_of_pose(
     const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
@@ -1535,9 +1520,6 @@ static void derivatives_of_pose(
     const stewart_real c43 = h_base_y*omega_y;
     const stewart_real c44 = h_base_z*omega_z;
     const stewart_real c45 = h_base_x*omega_x;
-    out->t_1[0] = t_x - b_1_x;
-    out->t_1[1] = t_y - b_1_y;
-    out->t_1[2] = t_z - b_1_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -1650,14 +1632,15 @@ STEWART_APART static void derivatives_of_legs(
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
         B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
     for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real C_p = model->C_p[l];
@@ -1675,19 +1658,18 @@ STEWART_APART static void derivatives_of_legs(
             g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
         const stewart_real F = force[l];
-        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
@@ -2245,15 +2227,15 @@ STEWART_APART static void derivatives_of_legs(
         out->H_moment[2][l] = q_x*s_y - q_y*s_x;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->judged.reach[l] = reach;
         out->judged.L[l] = L;
         out->judged.k3[l] = k3;
@@ -2542,7 +2524,7 @@ int stewart_exact_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = pose_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }

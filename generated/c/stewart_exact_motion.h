@@ -11,10 +11,10 @@
  * `derivatives` alone.
  *
  * Operations of a pose before any solve      with friction                                without
- * equations         4655 (2625 mul, 2006 add, 12 div, 12 sqrt)   4310
- * bias              2034 (1197 mul, 813 add, 12 div, 12 sqrt)    1818
- * forward_dynamics  2916 (1677 mul, 1215 add, 12 div, 12 sqrt)   2700
- * derivatives       11249 (6300 mul, 4925 add, 12 div, 12 sqrt)  8952
+ * equations         4652 (2625 mul, 2003 add, 12 div, 12 sqrt)   4307
+ * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
+ * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
+ * derivatives       11246 (6300 mul, 4922 add, 12 div, 12 sqrt)  8949
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H

@@ -97,13 +97,11 @@ typedef struct {
     stewart_real B[9];
     stewart_real c_force[3];
     stewart_real c_moment[3];
-    stewart_real t_1[3];
     stewart_real c_tip[3];
 } shared_terms;
 
 typedef struct {
     stewart_real B[9][8];
-    stewart_real t_1[3][8];
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -131,11 +129,11 @@ static int leg_status(const leg_lanes *leg, int l)
 }
 
 typedef struct {
+    stewart_real b[3];
     stewart_real p[3];
     stewart_real h_s;
     stewart_real w_s;
     stewart_real J_m;
-    stewart_real r[3];
     stewart_real M_add;
     stewart_real h_add[3];
     stewart_real J_add[6];
@@ -145,14 +143,13 @@ typedef struct {
 /* Constants of one leg, and what it adds to the platform. */
 static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
 {
+    (void)robot;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     const stewart_real m_d = leg->m_d;
     const stewart_real r_d0_x = leg->r_d0[0];
     const stewart_real m_u = leg->m_u;
     const stewart_real r_u0_x = leg->r_u0[0];
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real h_x = m_u*r_u0_x;
     const stewart_real w_x = h_x + m_d*r_d0_x;
     const stewart_real c1 = m_u*p_x;
@@ -160,15 +157,15 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real c3 = p_y*p_y;
     const stewart_real c4 = p_z*p_z;
     const stewart_real c5 = p_x*p_x;
+    out->b[0] = b_x;
+    out->b[1] = b_y;
+    out->b[2] = b_z;
     out->p[0] = p_x;
     out->p[1] = p_y;
     out->p[2] = p_z;
     out->h_s = h_x;
     out->w_s = w_x;
     out->J_m = m_d*r_d0_x*r_d0_x + m_u*r_u0_x*r_u0_x;
-    out->r[0] = b_x - b_1_x;
-    out->r[1] = b_y - b_1_y;
-    out->r[2] = b_z - b_1_z;
     out->M_add = m_u;
     out->h_add[0] = c1;
     out->h_add[1] = c2;
@@ -188,7 +185,6 @@ typedef struct {
     stewart_real J_P[6];
     stewart_real dJ_P[3];
     stewart_real g[3];
-    stewart_real b_1[3];
 } prepared_platform;
 
 /* Constants of the platform. */
@@ -199,8 +195,6 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
         I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real b_1_x = robot->leg[0].b[0], b_1_y = robot->leg[0].b[1],
-        b_1_z = robot->leg[0].b[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
@@ -232,9 +226,6 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
-    out->b_1[0] = b_1_x;
-    out->b_1[1] = b_1_y;
-    out->b_1[2] = b_1_z;
 }
 
 #if defined(STEWART_SCALED)
@@ -298,15 +289,15 @@ int stewart_exact_point_masses_prepare(const stewart_robot *robot, stewart_exact
     sum.C_add = REAL(0);
     for (i = 0; i < LANES; ++i) {
         prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
+        made.b[0][i] = found.b[0];
+        made.b[1][i] = found.b[1];
+        made.b[2][i] = found.b[2];
         made.p[0][i] = found.p[0];
         made.p[1][i] = found.p[1];
         made.p[2][i] = found.p[2];
         made.h_s[i] = found.h_s;
         made.w_s[i] = found.w_s;
         made.J_m[i] = found.J_m;
-        made.r[0][i] = found.r[0];
-        made.r[1][i] = found.r[1];
-        made.r[2][i] = found.r[2];
         if (i >= 6) {
             continue;
         }
@@ -339,9 +330,6 @@ int stewart_exact_point_masses_prepare(const stewart_robot *robot, stewart_exact
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.b_1[0] = platform.b_1[0];
-    made.b_1[1] = platform.b_1[1];
-    made.b_1[2] = platform.b_1[2];
     STEWART_CHOOSE_LENGTH(&made);
     made.least = least_pivots(&made);
     for (number = 0; number < count; ++number) {
@@ -353,7 +341,7 @@ int stewart_exact_point_masses_prepare(const stewart_robot *robot, stewart_exact
     return STEWART_OK;
 }
 
-/* What one pose has for all legs: 177 (90 mul, 87 add, 0 div, 0 sqrt) operations. */
+/* What one pose has for all legs: 174 (90 mul, 84 add, 0 div, 0 sqrt) operations. */
 static void shared_of_pose(const stewart_exact_point_masses_model *model, const stewart_motion *at, shared_terms *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
@@ -369,8 +357,6 @@ static void shared_of_pose(const stewart_exact_point_masses_model *model, const 
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -417,10 +403,6 @@ static void shared_of_pose(const stewart_exact_point_masses_model *model, const 
         - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
     const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    /* reference point from base point 1, base frame */
-    const stewart_real t_1_x = t_x - b_1_x;
-    const stewart_real t_1_y = t_y - b_1_y;
-    const stewart_real t_1_z = t_z - b_1_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -442,9 +424,6 @@ static void shared_of_pose(const stewart_exact_point_masses_model *model, const 
         - fall_z*h_base_x;
     out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
         - fall_x*h_base_y;
-    out->t_1[0] = t_1_x;
-    out->t_1[1] = t_1_y;
-    out->t_1[2] = t_1_z;
 }
 
 /* The legs of one pose side by side: 107 (60 mul, 45 add, 1 div, 1 sqrt) operations each. */
@@ -455,6 +434,7 @@ static void legs_of_pose(
     int l;
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -462,25 +442,24 @@ static void legs_of_pose(
         B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
         B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real t_1_x = shared->t_1[0], t_1_y = shared->t_1[1], t_1_z = shared->t_1[2];
     for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real h_s = model->h_s[l];
         const stewart_real w_s = model->w_s[l];
         const stewart_real J_m = model->J_m[l];
-        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = REAL(1)/L;
@@ -530,12 +509,12 @@ static void legs_of_pose(
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
         fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
@@ -562,7 +541,7 @@ static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *ST
             c_force_z = legs->c_force[2][l];
         const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l],
             H_force_z = legs->H_force[2][l];
-        /* platform point from platform point 1, base frame */
+        /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
@@ -765,6 +744,8 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     return pivots;
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -836,6 +817,7 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
@@ -938,7 +920,6 @@ static void shared_of_block(
         J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
             R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
@@ -952,7 +933,6 @@ static void shared_of_block(
             F_ext_z = in->F_ext[2][l];
         const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
             M_ext_z = in->M_ext[2][l];
-        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -999,10 +979,6 @@ static void shared_of_block(
             - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
         const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
             - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-        /* reference point from base point 1, base frame */
-        const stewart_real t_1_x = t_x - b_1_x;
-        const stewart_real t_1_y = t_y - b_1_y;
-        const stewart_real t_1_z = t_z - b_1_z;
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -1012,9 +988,6 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        out->t_1[0][l] = t_1_x;
-        out->t_1[1][l] = t_1_y;
-        out->t_1[2][l] = t_1_z;
         c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
             - B_xz*h_base_z;
         c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
@@ -1036,16 +1009,17 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
+    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
     const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
     const stewart_real h_s = model->h_s[leg];
     const stewart_real w_s = model->w_s[leg];
     const stewart_real J_m = model->J_m[leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real r_x = model->r[0][leg], r_y = model->r[1][leg], r_z = model->r[2][leg];
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
             R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
             R_zy = in->R[7][l], R_zz = in->R[8][l];
+        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
         const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
             omega_z = in->omega[2][l];
         const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
@@ -1053,20 +1027,18 @@ static void leg_of_block(
         const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l],
             B_yx = shared->B[3][l], B_yy = shared->B[4][l], B_yz = shared->B[5][l],
             B_zx = shared->B[6][l], B_zy = shared->B[7][l], B_zz = shared->B[8][l];
-        const stewart_real t_1_x = shared->t_1[0][l], t_1_y = shared->t_1[1][l],
-            t_1_z = shared->t_1[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
         const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) platform point from base point 1, base frame */
-        const stewart_real S_1_x = q_x + t_1_x;
-        const stewart_real S_1_y = q_y + t_1_y;
-        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = S_1_x - r_x;
-        const stewart_real S_y = S_1_y - r_y;
-        const stewart_real S_z = S_1_z - r_z;
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
         const stewart_real inv_L = REAL(1)/L;
@@ -1116,12 +1088,12 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         fault = L <= STEWART_MAX ? bad[l] : REAL(1);
         fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
         bad[l] = fault;
@@ -1158,7 +1130,7 @@ static void moments_of_block(
             c_force_z = own->c_force[2][l];
         const stewart_real H_force_x = column[0][l], H_force_y = column[1][l],
             H_force_z = column[2][l];
-        /* platform point from platform point 1, base frame */
+        /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;

@@ -10,12 +10,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      107 (60 mul, 45 add, 1 div, 1 sqrt)
- * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
  * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1137 (605 mul, 514 add, 12 div, 6 sqrt)
+ * total    1134 (605 mul, 511 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_EXACT_POINT_MASSES_FORCES_H
 #define STEWART_EXACT_POINT_MASSES_FORCES_H
@@ -35,17 +35,16 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real h_s[8]; /* kg m: first moment of the upper part about the platform point, along the leg */
     stewart_real w_s[8]; /* kg m: first moments of both parts, along the leg */
     stewart_real J_m[8]; /* kg m^2: inertias about base and platform point of the masses as points */
-    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */

@@ -10,12 +10,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      223 (135 mul, 84 add, 2 div, 2 sqrt)
- * platform 195 (99 mul, 96 add, 0 div, 0 sqrt)
+ * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
  * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1857 (1058 mul, 769 add, 18 div, 12 sqrt)
+ * total    1854 (1058 mul, 766 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_POINT_MASSES_FRICTION_FORCES_H
 #define STEWART_EXACT_POINT_MASSES_FRICTION_FORCES_H
@@ -35,6 +35,7 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
@@ -45,14 +46,12 @@ typedef struct {
     stewart_real h_s[8]; /* kg m: first moment of the upper part about the platform point, along the leg */
     stewart_real w_s[8]; /* kg m: first moments of both parts, along the leg */
     stewart_real J_m[8]; /* kg m^2: inertias about base and platform point of the masses as points */
-    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */

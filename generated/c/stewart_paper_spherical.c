@@ -552,6 +552,8 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
     return pivots;
 }
 
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
  * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
  * the arms of the moments.
@@ -623,6 +625,7 @@ STEWART_APART static int singular_status(
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
 }
+#endif
 
 static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
 {

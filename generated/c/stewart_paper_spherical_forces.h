@@ -9,12 +9,12 @@
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
  * leg      222 (129 mul, 91 add, 1 div, 1 sqrt)      158 (88 mul, 68 add, 1 div, 1 sqrt)
- * platform 189 (96 mul, 93 add, 0 div, 0 sqrt)       189 (96 mul, 93 add, 0 div, 0 sqrt)
+ * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
  * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)       162 (89 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1845 (1019 mul, 808 add, 12 div, 6 sqrt)  1443 (773 mul, 652 add, 12 div, 6 sqrt)
+ * total    1842 (1019 mul, 805 add, 12 div, 6 sqrt)  1440 (773 mul, 649 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_PAPER_SPHERICAL_FORCES_H
 #define STEWART_PAPER_SPHERICAL_FORCES_H
@@ -34,6 +34,7 @@ extern "C" {
 
 /* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
 typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
     stewart_real p[3][8]; /* m: platform point, platform frame */
     stewart_real m_d[8]; /* kg: mass of the lower part */
     stewart_real r_d0[3][8]; /* m: centre of mass of the lower part, frame D */
@@ -44,13 +45,11 @@ typedef struct {
     stewart_real C_u[8]; /* N m s: viscous friction of the universal joint */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
-    stewart_real r[3][8]; /* m: base point from base point 1, base frame */
     stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real b_1[3]; /* m: base point 1, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 #if defined(STEWART_SCALED)
     stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */

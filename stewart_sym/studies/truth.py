@@ -118,7 +118,7 @@ class ForceTerms:
         """The robot's numbers that all legs share, those of each leg, and the prepared ones."""
         robot, kernel = self.robot, self._kernel
         whole = self._named(n.PLATFORM, {q.name: getattr(robot, q.name) for q in n.PLATFORM})
-        whole |= self._named([n.b_1, n.p_1], {n.b_1.name: robot.b[0], n.p_1.name: robot.p[0]})
+        whole |= self._named([n.p_1], {n.p_1.name: robot.p[0]})
         legs = []
         for i in LEGS:
             raw = self._named(n.LEG, {q.name: getattr(robot, q.name)[i] for q in n.LEG})

@@ -1,0 +1,53 @@
+"""Rounding errors stay within ten units times the condition number, whatever a machine's proportions are."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.studies.stability.judge import judge_poses
+
+UNITS = 10.0
+"""Largest error in rounding units of the largest force, times the condition number."""
+
+
+def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
+    """A machine with a platform of 1 to 1e-5 of its base, some with a leg up to 1e4 times the others."""
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    small = 10 ** rng.uniform(-5, 0)
+    load = None if motion.M_ext is None else small * motion.M_ext
+    robot = dataclasses.replace(robot, p=small * robot.p, R_0=small * robot.R_0, I_p=small**2 * robot.I_p)
+    motion = dataclasses.replace(motion, M_ext=load)
+    if rng.uniform() < 0.5:
+        leg, longer = rng.integers(6), 10 ** rng.uniform(0, 4)
+        b = np.array(robot.b)
+        tip = motion.R @ robot.p[leg] + motion.t
+        b[leg] = tip + longer * (b[leg] - tip)
+        robot = dataclasses.replace(robot, b=b)
+    return robot, motion
+
+
+def judged(precision: str, seeds: range) -> np.ndarray:
+    """Largest error of each kernel over the condition number, (cases, kernels)."""
+    robots, motions = zip(*(proportioned(np.random.default_rng(seed)) for seed in seeds), strict=True)
+    found = judge_poses(robots, motions, precision)
+    assert (found["truth"] == 0).all()
+    condition = np.maximum(found["own"], found["scaled"])
+    return found["error"] / condition[:, None]
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
+    error = judged(precision, range(100))
+    assert np.nanmax(error) <= UNITS
+    assert np.isfinite(error).mean() > (0.9 if precision == "double" else 0.5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_nor_in_ten_thousand_cases(precision: str) -> None:
+    assert np.nanmax(judged(precision, range(100, 100 + share(10_000)))) <= UNITS

@@ -1,0 +1,107 @@
+"""Machines that are singular everywhere have no pose with status ok; poses near singular ones keep theirs."""
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+from numpy.typing import NDArray
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym import results
+from stewart_sym.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics import wrench_matrix
+
+Array = NDArray[np.float64]
+Points = tuple[Array, Array]
+
+LARGEST_CONDITION = {"double": 1e12, "float": 1e12 * np.finfo(np.float64).eps / np.finfo(np.float32).eps}
+"""Up to these condition numbers of H no pose is singular to rounding."""
+
+
+def _line(rng: np.random.Generator) -> Array:
+    return np.outer(rng.uniform(-1, 1, 6), rng.permutation([1.0, 0.0, 0.0]))
+
+
+def _joined(points: Array, legs: list[int]) -> Array:
+    return np.array([points[legs[0] if i in legs else i] for i in range(6)])
+
+
+FAMILIES: dict[str, Callable[[np.random.Generator, Array, Array], Points]] = {
+    "base points on a line": lambda rng, b, p: (_line(rng), p),
+    "platform points on a line": lambda rng, b, p: (b, _line(rng)),
+    "both on lines": lambda rng, b, p: (_line(rng), _line(rng)),
+    "four legs from one base point": lambda rng, b, p: (_joined(b, [0, 1, 2, 3]), p),
+    "four legs at one platform point": lambda rng, b, p: (b, _joined(p, [2, 3, 4, 5])),
+    "five legs from one base point": lambda rng, b, p: (_joined(b, [0, 1, 2, 3, 4]), p),
+    "two equal legs": lambda rng, b, p: (_joined(b, [0, 1]), _joined(p, [0, 1])),
+    "two pairs of equal legs": lambda rng, b, p: (
+        _joined(_joined(b, [0, 1]), [2, 3]),
+        _joined(_joined(p, [0, 1]), [2, 3]),
+    ),
+    "all at one platform point": lambda rng, b, p: (b, _joined(p, list(range(6)))),
+}
+
+
+def machine(
+    rng: np.random.Generator, family: str, apart: float = 0.0, count: int = 40
+) -> tuple[ss.Robot, ss.Motion]:
+    """A random machine of a family, its points moved by ``apart`` of their size, and poses of its like."""
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (count,))
+    size = np.abs(robot.b).max()
+    b, p = FAMILIES[family](rng, robot.b / size, robot.p / size)
+    moved = [size * (points + apart * rng.normal(size=(6, 3))) for points in (b, p)]
+    return dataclasses.replace(robot, b=moved[0], p=moved[1]), motion
+
+
+def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
+    """Status of every pose by every kernel that solves with H."""
+    found = {}
+    for formulation in ("exact", "paper"):
+        for backend in ("c", "numpy"):
+            name = f"double inverse_dynamics {formulation} {backend}"
+            found[name] = ss.inverse_dynamics(
+                robot, motion, formulation=formulation, backend=backend, on_singular="nan"
+            ).status
+        for precision in ("double", "float"):
+            kernel = ss.prepare(robot, formulation=formulation, precision=precision)
+            found[f"{precision} forces {formulation}"] = kernel.status(motion)
+    for fidelity in ("slender", "massless_static"):
+        for precision in ("double", "float"):
+            kernel = ss.prepare(robot, precision=precision, fidelity=fidelity)
+            found[f"{precision} forces {fidelity}"] = kernel.status(motion)
+    found["double bounds"] = ss.forces_with_bounds(robot, motion, on_singular="nan").status
+    for backend in ("c", "numpy"):
+        inertia = ss.joint_space_inertia(robot, motion, on_singular="nan", backend=backend)
+        lost = np.isnan(inertia).any(axis=(-2, -1))
+        found[f"double joint inertia {backend}"] = np.where(lost, results.SINGULAR, results.OK)
+    return found
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family: str) -> None:
+    for seed in range(2):
+        for name, status in statuses(*machine(np.random.default_rng(seed), family)).items():
+            assert (status == results.SINGULAR).all(), (name, seed)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_hundred_thousand_poses_of_singular_machines_have_no_status_ok(family: str) -> None:
+    count = 100
+    for seed in range(2, 2 + share(100_000 // count // len(FAMILIES))):
+        for name, status in statuses(*machine(np.random.default_rng(seed), family, 0.0, count)).items():
+            assert (status != results.OK).all(), (name, seed)
+
+
+@pytest.mark.parametrize("family", [name for name in FAMILIES if name != "all at one platform point"])
+def test_no_pose_of_a_moderate_condition_number_is_singular(family: str) -> None:
+    for seed, apart in enumerate(10.0 ** np.arange(-11, -1, 1.5)):
+        robot, motion = machine(np.random.default_rng(seed), family, apart)
+        condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
+        for name, status in statuses(robot, motion).items():
+            good = condition <= LARGEST_CONDITION[name.split()[0]]
+            assert (status[good] != results.SINGULAR).all(), (name, apart)
