@@ -266,7 +266,7 @@ def _needed(block: Block) -> tuple[Step, ...]:
 
 
 def terms_in_order(expr: sp.Add) -> list[sp.Expr]:
-    """The terms of a sum in the order in which programs add them up: from left to right, negative ones last."""
+    """The terms of a sum in the order in which programs add them up, negative ones last."""
     terms = expr.as_ordered_terms()
     negative = [term for term in terms if term.could_extract_minus_sign()]
     return [term for term in terms if term not in negative] + negative

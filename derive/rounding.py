@@ -10,8 +10,8 @@ error of y and y_max = |y| + y_err, which neither y nor its true value exceeds i
 where |df/dy| and the intermediate results are bounded by taking every term positive and at its y_max. By the
 mean value theorem the first sum bounds what the errors of y, z, ... do to f in all orders; the second one
 counts each operation once, in the order in which sums are printed and added up (Wilkinson; Higham, Accuracy
-and Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow. A
-few units u of relative error in x_err itself are left to whoever chooses u.
+and Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow.
+A few units u of relative error in x_err itself are left to whoever chooses u.
 """
 
 from collections.abc import Iterable, Mapping

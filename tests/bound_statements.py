@@ -1,9 +1,10 @@
-"""The statements of the C that bounds rounding errors, each against the worst that its one step may do; mutants.
+"""The statements of the C that bounds rounding errors, each against the worst that its one step may do.
 
-Every ``x_err``, ``x_own`` and ``x_max`` of the emitted text makes a claim about one assignment x = f(y, z, ...)
-alone: no rounding of its operations, whatever y and z err by within their own bounds, puts x farther off. The
-claims are held to numbers over many sizes, so that each term is the largest somewhere. A mutant is a statement
-with one term left out or one coefficient halved.
+Every ``x_err``, ``x_own`` and ``x_max`` of the emitted text makes a claim about one assignment
+x = f(y, z, ...) alone: no rounding of its operations, whatever y and z err by within their own bounds, puts x
+farther off.
+The claims are held to numbers over many sizes, so that each term is the largest somewhere. A mutant is a
+statement with one term left out or one coefficient halved.
 """
 
 import ast
@@ -234,25 +235,29 @@ def mutants(text: str) -> list[str]:
 def _vary(text: str, told: Callable[[str], None]) -> None:
     terms = split(text, " + ")
     for i, term in enumerate(terms):
-        rest = [*terms[:i], *terms[i + 1 :]]
-        told(" + ".join(rest) or "REAL(0)")
+        told(" + ".join([*terms[:i], *terms[i + 1 :]]) or "REAL(0)")
+
+        def with_term(new: str, i: int = i) -> None:
+            told(" + ".join([*terms[:i], new, *terms[i + 1 :]]))
+
         whole = re.match(r"(?:REAL\()?(\d+)\)?( ?\*)", term)
         if whole:
-            half = f"REAL({int(whole[1]) / 2}){term[whole.end(1) :].removeprefix(')')}"
-            told(" + ".join([*terms[:i], half, *terms[i + 1 :]]))
+            with_term(f"REAL({int(whole[1]) / 2}){term[whole.end(1) :].removeprefix(')')}")
         for start, end in _brackets(term):
-            inner = term[start:end]
-            if inner.isdigit():
-                continue
-            for j, part in enumerate(split(inner, ", ")):
-                parts = split(inner, ", ")
+            if not term[start:end].isdigit():
+                _vary_arguments(term, start, end, with_term)
 
-                def inside(new: str, j: int = j, parts: list[str] = parts) -> None:
-                    args = ", ".join([*parts[:j], new, *parts[j + 1 :]])
-                    told(" + ".join([*terms[:i], term[:start] + args + term[end:], *terms[i + 1 :]]))
 
-                if " + " in part or "*" in part:
-                    _vary(part, inside)
+def _vary_arguments(term: str, start: int, end: int, told: Callable[[str], None]) -> None:
+    """Vary what stands in the brackets of a term, argument by argument."""
+    parts = split(term[start:end], ", ")
+    for j, part in enumerate(parts):
+
+        def with_part(new: str, j: int = j) -> None:
+            told(term[:start] + ", ".join([*parts[:j], new, *parts[j + 1 :]]) + term[end:])
+
+        if " + " in part or "*" in part:
+            _vary(part, with_part)
 
 
 def _brackets(term: str) -> list[tuple[int, int]]:

@@ -1,4 +1,4 @@
-"""Forces with bounds near a leg's joint singularity: to the last bit those of the force kernel, and bounded."""
+"""Forces with bounds near a leg's joint singularity: bit for bit the force kernel's, and bounded."""
 
 import dataclasses
 from typing import Any

@@ -1,8 +1,8 @@
 """Bounds of rounding errors against the worst rounding that there is, instead of a random one, and mutants.
 
-Three layers. The whole kernel: every operation rounded by one unit against a force. One quantity at a time: only
-its operations round, so that no other term of the bound hides that one is missing. One statement at a time: its
-terms against numbers of every size. Mutants of all that bounds an error have to fail in one of them.
+Three layers. The whole kernel: every operation rounded by one unit against a force. One quantity at a time:
+only its operations round, so that no other term of the bound hides that one is missing. One statement at a
+time: its terms against numbers of every size. Mutants of what bounds an error have to fail in one of them.
 """
 
 import functools
@@ -21,8 +21,12 @@ from test_bounds_joint_singularity import drawn
 
 from stewart_sym.kernel import c_sources
 
-NEAR, FAR = 2.0, 4.0
-"""How far above the worst error of a pose a bound may lie in the middle of the cases, and in 95 % of them."""
+MEDIAN = 1.6
+FAR = {"double": 2.0, "float": 12.0}
+"""Largest factor from the worst error to the bound: median, and in 95 % of the cases.
+
+In float squares of errors count near a joint singularity, where the sine has as few as twelve bits.
+"""
 COARSE = 2.0**-30
 """A unit whose errors are seen in long double one quantity at a time, and of which no square is."""
 HAIR = 1e-4
@@ -51,16 +55,16 @@ def ratios(precision: str, cases: int) -> np.ndarray:
     return np.concatenate(found)
 
 
-def holds(found: np.ndarray) -> None:
+def holds(found: np.ndarray, precision: str) -> None:
     assert found.min() >= 1
-    assert np.median(found) <= NEAR
-    assert np.percentile(found, 95) <= FAR
+    assert np.median(found) <= MEDIAN
+    assert np.percentile(found, 95) <= FAR[precision]
 
 
 @needs_compiler
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> None:
-    holds(ratios(precision, 40))
+    holds(ratios(precision, 40), precision)
 
 
 @needs_compiler
@@ -73,7 +77,7 @@ def test_bound_is_above_the_worst_rounding_over_ten_thousand_poses(
     with capsys.disabled():
         parts = [found.min(), *np.percentile(found, (50, 95, 99)), found.max()]
         print(f"\n{precision}: bound over worst error, least, 50, 95, 99 %, most:", np.round(parts, 3))
-    holds(found)
+    holds(found, precision)
 
 
 # ---------------------------------------------------------------- one quantity at a time
@@ -183,9 +187,8 @@ def test_values_are_handed_on_with_the_errors_of_the_same_values() -> None:
     stored = dict(re.findall(r"    \w+->(\w+(?:\[\d\])?) = -?(\w+);", source()))
     errors = re.findall(r"    \w+->(\w+)_err(\[\d\])? = (\w+);", source())
     assert len(errors) > 50
-    named = {**stored}
     for name, index, error in errors:
-        assert f"{name}{index}" in named
+        assert f"{name}{index}" in stored
         assert (
             re.search(rf"->{name}{re.escape(index)} = -?{error.removesuffix('_err')};", source())
             or error == "0"
@@ -206,7 +209,6 @@ def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
     groups = rounding.groups()
     own = re.search(r"(\w+)_own$", mutant.whole.strip())
     handed = re.match(r"slope of (R|B|q_1)(\d)", mutant.whole)
-    entry = re.search(r"R_([xyz])([xyz])_bar_max\*R_err$", mutant.whole)
     block = rounding.block_of(mutant.function)
     if own and f"{block} {own[1]}" in groups:
         yield "group", groups.index(f"{block} {own[1]}")

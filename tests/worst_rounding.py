@@ -1,8 +1,8 @@
 """The C of the forces with bounds, run with the worst rounding that its arithmetic may make.
 
-Compiles the emitted C as C++ for numbers that write down every operation. Differentiating that record backward
-gives the slope of a force along each result; then every operation is rounded by one whole unit, in the
-direction in which its slope makes the force err most, and the bound that the same run finds is compared with
+Compiles the emitted C as C++ for numbers that write down every operation. Differentiating that record
+backward gives the slope of a force along each result; then every operation is rounded by one whole unit, in
+the direction in which its slope makes the force err most, and the bound that the same run finds is compared with
 that error. Long double stands for real numbers; depends on the text of the C and on no equation.
 """
 
@@ -181,8 +181,8 @@ def all_mutants() -> list[Mutant]:
 class Pose:
     """One pose: the record of its operations, and what the worst rounding of all or of some makes of it.
 
-    F: forces without rounding, N, (6,). first_order: (6,), N, what the slopes say that the worst rounding does
-    to each; of_group: (6, groups), the same by groups. Raises ValueError for an unsolvable pose.
+    F: forces without rounding, N, (6,). first_order: (6,), N, what the slopes say that the worst rounding
+    does to each; of_group: (6, groups), the same by groups. Raises ValueError for an unsolvable pose.
     """
 
     def __init__(self, robot: Robot, motion: Motion, unit: float) -> None:
@@ -285,7 +285,8 @@ static Number given(long double value)
 }
 
 /* The result of an operation; rounded against the chosen force, if one is. */
-static Number done(long double value, const Number &l, long double by_l, const Number &r, long double by_r, bool exact)
+static Number done(
+    long double value, const Number &l, long double by_l, const Number &r, long double by_r, bool exact)
 {
     Number made(value);
     if (l.id < 0 && r.id < 0) {
@@ -377,8 +378,8 @@ static int run(const long double *numbers, const long double *motion, Number *F,
 extern "C" void set_unit(double value) { unit = value; }
 
 extern "C" int record(
-    int groups, const long double *numbers, const long double *motion, long double *F, long double *first_order,
-    long double *slopes_R, long double *shares)
+    int groups, const long double *numbers, const long double *motion, long double *F,
+    long double *first_order, long double *slopes_R, long double *shares)
 {
     Number found[6], R[9];
     force = -1;
@@ -418,7 +419,8 @@ extern "C" int record(
 }
 
 extern "C" int perturbed(
-    int of, int group, int changed, const long double *numbers, const long double *motion, long double *F, long double *bound)
+    int of, int group, int changed, const long double *numbers, const long double *motion, long double *F,
+    long double *bound)
 {
     Number found[6], limits[6];
     force = of;
