@@ -13,6 +13,7 @@ from .prepared import arm_c
 from .regroup import ForceKernel
 
 LEGS = 6
+NOTHING = Operations()
 PIVOTS = Operations(mul=LEGS - 1)
 """Of the product of the pivots, by which poses that may be singular are found."""
 
@@ -26,7 +27,7 @@ class KernelOperations:
     sum_c: Operations
     solve: Operations
     forces: Operations
-    moments: Operations = Operations()
+    moments: Operations = NOTHING
 
     @property
     def total(self) -> Operations:

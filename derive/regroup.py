@@ -22,7 +22,7 @@ import sympy as sp
 
 from . import notation as n
 from . import prepared as p
-from .block import Block, Builder, Output, Quantity, Step, as_value, rebuilt
+from .block import Block, Builder, Output, Quantity, Step, rebuilt
 from .formulation import SPHERICAL, Formulation
 from .joint_leg import friction_moment, joint_accelerations, joint_forces, joint_frame, joint_rates, tip_force
 from .kernels import leg_block
@@ -195,7 +195,7 @@ def about_tip(kernel: ForceKernel) -> ForceKernel:
 
 
 def from_difference(leg: Block) -> Block:
-    """The leg with S = q + (t - b): t and b are given, and the error of their difference is as small as it."""
+    """The leg with S = q + (t - b): the error of t - b is as small as t - b itself."""
     steps: list[Step] = []
     for step in leg.steps:
         if step.name == "S_x":

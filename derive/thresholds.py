@@ -34,7 +34,7 @@ THRESHOLDS = (
     Threshold(
         "SINGULAR",
         "singular",
-        "spectral radius of |1/H| times the error bounds of H above 1/2",
+        "spectral radius of |1/H| times the bounds of its errors above 1/2",
         152,
         "9.9e-08",
     ),

@@ -55,7 +55,7 @@ def only_good(values: Array, status: Array) -> Array:
 
 
 def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
-    """x (..., 6) of H x = c by elimination with partial pivoting, pose by pose, and the product of the pivots."""
+    """x (..., 6) of H x = c by elimination with partial pivoting, and the product of the pivots."""
     A = np.concatenate([H, c[..., None]], axis=-1)
     pivots = np.ones(H.shape[:-2])
     for k in range(6):
@@ -85,8 +85,8 @@ def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
 def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array) -> Array:
     """OK, SINGULAR or NOT_FINITE of every pose: whether H (..., 6, 6) is singular to rounding.
 
-    pivots: their product (...). L, reach, arm (..., 6): length of each leg, size of the vectors that it is the
-    sum of, size of the arm of its moment. As ``singular_status`` of the C, where the bound is explained.
+    pivots: their product (...). L, reach, arm (..., 6): length of each leg, size of the vectors that it is
+    the sum of, size of the arm of its moment. As ``singular_status`` of the C, where the bound is explained.
     """
     size = arm.max(axis=-1)
     close = (L <= SHORT_SHARE * reach).any(axis=-1) | ~(np.abs(pivots) > SUSPECT * size**3)

@@ -2,8 +2,8 @@
 
 Compiles the emitted C as C++ for numbers that write down every operation. Differentiating that record
 backward gives the slope of a force along each result; then every operation is rounded by one whole unit, in
-the direction in which its slope makes the force err most, and the bound that the same run finds is compared with
-that error. Long double stands for real numbers; depends on the text of the C and on no equation.
+the direction in which its slope makes the force err most, and the bound that the same run finds is compared
+with that error. Long double stands for real numbers; depends on the text of the C and on no equation.
 """
 
 import ctypes

@@ -563,8 +563,8 @@ static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, ste
 
 /* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
  * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms
- * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no rounding
- * error, nor has their sum less 1. */
+ * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no
+ * rounding error, nor has their sum less 1. */
 static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
     stewart_real high[9], low[9], grid = 1, worst = 0;
@@ -770,8 +770,8 @@ static void leg_errors@NEAR@(
 
 _BOUND = """\
 /* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
- * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part of
- * R^T times them counts; turning R as a whole is no error. */
+ * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
+ * of R^T times them counts; turning R as a whole is no error. */
 static stewart_real stretch_error(
     const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
 {

@@ -478,8 +478,8 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
 """
 
 _SOLVE = """\
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product of
- * the pivots. */
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
+ * of the pivots. */
 static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
     stewart_real inverse[6], pivots = REAL(1);

@@ -75,7 +75,8 @@ static stewart_real least_pivots(const @MODEL@ *model)
         }
     }
     largest = STEWART_OVER_LENGTH(largest);
-    return STEWART_SUSPECT * STEWART_CUBE(largest);
+    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
+    return largest <= STEWART_MAX ? largest : STEWART_MAX;
 }
 """
 

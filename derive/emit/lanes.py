@@ -409,7 +409,8 @@ def _moments_of_pose(kernel: ForceKernel) -> list[str]:
     shift, leg = kernel.shift, kernel.moments
     first = [f"{name} = legs->q[{i}][0]" for i, name in enumerate(q_1.names)]
     parts = {
-        "@OUTSIDE@": [
+        "@OUTSIDE@": [wrap_list(f"    const stewart_real {', '.join(first)};")],
+        "@SHIFT@": [
             wrap_list(f"    const stewart_real {', '.join(first)};"),
             *(line for q in _RIGHT_SIDE for line in loads(q, "shared", "", names_used(shift), "    ")),
             *step_lines(shift.steps, "    "),
@@ -435,6 +436,10 @@ def _moment_lines(kernel: ForceKernel, column: str, own: str) -> list[str]:
         *step_lines(leg.steps, " " * 8),
         *(line.replace("out->", f"{column}->") for line in stores(leg.outputs, "[l]", " " * 8)),
     ]
+
+
+def _read(quantity: Quantity, lanes: str) -> str:
+    return ", ".join(f"{name} = {lanes}[{i}][l]" for i, name in enumerate(quantity.names))
 
 
 def _moments_of_block(kernel: ForceKernel) -> list[str]:
@@ -465,7 +470,7 @@ def _moments_of_block(kernel: ForceKernel) -> list[str]:
         ],
         "@OTHER@": [
             wrap_list(
-                f"        const stewart_real {', '.join(f'{s} = q_1[{i}][l]' for i, s in enumerate(q_1.names))};",
+                f"        const stewart_real {_read(q_1, 'q_1')};",
                 " " * 12,
             ),
             *(
@@ -475,7 +480,7 @@ def _moments_of_block(kernel: ForceKernel) -> list[str]:
                 for line in loads(q, "own", "[l]", used, " " * 8)
             ),
             wrap_list(
-                f"        const stewart_real {', '.join(f'{s} = column[{i}][l]' for i, s in enumerate(n.H_force.names))};",
+                f"        const stewart_real {_read(n.H_force, 'column')};",
                 " " * 12,
             ),
             *step_lines(leg.steps, " " * 8),
@@ -503,7 +508,8 @@ def suspect(kernel: ForceKernel) -> str:
     """What a product of pivots is compared with."""
     if kernel.size is None:
         return "\n#define STEWART_LEAST (model->least)\n"
-    return f"\n#define STEWART_LEAST (STEWART_SUSPECT * STEWART_CUBE(STEWART_OVER_LENGTH(REAL({kernel.size!r}))))\n"
+    size = f"STEWART_OVER_LENGTH(REAL({kernel.size!r}))"
+    return f"\n#define STEWART_LEAST (STEWART_SUSPECT * STEWART_CUBE({size}))\n"
 
 
 def solve_pose(about_tip: bool) -> str:
@@ -958,8 +964,14 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 """
 
 _MOMENTS_OF_POSE = """\
+/* The platform's part of c with moments about platform point 1. */
+static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
+{
+@SHIFT@
+}
+
 /* Moments about platform point 1, @COUNT@ operations of each leg but the first, which has none. */
-static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT legs)
+static void moments_of_pose(leg_lanes *legs)
 {
     int l;
 @OUTSIDE@
@@ -1040,7 +1052,8 @@ int stewart_@NAME@_forces(
     <P:if (near_pole != 0) {:P>
     <P:    legs_near_pole(model, motion, &shared, &legs);:P>
     <P:}:P>
-    <A:moments_of_pose(&shared, &legs);:A>
+    <A:shift_of_pose(&legs, &shared);:A>
+    <A:moments_of_pose(&legs);:A>
     for (j = 0; j < 3; ++j) {
         @QUALIFIED@stewart_real force = shared.c_force[j];
         @QUALIFIED@stewart_real turn = shared.<A:c_tip:A><O:c_moment:O>[j];

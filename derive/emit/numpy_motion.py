@@ -152,7 +152,8 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many, singular_status
+from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST
+from .assembly import Array, eliminate_many, singular_status
 
 INDEFINITE = 6
 

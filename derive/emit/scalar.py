@@ -221,11 +221,12 @@ def _moments(kernel: ForceKernel) -> str:
     def stored(target: str, expr: sp.Expr) -> str:
         return wrap(f"        {target} = {infix(expr, SQRT)};", " " * 12)
 
+    moments = [f"{name} = A[{i + 3}][6]" for i, name in enumerate(n.c_moment.names)]
     first = [
         read(q_1, "q[#]"),
         read(n.c_force, "A[#][6]"),
         wrap_list(
-            f"        const stewart_real {', '.join(f'{s} = A[{i + 3}][6]' for i, s in enumerate(n.c_moment.names))};",
+            f"        const stewart_real {', '.join(moments)};",
             " " * 12,
         ),
         *(f"        pose->q_1[{i}] = {name};" for i, name in enumerate(q_1.names)),
@@ -544,7 +545,7 @@ static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out, stewart_re
 """
 
 _CLOSELY = """\
-/* Length of a leg, the size of the vectors that it is the sum of, and of its platform point from the first. */
+/* Length of a leg, the size of the vectors that it is the sum of, and of the arm of its moment. */
 STEWART_APART static stewart_real leg_length(
     const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
     const leg_numbers *leg, //B

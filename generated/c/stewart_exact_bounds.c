@@ -134,8 +134,8 @@ static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, ste
 
 /* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
  * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms
- * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no rounding
- * error, nor has their sum less 1. */
+ * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no
+ * rounding error, nor has their sum less 1. */
 static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
     stewart_real high[9], low[9], grid = 1, worst = 0;
@@ -631,7 +631,8 @@ static stewart_real least_pivots(const stewart_exact_bounds_model *model)
         }
     }
     largest = (largest * model->per_length);
-    return STEWART_SUSPECT * STEWART_CUBE(largest);
+    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
+    return largest <= STEWART_MAX ? largest : STEWART_MAX;
 }
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
@@ -1461,8 +1462,11 @@ STEWART_APART static int singular_status(
         }
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
-            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            stewart_real by_force = REAL(0), by_moment = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                by_force = by_force + STEWART_FABS(Y[i][j]);
+                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            }
             grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             largest = STEWART_LARGER(grown[i], largest);
@@ -1476,8 +1480,8 @@ STEWART_APART static int singular_status(
 #endif
 
 /* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
- * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part of
- * R^T times them counts; turning R as a whole is no error. */
+ * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
+ * of R^T times them counts; turning R as a whole is no error. */
 static stewart_real stretch_error(
     const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
 {

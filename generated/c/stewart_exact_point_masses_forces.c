@@ -261,7 +261,8 @@ static stewart_real least_pivots(const stewart_exact_point_masses_model *model)
         }
     }
     largest = STEWART_OVER_LENGTH(largest);
-    return STEWART_SUSPECT * STEWART_CUBE(largest);
+    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
+    return largest <= STEWART_MAX ? largest : STEWART_MAX;
 }
 
 int stewart_exact_point_masses_prepare(const stewart_robot *robot, stewart_exact_point_masses_model *model)
@@ -523,10 +524,9 @@ static void legs_of_pose(
     }
 }
 
-/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the first, which has none. */
-static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT legs)
+/* The platform's part of c with moments about platform point 1. */
+static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
 {
-    int l;
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1],
         c_force_z = shared->c_force[2];
@@ -535,6 +535,13 @@ static void moments_of_pose(shared_terms *STEWART_RESTRICT shared, leg_lanes *ST
     shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
     shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
     shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+}
+
+/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the first, which has none. */
+static void moments_of_pose(leg_lanes *legs)
+{
+    int l;
+    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l],
@@ -805,8 +812,11 @@ STEWART_APART static int singular_status(
         }
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
-            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            stewart_real by_force = REAL(0), by_moment = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                by_force = by_force + STEWART_FABS(Y[i][j]);
+                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            }
             grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             largest = STEWART_LARGER(grown[i], largest);
@@ -860,7 +870,8 @@ int stewart_exact_point_masses_forces(
             close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
         }
     }
-    moments_of_pose(&shared, &legs);
+    shift_of_pose(&legs, &shared);
+    moments_of_pose(&legs);
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];

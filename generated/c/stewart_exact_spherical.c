@@ -510,8 +510,8 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
     return STEWART_OK;
 }
 
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product of
- * the pivots. */
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
+ * of the pivots. */
 static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
     stewart_real inverse[6], pivots = REAL(1);
@@ -608,8 +608,11 @@ STEWART_APART static int singular_status(
         }
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            const stewart_real by_force = STEWART_FABS(Y[i][0]) + STEWART_FABS(Y[i][1]) + STEWART_FABS(Y[i][2]);
-            const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+            stewart_real by_force = REAL(0), by_moment = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                by_force = by_force + STEWART_FABS(Y[i][j]);
+                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            }
             grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             largest = STEWART_LARGER(grown[i], largest);
