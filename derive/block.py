@@ -265,6 +265,13 @@ def _needed(block: Block) -> tuple[Step, ...]:
     return tuple(reversed(kept))
 
 
+def terms_in_order(expr: sp.Add) -> list[sp.Expr]:
+    """The terms of a sum in the order in which programs add them up, negative ones last."""
+    terms = expr.as_ordered_terms()
+    negative = [term for term in terms if term.could_extract_minus_sign()]
+    return [term for term in terms if term not in negative] + negative
+
+
 def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
     """Value of one expression in the arithmetic of the numbers in ``known``."""
     if expr.is_Symbol:

@@ -9,9 +9,9 @@ error of y and y_max = |y| + y_err, which neither y nor its true value exceeds i
 
 where |df/dy| and the intermediate results are bounded by taking every term positive and at its y_max. By the
 mean value theorem the first sum bounds what the errors of y, z, ... do to f in all orders; the second one
-counts each operation once, whatever the order in which a sum is added up (Wilkinson; Higham, Accuracy and
-Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow. A
-few units u of relative error in x_err itself are left to whoever chooses u.
+counts each operation once, in the order in which sums are printed and added up (Wilkinson; Higham, Accuracy
+and Stability of Numerical Algorithms, 3.1 and 3.3). Products with powers of two are exact, barring underflow.
+A few units u of relative error in x_err itself are left to whoever chooses u.
 """
 
 from collections.abc import Iterable, Mapping
@@ -20,7 +20,7 @@ from math import prod
 
 import sympy as sp
 
-from .block import Block, Output, Quantity, Step, component_name
+from .block import Block, Output, Quantity, Step, component_name, terms_in_order
 
 PLAIN, ROOT, RECIPROCAL = "plain", "root", "reciprocal"
 
@@ -177,8 +177,11 @@ def _inner_roundings(expr: sp.Expr) -> tuple[sp.Expr, bool]:
     if expr.is_Atom:
         return sp.S.Zero, False
     if expr.is_Add:
-        below = sum(map(_roundings, expr.args), sp.S.Zero)
-        return below + (len(expr.args) - 2) * _size(expr), True
+        terms = terms_in_order(expr)
+        below = sum(map(_roundings, terms), sp.S.Zero)
+        # The first term is in every sum on the way, the second one too, each later one in one less.
+        on_the_way = ((len(terms) - max(i, 2)) * _size(term) for i, term in enumerate(terms, start=1))
+        return below + sum(on_the_way, sp.S.Zero), True
     coefficient, rest = expr.as_coeff_Mul()
     factors = [base for factor in sp.Mul.make_args(rest) for base in _repeated(factor)]
     sizes = [_size(factor) for factor in factors]

@@ -13,7 +13,7 @@ import sympy as sp
 
 from .. import notation as n
 from ..adjoint import Adjoint, adjoint
-from ..block import Output, Quantity
+from ..block import AXES, Output, Quantity
 from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
@@ -21,7 +21,8 @@ from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
 from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_text import JUDGED, dims, entries, filled, loads, names_used, raw_member, stores
+from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, raw_member, stores
+from .lanes import reach_terms, solve_pose
 
 _SQRT = "STEWART_SQRT"
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
@@ -33,7 +34,7 @@ def header(kernel: ForceKernel, version: str) -> str:
     blocks = _Blocks(kernel)
     parts = {
         "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
-        "@PLATFORM@": _members(blocks.prepare_platform, _platform(kernel), comment=True),
+        "@PLATFORM@": _members(blocks.prepare_platform, blocks.kernel.platform_constants(), comment=True),
     }
     text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
     return filled(text, parts).replace("@NAME@", name)
@@ -46,8 +47,9 @@ def source(kernel: ForceKernel, version: str) -> str:
     parts = [
         _TOP.replace("@VERSION@", version)
         + ARITHMETIC
-        + _MACROS
+        + MACROS
         + singular.MACROS
+        + _MACROS
         + "\n"
         + SWITCH
         + "\n"
@@ -66,13 +68,20 @@ def source(kernel: ForceKernel, version: str) -> str:
         ),
         filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
-        _function(_LEG, _values(blocks.leg, blocks.pose_owner)),
-        _SOLVE,
+        _LEG_STATUS,
+        *(
+            _function(_LEG, [*_values(leg, blocks.pose_owner), *_status(kernel, leg)]).replace("@NEAR@", near)
+            for near, leg in blocks.legs.items()
+        ),
+        solve_pose(kernel.about_tip),
         singular.FUNCTION,
         _BOUND,
         _CONDITION,
         _function(_SHARED_ERRORS, *blocks.shared_errors()),
-        _function(_LEG_ERRORS, *blocks.leg_errors()),
+        *(
+            _function(_LEG_ERRORS, *blocks.leg_errors(leg)).replace("@NEAR@", near)
+            for near, leg in blocks.legs.items()
+        ),
         _POSE,
         _PUBLIC,
     ]
@@ -83,18 +92,13 @@ def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
     blocks = _Blocks(kernel)
     leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
-    return 6 * leg + _numbers(blocks.prepare_platform, _platform(kernel)) + 3
+    return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 3
 
 
 def python_module(kernel: ForceKernel, version: str) -> str:
     """``<kernel>_bounds.py``: what Python must know of the C's layout."""
     name = kernel.formulation.kernel_name
     return _PYTHON.format(name=name, version=version, numbers=model_numbers(kernel))
-
-
-def _platform(kernel: ForceKernel) -> tuple[Quantity, ...]:
-    """Constants of the platform, p_1 among them."""
-    return kernel.whole().platform_constants() if kernel.about_tip else kernel.platform_constants()
 
 
 # ---------------------------------------------------------------- the blocks
@@ -104,8 +108,8 @@ class _Blocks:
     """The kernel's blocks with their errors: exact are the robot's and the motion's numbers but R."""
 
     def __init__(self, kernel: ForceKernel) -> None:
-        if not kernel.about_tip:
-            raise ValueError("kernel: expected one with moments about platform point 1")
+        if not kernel.about_tip or kernel.leg_near_pole is None:
+            raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
         kernel = kernel.whole()
         self.kernel = kernel
         # R stands for the rotation nearest to it; one bound for all its entries.
@@ -119,14 +123,19 @@ class _Blocks:
             if block.inexact(out.quantity)
         )
         self.shared = rounded(kernel.shared, R | constants)
-        self.leg = rounded(kernel.leg, R | constants | component_errors((B, q_1)))
+        inexact = R | constants | component_errors((B, q_1))
+        # By the ending of the functions' names: away from the joint singularity and near it.
+        self.legs = {
+            end: rounded(leg, inexact)
+            for end, leg in (("", kernel.leg), ("_near_singularity", kernel.leg_near_pole))
+        }
 
     def structs(self) -> dict[str, list[str]]:
         """Members of the structs."""
         return {
             "@ADDED@": [f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in ADDED],
             "@SHARED@": _members(self.shared, [out.quantity for out in self.kernel.shared.outputs]),
-            "@TERMS@": _members(self.leg, _ERRING),
+            "@TERMS@": _members(self.legs[""], _ERRING),
             "@SLOPES@": [
                 f"    stewart_real {q.name}{dims(q)}, {q.name}_err{dims(q)};" for q in _LEGS_SLOPES.values()
             ],
@@ -140,19 +149,20 @@ class _Blocks:
             return "shared"
         return "platform" if quantity in self.kernel.platform_constants() else "leg"
 
-    def leg_errors(self) -> tuple[list[str], list[str]]:
-        """The leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+    def leg_errors(self, leg: RoundedBlock) -> tuple[list[str], list[str]]:
+        """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
         force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
+        by_arm = _Y_ARM.value
         weights = {
             n.D: D,
             n.c_force: -force,
             n.c_moment: -moment,
-            arm_c: -moment,
+            arm_c: -by_arm,
             n.H_force: x * force,
-            n.H_moment: x * moment,
+            n.H_moment: x * by_arm,
         }
-        given = (_Y_FORCE, _Y_MOMENT, _D_WEIGHT, n.x)
-        found = adjoint(self.leg.block, weights, given, _inexact_inputs(self.leg))
+        given = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
+        found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = [
             f"        add(&slopes[i].{to.name}[{j}], &slopes[i].{to.name}_err[{j}], "
@@ -160,7 +170,7 @@ class _Blocks:
             for q, to in _LEGS_SLOPES.items()
             for j, name in enumerate(q.names)
         ]
-        return self._with_errors(self.leg, found, {}, outside, handed)
+        return self._with_errors(leg, found, {}, outside, handed)
 
     def shared_errors(self) -> tuple[list[str], list[str]]:
         """The same of what a pose has for all legs; slopes of the legs are taken up."""
@@ -169,7 +179,14 @@ class _Blocks:
         weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
         more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
-        return self._with_errors(self.shared, found, component_errors(_LEGS_SLOPES.values()), {}, [])
+        slopes = {name: found.slopes[name] for name in n.R.names}
+        handed = [
+            f"        slopes[i].R_legs{part}[{j}] = {text};"
+            for j, slope in enumerate(slopes.values())
+            for part, text in (("", infix(slope, _SQRT)), ("_err", f"{_only_name(slope)}_err"))
+        ]
+        errors = component_errors(_LEGS_SLOPES.values())
+        return self._with_errors(self.shared, found, errors, slopes, handed)
 
     def _with_errors(
         self,
@@ -185,7 +202,8 @@ class _Blocks:
         ``more`` sees to.
         """
         slopes = rounded(found.block, {**block.errors, **errors})
-        weighed = {name: slope for name, slope in found.slopes.items() if name not in outside}
+        sources = {name: own for name, own in _sources(block) if name not in outside and name in found.slopes}
+        weighed = {name: found.slopes[name] for name in sources}
         inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
         whole = replace(block, limits=block.limits | inner.limits)
         once = [
@@ -193,9 +211,7 @@ class _Blocks:
             *_steps(whole, weighed, _unread(whole, inner)),
             *_stores(block, _erring(block)),
         ]
-        terms = [
-            f"{_only_name(weighed[name])}_max*{source}" for name, source in _sources(block) if name in weighed
-        ]
+        terms = [f"{_only_name(weighed[name])}_max*{own}" for name, own in sources.items()]
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         each = [
             *_inputs(inner, _seed_owner, ready),
@@ -208,6 +224,7 @@ class _Blocks:
 
 _Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
 _Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
+_Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
@@ -309,6 +326,21 @@ def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
     return [*inputs, *step_lines(block.block.steps, "    "), *stores(_kept(block), "", "    ")]
 
 
+def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
+    """What tells the status of a leg and of the pose."""
+    terms, _ = reach_terms(kernel)
+    length, sine = judged(leg.block)
+    arms = [f"STEWART_FABS(arm_{axis})" for axis in AXES]
+    return [
+        wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
+        f"    const stewart_real arms[3] = {{{', '.join(arms)}}};",
+        f"    out->L = {length};",
+        f"    out->sine = {sine};",
+        f"    out->reach = largest(terms, {len(terms)}, STEWART_SHORTEST / STEWART_ROUNDING);",
+        "    out->arm = largest(arms, 3, 0);",
+    ]
+
+
 def _inputs(block: RoundedBlock, owner: Callable[[Quantity], str], ready: Container[str] = ()) -> list[str]:
     """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
     used = names_used(block.block) | block.limits
@@ -381,14 +413,14 @@ def _units(sizes: list[str]) -> str:
 
 def _error(each: RoundedStep, own: str) -> str:
     """The bound as text: errors of what goes in, and the step's own."""
-    name, carried = each.step.name, infix(each.carried, _SQRT)
+    name = each.step.name
+    carried = [infix(each.carried, _SQRT)] if each.carried != 0 else []
     if each.kind == RECIPROCAL:
-        return f"reciprocal_error({name}, {each.step.expr.base}, {carried})"
+        return f"reciprocal_error({name}, {each.step.expr.base}, {carried[0] if carried else 0})"
     if each.kind == ROOT:
-        argument = [carried, _units([infix(each.rounded, _SQRT)])] if each.rounded != 0 else [carried]
-        return f"root_error({name}, {' + '.join(argument)})"
-    parts = [carried] if each.carried != 0 else []
-    return " + ".join([*parts, own] if each.rounds else parts)
+        argument = [*carried, _units([infix(each.rounded, _SQRT)])] if each.rounded != 0 else carried
+        return f"root_error({name}, {' + '.join(argument) or 0})"
+    return " + ".join([*carried, own] if each.rounds else carried)
 
 
 def _stores(block: RoundedBlock, outputs: Sequence[Output]) -> list[str]:
@@ -494,12 +526,6 @@ _TOP = """\
 """
 
 _MACROS = """
-#if defined(__GNUC__)
-#define STEWART_APART __attribute__((noinline))
-#else
-#define STEWART_APART
-#endif
-
 #define STEWART_INFINITY ((stewart_real)INFINITY)
 
 /* Half an epsilon is the largest relative error of an operation. A 64th more makes up for what the bounds
@@ -536,23 +562,35 @@ static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, ste
     *sum_err = *sum_err + term_err + STEWART_UNIT * STEWART_FABS(*sum);
 }
 
-/* Bounds the entries of R less the rotation nearest to it, by the largest distance of a singular value from
- * 1: half of |R^T R - 1| in the norm of row sums, with a 64th more for the terms of higher order. */
-static stewart_real rotation_error(const stewart_real R[9])
+/* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
+ * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms
+ * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no
+ * rounding error, nor has their sum less 1. */
+static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
-    stewart_real worst = 0;
+    stewart_real high[9], low[9], grid = 1, worst = 0;
     int i, j, k;
+    while (STEWART_HALF * grid * STEWART_HALF * grid >= STEWART_EPSILON) {
+        grid = STEWART_HALF * grid;
+    }
+    for (i = 0; i < 9; ++i) {
+        const stewart_real shift = (stewart_real)1.5 * (grid / STEWART_EPSILON);
+        high[i] = (R[i] + shift) - shift;
+        low[i] = R[i] - high[i];
+    }
     for (i = 0; i < 3; ++i) {
         stewart_real row = 0;
         for (j = 0; j < 3; ++j) {
-            stewart_real sum = 0, sizes = 0;
-            for (k = 0; k < 3; ++k) {
-                const stewart_real product = R[3 * k + i] * R[3 * k + j];
-                sum = sum + product;
-                sizes = sizes + STEWART_FABS(product) + STEWART_FABS(sum);
+            stewart_real sum = i == j ? -1 : 0, rest = 0, sizes = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real small = high[k + i] * low[k + j] + low[k + i] * R[k + j];
+                sum = sum + high[k + i] * high[k + j];
+                rest = rest + small;
+                sizes = sizes + STEWART_FABS(high[k + i] * low[k + j]) + STEWART_FABS(low[k + i] * R[k + j]);
             }
-            sum = i == j ? sum - 1 : sum;
-            row = row + STEWART_FABS(sum) + STEWART_UNIT * (sizes + STEWART_FABS(sum));
+            sum = sum + rest;
+            stretch[3 * i + j] = STEWART_FABS(sum) + STEWART_UNIT * (5 * sizes + STEWART_FABS(sum));
+            row = row + stretch[3 * i + j];
         }
         worst = row > worst ? row : worst;
     }
@@ -573,21 +611,25 @@ typedef struct {
 
 /* What a leg gives to the platform's equations. */
 typedef struct {
-    stewart_real D, L, reach, arm;
+    stewart_real D, L;
+    stewart_real sine; /* of the angle between the leg and the fixed axis */
+    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
 @TERMS@
-    int status;
 } leg_terms;
 
-/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round away. */
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
+ * away. */
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
     stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
 /* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
 typedef struct {
     stewart_real Y_force[3], Y_moment[3]; /* its row of the inverse of H */
+    stewart_real Y_arm[3]; /* Y_moment, but 0 for leg 1: its force has no moment about platform point 1 */
     stewart_real D_weight, x;
 } force_row;
 
@@ -657,98 +699,48 @@ static void shared_of_pose(
 }
 """
 
-_LEG = """\
-/* Largest size of some numbers, or `least`. */
+_LEG_STATUS = """\
+/* The largest of some numbers and `least`. */
 static stewart_real largest(const stewart_real *values, int count, stewart_real least)
 {
     stewart_real found = least;
     int i;
     for (i = 0; i < count; ++i) {
-        found = STEWART_FABS(values[i]) > found ? STEWART_FABS(values[i]) : found;
+        found = STEWART_LARGER(values[i], found);
     }
     return found;
 }
 
-/* S = q + t - b is known to within rounding of its largest term, `reach`. */
-static int leg_status(stewart_real L, stewart_real k3, stewart_real reach)
+/* The leg vector is known to within rounding of its largest term, `reach`. */
+static int leg_status(const leg_terms *leg)
 {
-    if (!(L <= STEWART_MAX)) {
+    if (!(leg->L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(L > STEWART_ROUNDING * reach)) {
+    if (!(leg->L > STEWART_ROUNDING * leg->reach)) {
         return STEWART_SHORT_LEG;
     }
-    return k3 > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
+    return leg->sine > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
+"""
 
+_LEG = """\
 /* One leg in joint coordinates: D, its column of H and its part of c. */
-static void leg_of_pose(
+static void leg_of_pose@NEAR@(
     const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, leg_terms *out)
 {
 @BODY@
-    {
-        const stewart_real terms[9] = {q_x, q_y, q_z, t_x, t_y, t_z, b_x, b_y, b_z};
-        const stewart_real arms[3] = {arm_x, arm_y, arm_z};
-        out->L = L;
-        out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
-        out->arm = largest(arms, 3, 0);
-        out->status = leg_status(L, k3, out->reach);
-    }
-}
-"""
-
-_SOLVE = """\
-/* Solves the augmented rows [H | c | 1] by elimination with partial pivoting, (36); column 6 becomes x, those
- * after it the inverse Y of H. Returns the product of the pivots. */
-static stewart_real solve(stewart_real A[6][13], stewart_real x[6], stewart_real Y[6][6])
-{
-    stewart_real inverse[6], pivots = 1;
-    int i, j, k;
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
-                pivot = i;
-            }
-        }
-        for (j = 0; j < 13; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
-        }
-        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
-        inverse[k] = 1 / A[k][k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
-            for (j = k + 1; j < 13; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
-            }
-        }
-    }
-    for (i = 5; i >= 0; --i) {
-        for (j = 6; j < 13; ++j) {
-            for (k = i + 1; k < 6; ++k) {
-                A[i][j] = A[i][j] - A[i][k] * A[k][j];
-            }
-            A[i][j] = i < 5 ? A[i][j] * inverse[i] : A[i][j] / A[i][i];
-        }
-        x[i] = A[i][6];
-        for (j = 0; j < 6; ++j) {
-            Y[i][j] = A[i][j + 7];
-        }
-    }
-    return pivots;
 }
 """
 
 _SHARED_ERRORS = """\
 /* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where there are slopes of
- * the legs, adds to the error of each force what these errors do to it: each by the slope of the force along
- * it, at its largest. */
+ * the legs, adds to the error of each force what these errors do to it, each by the slope of the force along
+ * it, at its largest; and adds to the slopes along R. */
 static void shared_errors(
     const stewart_@NAME@_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
-    const force_row rows[6], const slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
+    const force_row rows[6], slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
 {
     int i;
 @BODY@
@@ -763,7 +755,7 @@ static void shared_errors(
 _LEG_ERRORS = """\
 /* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along what
  * the pose has for all legs. */
-static void leg_errors(
+static void leg_errors@NEAR@(
     const stewart_@NAME@_bounds_platform *platform, const stewart_@NAME@_bounds_leg *leg,
     const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_row rows[6],
     slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
@@ -778,6 +770,31 @@ static void leg_errors(
 """
 
 _BOUND = """\
+/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
+ * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
+ * of R^T times them counts; turning R as a whole is no error. */
+static stewart_real stretch_error(
+    const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
+{
+    stewart_real total = 0, slopes = 0;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            stewart_real sum = 0, doubt = 0;
+            for (k = 0; k < 9; k += 3) {
+                const stewart_real one = R[k + i] * of->R_legs[k + j], other = R[k + j] * of->R_legs[k + i];
+                sum = sum + (one + other);
+                doubt = doubt + 5 * STEWART_UNIT * (STEWART_FABS(one) + STEWART_FABS(other));
+                doubt = doubt + STEWART_FABS(R[k + i]) * of->R_legs_err[k + j];
+                doubt = doubt + STEWART_FABS(R[k + j]) * of->R_legs_err[k + i];
+            }
+            total = total + stretch[3 * i + j] * (STEWART_FABS(sum) + doubt) / 4;
+            slopes = slopes + STEWART_FABS(of->R_legs[3 * i + j]) + of->R_legs_err[3 * i + j];
+        }
+    }
+    return total + 2 * R_err * R_err * slopes;
+}
+
 /* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
  * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,
  *     d <= b + G d,    b = |Y| (|c - H x| + E_H |x| + e_c),    G = |1 - Y H| + |Y| E_H,
@@ -849,7 +866,7 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, over `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, measured by `length`. */
 static stewart_real reciprocal_condition(
     stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
@@ -869,13 +886,16 @@ static stewart_real reciprocal_condition(
 """
 
 _POSE = """\
-/* The legs and the platform of one pose: D and the platform's equations. */
+/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
+ * near the joint singularity, legs having been found to be neither at it nor too short. */
 static int equations_of_pose(
     const stewart_@NAME@_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
-    stewart_real D[6], platform_equations *out)
+    int near, stewart_real D[6], platform_equations *out)
 {
     leg_terms leg;
     int i, j;
+    out->near = near;
+    out->close = near != 0 ? out->close : 0;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
         out->c[j + 3] = shared->c_tip[j];
@@ -883,9 +903,15 @@ static int equations_of_pose(
         out->c_own[j + 3] = 0;
     }
     for (i = 0; i < 6; ++i) {
-        leg_of_pose(&model->platform, &model->leg[i], at, shared, &leg);
-        if (leg.status != STEWART_OK) {
-            return leg.status;
+        (near != 0 ? leg_of_pose_near_singularity : leg_of_pose)(
+            &model->platform, &model->leg[i], at, shared, &leg);
+        if (near == 0) {
+            const int status = leg_status(&leg);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            out->near = leg.sine > STEWART_NEAR_POLE ? out->near : 1;
+            out->close = leg.L > STEWART_SHORT_SHARE * leg.reach ? out->close : 1;
         }
         D[i] = leg.D;
         out->L[i] = leg.L;
@@ -893,10 +919,12 @@ static int equations_of_pose(
         out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
             out->H[j][i] = leg.H_force[j];
-            out->H[j + 3][i] = leg.H_moment[j];
+            out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
             add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
-            add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
+            if (i > 0) {
+                add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
+            }
         }
     }
     return STEWART_OK;
@@ -906,17 +934,40 @@ static int equations_of_pose(
 static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
     stewart_real H[6][6];
-    int i, j, close = 0;
+    int i, j;
+    if (of->close == 0 && STEWART_FABS(pivots) > least) {
+        return STEWART_OK;
+    }
     for (i = 0; i < 6; ++i) {
-        close = of->L[i] > STEWART_SHORT_SHARE * of->reach[i] ? close : 1;
         for (j = 0; j < 6; ++j) {
             H[i][j] = of->H[i][j];
         }
     }
-    if (close == 0 && STEWART_FABS(pivots) > least) {
-        return STEWART_OK;
-    }
     return singular_status(H, of->L, of->reach, of->arm);
+}
+
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */
+static stewart_real solution(
+    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+{
+    stewart_real pivots = 0;
+    int column, i, j;
+    for (column = 0; column < 7; ++column) {
+        stewart_real A[6][LANES], found[6];
+        for (i = 0; i < 6; ++i) {
+            const stewart_real unit = i < 3 ? 1 : per_length;
+            for (j = 0; j < 6; ++j) {
+                A[i][j] = unit * of->H[i][j];
+            }
+            A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
+            A[i][7] = 0;
+        }
+        pivots = solve_pose(A, found);
+        for (i = 0; i < 6; ++i) {
+            *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
+        }
+    }
+    return pivots;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
@@ -930,9 +981,10 @@ static void bound_of_pose(
     force_row rows[6];
     slopes_of_legs slopes[6];
     stewart_real *numbers = (stewart_real *)slopes;
-    const stewart_real R_err = rotation_error(at->R);
+    stewart_real stretch[9];
+    const stewart_real R_err = rotation_error(at->R, stretch);
     size_t number;
-    int i, j;
+    int i, j, k;
     for (number = 0; number < 6 * (sizeof(slopes_of_legs) / sizeof(stewart_real)); ++number) {
         numbers[number] = 0;
     }
@@ -952,16 +1004,23 @@ static void bound_of_pose(
         for (j = 0; j < 6; ++j) {
             rows[j].D_weight = i == j ? 1 : 0;
             rows[j].x = x[i];
+            for (k = 0; k < 3; ++k) {
+                rows[j].Y_arm[k] = i > 0 ? rows[j].Y_moment[k] : 0;
+            }
         }
-        leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
+        (of->near != 0 ? leg_errors_near_singularity : leg_errors)(
+            &model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
-            of->H_err[j + 3][i] = leg.H_moment_err[j];
+            of->H_err[j + 3][i] = i > 0 ? leg.H_moment_err[j] : 0;
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + leg.arm_c_err[j];
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + (i > 0 ? leg.arm_c_err[j] : 0);
         }
     }
     shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
+    for (i = 0; i < 6; ++i) {
+        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes[i]);
+    }
     solution_error(of, x, Y, bound);
     for (i = 0; i < 6; ++i) {
         bound[i] = STEWART_SLACK * (bound[i] + STEWART_UNIT * STEWART_FABS(F[i]));
@@ -978,24 +1037,16 @@ static int forces_of_pose(
 {
     shared_terms shared;
     platform_equations equations;
-    stewart_real A[6][13], Y[6][6], x[6], D[6], found[6], unit[6];
-    int i, j, status;
-    for (i = 0; i < 6; ++i) {
-        unit[i] = i < 3 ? 1 : model->per_length;
-    }
+    stewart_real Y[6][6], x[6], D[6], found[6];
+    int i, status;
     shared_of_pose(&model->platform, at, &shared);
-    status = equations_of_pose(model, at, &shared, D, &equations);
-    if (status != STEWART_OK) {
-        return status;
+    status = equations_of_pose(model, at, &shared, 0, D, &equations);
+    if (status == STEWART_OK && equations.near != 0) {
+        status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            A[i][j] = unit[i] * equations.H[i][j];
-            A[i][j + 7] = i == j ? unit[i] : 0;
-        }
-        A[i][6] = unit[i] * equations.c[i];
+    if (status == STEWART_OK) {
+        status = pose_status(&equations, solution(&equations, model->per_length, x, Y), model->least);
     }
-    status = pose_status(&equations, solve(A, x, Y), model->least);
     if (status != STEWART_OK) {
         return status;
     }

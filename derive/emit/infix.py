@@ -9,6 +9,8 @@ import re
 
 import sympy as sp
 
+from ..block import terms_in_order
+
 WIDTH = 108
 HALF = {"STEWART_SQRT": "STEWART_HALF"}
 WHOLE = {"STEWART_SQRT": "REAL({})"}
@@ -39,12 +41,12 @@ def _whole(number: int, sqrt: str) -> str:
 
 
 def _sum(expr: sp.Add, sqrt: str) -> str:
-    terms = expr.as_ordered_terms()
-    positive = [term for term in terms if not term.could_extract_minus_sign()]
-    negative = [term for term in terms if term.could_extract_minus_sign()]
-    text = " + ".join(infix(term, sqrt) for term in positive)
-    for term in negative:
-        text = f"{text} - {_factor(-term, sqrt)}" if text else f"-{_factor(-term, sqrt)}"
+    text = ""
+    for term in terms_in_order(expr):
+        if term.could_extract_minus_sign():
+            text = f"{text} - {_factor(-term, sqrt)}" if text else f"-{_factor(-term, sqrt)}"
+        else:
+            text = f"{text} + {infix(term, sqrt)}" if text else infix(term, sqrt)
     return text
 
 

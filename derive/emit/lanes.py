@@ -83,7 +83,7 @@ def source(kernel: ForceKernel, version: str) -> str:
         _scalar_shared(kernel),
         *_legs(kernel),
         *_moments_of_pose(kernel),
-        _solve_pose(kernel.about_tip),
+        solve_pose(kernel.about_tip),
         singular.FUNCTION,
         _pose(kernel),
         _only(_BLOCK, kernel),
@@ -308,7 +308,7 @@ def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[st
 def _legs_of_pose(kernel: ForceKernel, leg: Block, name: str, least_sine: str) -> str:
     """A leg's block as the body of a loop over the legs of a pose."""
     kept = tuple(out for out in leg.outputs if out.quantity not in JUDGED)
-    terms, more = _reach_terms(kernel)
+    terms, more = reach_terms(kernel)
     length, sine = judged(leg)
     outside, inside = _lane_loads(kernel, leg, more, over_legs=True)
     body = [
@@ -334,7 +334,7 @@ def _least_sine(kernel: ForceKernel) -> str:
 def _leg_of_block(kernel: ForceKernel) -> str:
     """The leg's block as the body of a loop over the poses of a block."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    terms, more = _reach_terms(kernel)
+    terms, more = reach_terms(kernel)
     length, sine = judged(kernel.leg)
     outside, inside = _lane_loads(kernel, kernel.leg, more, over_legs=False)
     column = [infix(expr, "STEWART_SQRT") for q in (n.H_force, n.H_moment) for expr in exprs.get(q, ())]
@@ -389,7 +389,7 @@ def _lane_loads(
     return outside, inside
 
 
-def _reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
+def reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
     """Sizes of the vectors whose sum is S, and the inputs among them."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     inputs: tuple[Quantity, ...] = (n.t, n.b)
@@ -512,7 +512,7 @@ def suspect(kernel: ForceKernel) -> str:
     return f"\n#define STEWART_LEAST (STEWART_SUSPECT * STEWART_CUBE({size}))\n"
 
 
-def _solve_pose(about_tip: bool) -> str:
+def solve_pose(about_tip: bool) -> str:
     """Elimination of one pose, unrolled: the next column is known before the rows that hold it are stored."""
     rows = range(6)
     body = [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_tip]

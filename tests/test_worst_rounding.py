@@ -1,0 +1,261 @@
+"""Bounds of rounding errors against the worst rounding that there is, instead of a random one, and mutants.
+
+Three layers. The whole kernel: every operation rounded by one unit against a force. One quantity at a time:
+only its operations round, so that no other term of the bound hides that one is missing. One statement at a
+time: its terms against numbers of every size. Mutants of what bounds an error have to fail in one of them.
+"""
+
+import dataclasses
+import functools
+import re
+import shutil
+from collections.abc import Iterator
+
+import bound_statements as statements
+import numpy as np
+import pytest
+import worst_rounding as rounding
+from machines import random_motion, random_robot
+from sweeps import share
+from test_bounds import PRECISIONS, case, wild
+from test_bounds_joint_singularity import drawn
+
+from stewart_sym.kernel import c_sources
+
+MEDIAN = 1.6
+FAR = {"double": 2.0, "float": 12.0}
+"""Largest factor from the worst error to the bound: median, and in 95 % of the cases.
+
+In float squares of errors count near a joint singularity, where the sine has as few as twelve bits.
+"""
+COARSE = 2.0**-30
+"""A unit whose errors are seen in long double one quantity at a time, and of which no square is."""
+HAIR = 1e-4
+"""Relative difference that the squares of errors make, and the rounding of long double."""
+
+needs_compiler = pytest.mark.skipif(
+    shutil.which("g++") is None or np.finfo(np.longdouble).eps > 2.0**-63, reason="no g++ with long double"
+)
+
+
+# ---------------------------------------------------------------- the whole kernel
+
+
+def ratios(precision: str, cases: int) -> np.ndarray:
+    """Bound over worst error of every force, near a joint singularity in every other case."""
+    rng = np.random.default_rng(21)
+    found = []
+    for number in range(cases):
+        robot, motion = case(rng, number // 2) if number % 2 else drawn(rng, precision)[:2]
+        try:
+            pose = rounding.Pose(robot, motion, rounding.UNIT[precision])
+            worst = np.array([pose.worst(force) for force in range(6)])
+        except ValueError:
+            continue
+        found.append(worst[:, 1] / worst[:, 0])
+    return np.concatenate(found)
+
+
+def holds(found: np.ndarray, precision: str) -> None:
+    assert found.min() >= 1
+    assert np.median(found) <= MEDIAN
+    assert np.percentile(found, 95) <= FAR[precision]
+
+
+@needs_compiler
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> None:
+    holds(ratios(precision, 40), precision)
+
+
+@needs_compiler
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_is_above_the_worst_rounding_over_ten_thousand_poses(
+    precision: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = ratios(precision, share(10_000))
+    with capsys.disabled():
+        parts = [found.min(), *np.percentile(found, (50, 95, 99)), found.max()]
+        print(f"\n{precision}: bound over worst error, least, 50, 95, 99 %, most:", np.round(parts, 3))
+    holds(found, precision)
+
+
+# ---------------------------------------------------------------- one quantity at a time
+
+
+def poses(count: int) -> Iterator[rounding.Pose]:
+    """Poses away from a joint singularity and near one, rates and loads of every size."""
+    rng = np.random.default_rng(22)
+    while count:
+        robot, motion = (random_robot(rng), None) if count % 2 else drawn(rng, "float")[:2]
+        motion = random_motion(rng, robot) if motion is None else motion
+        masses = {name: getattr(robot, name) * 10 ** rng.uniform(-3, 3, 6) for name in ("m_d", "m_u")}
+        robot = dataclasses.replace(robot, **masses)
+        if count % 4 < 2:
+            motion = wild(rng, robot, motion)[1]
+        try:
+            pose = rounding.Pose(robot, motion, COARSE)
+            [pose.worst(force) for force in range(6)]
+        except ValueError:
+            continue
+        count -= 1
+        yield pose
+
+
+def by_group(pose: rounding.Pose, group: int, mutant: int = -1) -> float | None:
+    """Bound over error when only one group rounds, of the force that feels it most; None if none does."""
+    shares = pose.of_group[:, group] / pose.first_order
+    if not shares.max() > 1e-9:
+        return None
+    error, bound = pose.worst(int(np.argmax(shares)), group, mutant)
+    return bound / error
+
+
+def by_strain(pose: rounding.Pose, entry: int, mutant: int = -1) -> float:
+    """The same when R is stretched by one entry of a symmetric matrix; the least of all forces."""
+    strain = np.zeros((3, 3))
+    strain.flat[entry] = 1.0
+    found = [pose.stretched(force, np.maximum(strain, strain.T), mutant) for force in range(6)]
+    return min(bound / error for error, bound in found)
+
+
+@needs_compiler
+def test_every_quantity_is_bounded_by_itself() -> None:
+    seen = set()
+    for pose in poses(4):
+        for group, name in enumerate(rounding.groups()):
+            found = by_group(pose, group)
+            if found is not None:
+                seen.add(name)
+                assert found >= 1 - HAIR, name
+        assert min(by_strain(pose, entry) for entry in range(9)) >= 1 - HAIR
+    assert len(seen) > 200
+
+
+# ---------------------------------------------------------------- one statement at a time
+
+
+@functools.cache
+def source() -> str:
+    return c_sources("exact_bounds")["stewart_exact_bounds.c"]
+
+
+def statement_mutants(text: str) -> tuple[int, list[str]]:
+    """How many mutants of the claims there are, and those that no number tells from the claim."""
+    rng = np.random.default_rng(23)
+    base = statements.helpers(text, rng)
+    count, missed = 0, []
+    for function in statements.functions(text):
+        for claim in function.claims():
+            known, least = statements.sampled(function, claim, rng, base)
+            assert statements.holds(claim.text, known, least), (function.name, claim)
+            for mutant in statements.mutants(claim.text):
+                count += 1
+                if statements.holds(mutant, known, least):
+                    missed.append(f"{function.name}: {claim.name}_{claim.kind} = {mutant}")
+    return count, missed
+
+
+def test_every_statement_bounds_its_quantity_and_no_mutant_of_it_does() -> None:
+    count, missed = statement_mutants(source())
+    assert count > 4000
+    assert missed == []
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        (
+            "error / least(2 * root, error / root) + STEWART_UNIT * root",
+            "error / least(2 * root, error / root)",
+        ),
+        ("error / least(2 * root, error / root)", "error / least(2 * root, 0)"),
+        ("error / least(2 * root, error / root)", "REAL(0)"),
+        (
+            "positive * (error / least(of, error)) + STEWART_UNIT * positive",
+            "positive * (error / least(of, error))",
+        ),
+        ("positive * (error / least(of, error))", "REAL(0)"),
+        ("? positive - error : 0", "? positive : 0"),
+    ],
+)
+def test_mutants_of_the_helpers_fail_in_some_statement(right: str, wrong: str) -> None:
+    assert right in source()
+    with pytest.raises(AssertionError):
+        statement_mutants(source().replace(right, wrong))
+
+
+def test_values_are_handed_on_with_the_errors_of_the_same_values() -> None:
+    stored = dict(re.findall(r"    \w+->(\w+(?:\[\d\])?) = -?(\w+);", source()))
+    errors = re.findall(r"    \w+->(\w+)_err(\[\d\])? = (\w+);", source())
+    assert len(errors) > 50
+    for name, index, error in errors:
+        assert f"{name}{index}" in stored
+        assert (
+            re.search(rf"->{name}{re.escape(index)} = -?{error.removesuffix('_err')};", source())
+            or error == "0"
+        )
+    added = re.findall(
+        r"add\(&([\w.]+\S*), &\S+, -?([\w.]+)(\[\d\])?, ([\w.]+)(\[\d\])?\)", " ".join(source().split())
+    )
+    assert len(added) > 20
+    for _, value, index, error, same in added:
+        assert (error, same) == (f"{value}_err", index) or value.startswith("leg")
+
+
+# ---------------------------------------------------------------- mutants of what collects the errors
+
+
+def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
+    """Groups, or strains of R, whose error the mutant may lose: its own if that can be told."""
+    groups = rounding.groups()
+    own = re.search(r"(\w+)_own$", mutant.whole.strip())
+    handed = re.match(r"slope of (R|B|q_1)(\d)", mutant.whole)
+    block = rounding.block_of(mutant.function)
+    if own and f"{block} {own[1]}" in groups:
+        yield "group", groups.index(f"{block} {own[1]}")
+    elif handed and handed[1] == "R":
+        yield from (("strain", n) for n in range(9))
+    elif handed:
+        n = int(handed[2])
+        axes = "xyz"[n // 3] + "xyz"[n % 3] if handed[1] == "B" else "xyz"[n]
+        yield "group", groups.index(f"shared {handed[1]}_{axes}")
+    elif "prepare" in block or block.startswith(("leg", "shared")):
+        yield from (("group", n) for n, name in enumerate(groups) if name.startswith(("prepare", "sum sum")))
+    else:
+        yield from (("group", n) for n, name in enumerate(groups) if name in ("solution", "force", "leg S_x"))
+        yield from (("strain", n) for n in range(9))
+        yield from (("group", n) for n, name in enumerate(groups) if name.startswith("sum out"))
+
+
+def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant) -> bool:
+    for kind, which in candidates(mutant):
+        found = (by_group if kind == "group" else by_strain)(pose, which, number)
+        if found is not None and found < 1 - HAIR:
+            return True
+    return False
+
+
+@needs_compiler
+@pytest.mark.slow
+def test_no_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFixture[str]) -> None:
+    left = dict(enumerate(rounding.all_mutants()))
+    total = len(left)
+    for pose in poses(24):
+        left = {number: mutant for number, mutant in left.items() if not caught(pose, number, mutant)}
+    with capsys.disabled():
+        print(f"\n{total - len(left)} of {total} mutants caught")
+    assert [mutant for mutant in left.values() if not of_squares(mutant)] == []
+
+
+def of_squares(mutant: rounding.Mutant) -> bool:
+    """Whether it changes only what bounds products of errors, or the rounding of the bound itself.
+
+    No first-order error needs these: the solve's doubt of its own matrix, errors of slopes along R, and what
+    evaluating R^T R - 1 rounds.
+    """
+    of_solve = mutant.function == "solution_error"
+    of_slopes = "_err" in mutant.whole or "doubt" in mutant.whole or "slopes" in mutant.whole
+    by_hand = mutant.function in ("stretch_error", "bound_of_pose")
+    return of_solve or mutant.function == "rotation_error" or (by_hand and of_slopes)
