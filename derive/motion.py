@@ -16,6 +16,7 @@ from . import prepared as p
 from . import tip
 from .block import Block, Builder, Quantity
 from .joint_leg import (
+    JointForces,
     JointFrame,
     friction_moment,
     gravity_torques,
@@ -81,9 +82,23 @@ BY_TWIST = (
 # What the pose hands to the legs.
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
+NET = Quantity("net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi")
 H_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
+)
+
+# A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
+# L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
+M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
+ROWS = (
+    _matrix("row_v", "1, 1/m", "gradients of L, theta, phi by position"),
+    _matrix("row_w", "m, 1", "gradients of L, theta, phi by rotation"),
+)
+TAU = _vector("tau", "N, N m", "generalised forces less the actuator's without accelerations of the platform")
+TAU_BY = tuple(
+    _matrix(f"tau_{by}", "N, N m per unit", f"generalised forces by {meaning}, row for row")
+    for by, meaning in (("t", "dt"), ("r", "dphi"), ("v", "v"), ("w", "omega"))
 )
 
 
@@ -108,6 +123,8 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
         bias_kernel(friction),
         forward_kernel(friction),
         derivatives_kernel(friction),
+        joint_rows_kernel(friction),
+        joint_slopes_kernel(friction),
     )
     return tuple(replace(each, leg=from_base_point(each.leg)) for each in derived)
 
@@ -197,7 +214,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, NET, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
@@ -260,7 +277,8 @@ def bias_kernel(friction: bool) -> SumKernel:
     )
     build = Builder()
     leg = _leg(build)
-    D, K, f = _tip_bias(build, leg, friction)
+    tau, f = _tip_bias(build, leg, friction)
+    D, K = tip_force(build, leg.at, tau)
     R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
     block = build.block(
         "bias_of_leg",
@@ -271,37 +289,24 @@ def bias_kernel(friction: bool) -> SumKernel:
     return SumKernel("bias", BIAS, pose, block)
 
 
-def _tip_bias(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Expr, sp.Matrix, sp.Matrix]:
-    """D, K and f of the leg without accelerations of the platform."""
+def _tip_bias(build: Builder, leg: _Leg, friction: bool) -> tuple[JointForces, sp.Matrix]:
+    """Generalised forces and f of the leg without accelerations of the platform."""
     at = leg.at
     rates = joint_rates(build, at, leg.S_dot)
     S_ddot = build.vector(
         "S_ddot", B_0.value * at.q, "(7)", "acceleration of the platform point, a = alpha = 0"
     )
     accelerations = joint_accelerations(build, at, rates, S_ddot)
-    D, K = tip_force(build, at, joint_forces(build, at, rates, accelerations, friction))
-    return D, K, friction_moment(at, rates, friction)
+    return joint_forces(build, at, rates, accelerations, friction), friction_moment(at, rates, friction)
 
 
 def forward_kernel(friction: bool) -> SumKernel:
     """M, and the right side H F + external wrench - bias."""
-    build = Builder()
-    at = _platform(build)
-    bias, load = _platform_bias(at, friction), _external()
-    pose = build.block(
-        "forward_of_platform",
-        "the platform's part of M and of the right side",
-        _POSE_INPUTS,
-        [
-            T_1,
-            (B_0, _centripetal(build)),
-            *_platform_inertia(at),
-            *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
-        ],
-    )
+    pose = _forward_of_platform("forward_of_platform", friction)
     build = Builder()
     leg = _leg(build)
-    D, K, f = _tip_bias(build, leg, friction)
+    tau, f = _tip_bias(build, leg, friction)
+    D, K = tip_force(build, leg.at, tau)
     push = build.vector("push", (F_LEG.value - D) * leg.at.s - K, "", "force on the platform at the tip")
     m, _ = _tip_inertia(build, leg)
     block = build.block(
@@ -315,6 +320,52 @@ def forward_kernel(friction: bool) -> SumKernel:
         ],
     )
     return SumKernel("forward_dynamics", (*INERTIA, *RIGHT), pose, block)
+
+
+def _forward_of_platform(name: str, friction: bool) -> Block:
+    build = Builder()
+    at = _platform(build)
+    bias, load = _platform_bias(at, friction), _external()
+    return build.block(
+        name,
+        "the platform's part of M and of the right side",
+        _POSE_INPUTS,
+        [
+            T_1,
+            (B_0, _centripetal(build)),
+            *_platform_inertia(at),
+            *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
+        ],
+    )
+
+
+def joint_rows_kernel(friction: bool) -> SumKernel:
+    """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
+
+    M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau.
+    """
+    build = Builder()
+    leg = _leg(build)
+    at = leg.at
+    tau, f = _tip_bias(build, leg, friction)
+    rows = sp.Matrix.vstack(at.s.T, -at.inv_L * leg.z.T, at.inv_rho * at.y.T)
+    rows = _named(build, "row_v", rows)
+    nothing = [(q, sp.zeros(*q.shape)) for q in INERTIA]
+    block = build.block(
+        "joint_rows_of_leg",
+        "one leg's inertia and generalised forces in its joint coordinates, and their gradients",
+        _LEG_INPUTS,
+        [
+            *nothing,
+            *zip(RIGHT, (sp.zeros(3, 1), -f), strict=True),
+            (M_XI, joint_inertia(build, at).matrix()),
+            *zip(ROWS, (rows, -rows * tip.skew(at.q)), strict=True),
+            (TAU, sp.Matrix([tau.along - F_LEG.value, tau.about_y, tau.about_k])),
+            *_judged(at),
+        ],
+    )
+    pose = _forward_of_platform("joint_rows_of_platform", friction)
+    return SumKernel("joint_rows", (*INERTIA, *RIGHT), pose, block)
 
 
 def equations_kernel(friction: bool) -> SumKernel:
@@ -505,53 +556,91 @@ def _derivatives_of_leg(friction: bool) -> Block:
     )
 
 
-def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
-    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+@dataclass(frozen=True)
+class _TorqueSlopes:
+    """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
+
+    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi; force:
+    Gamma^T net, base frame.
+    """
+
+    S: sp.Matrix
+    S_dot: sp.Matrix
+    bend: sp.Matrix
+    inertia: sp.Matrix
+    force: sp.Matrix
+
+
+def _torque_slopes(build: Builder, leg: _Leg, friction: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
+    """See ``tip`` for the formulas. net: generalised forces less the actuator's, where they are given."""
     at = leg.at
-    rates = joint_rates(build, at, leg.S_dot)
-    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", "acceleration of the platform point")
-    joint_accelerations(build, at, rates, S_ddot)
-    m, M = _tip_inertia(build, leg)
+    M = joint_inertia(build, at).matrix()
     gravity_torques(build, at)
     if friction:
         name_omega(build, at)
     inner = tip.gradients()
-    tau = sp.Matrix(
-        [
-            build.scalar(name, value)
-            for name, value in zip(("tau_L", "tau_theta", "tau_phi"), tip.torques(friction), strict=True)
-        ]
-    )
-    rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
     raw = tip.torques(friction)
+    if net is None:
+        tau = [build.scalar(f"tau_{name}", value) for name, value in zip(("L", "theta", "phi"), raw, strict=True)]
+        net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
+    rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
     by_rate = _local(build, "tau_rate", raw.jacobian(tip.rates))
     by_place = _local(build, "tau_place", tip.place(raw))
-    net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
-    bend = tip.hessian(net)
-    A_0 = inner.value.T * (M * second + by_rate * rate + by_place * inner.value) + bend
-    A_1 = inner.value.T * (2 * M * rate + by_rate * inner.value)
-    T, value = leg.T, inner.value
-    force = build.vector(
-        "R_tip",
-        _from_torques(build, leg, net[0], net[1], net[2]),
-        "",
-        "force at the tip, less the actuator's",
+    return _TorqueSlopes(
+        S=M * second + by_rate * rate + by_place * inner.value,
+        S_dot=2 * M * rate + by_rate * inner.value,
+        bend=tip.hessian(net),
+        inertia=M,
+        force=build.vector(
+            "R_tip",
+            _from_torques(build, leg, net[0], net[1], net[2]),
+            "",
+            "force at the tip, less the actuator's",
+        ),
     )
-    f_S = f_S_dot = by_omega = sp.zeros(3, 3)
-    if friction:
-        k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
-        C_s = n.C_s.value
-        by_omega = C_s * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
-        f_S_dot = C_s * (k * value[2, :] + y * value[1, :])
-        f_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * value[2, :])
-        by_omega, f_S, f_S_dot = (
-            _turned(build, name, T, _local(build, f"{name}_leg", local), meaning)
-            for name, local, meaning in (
-                ("A_3", by_omega, "force at the tip by omega"),
-                ("f_S", f_S, "friction moment by S"),
-                ("f_S_dot", f_S_dot, "friction moment by S_dot"),
-            )
+
+
+def _name_joint_motion(build: Builder, leg: _Leg) -> None:
+    """Names rates and accelerations of the joint coordinates under the motion's own accelerations."""
+    rates = joint_rates(build, leg.at, leg.S_dot)
+    meaning = "acceleration of the platform point"
+    S_ddot = build.vector("S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", meaning)
+    joint_accelerations(build, leg.at, rates, S_ddot)
+
+
+def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """Derivatives of f by S and S_dot, base frame."""
+    if not friction:
+        return sp.zeros(3, 3), sp.zeros(3, 3)
+    inner = tip.gradients()
+    rate = _local(build, "G_dot", inner.rate)
+    k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
+    C_s = n.C_s.value
+    by_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * inner.value[2, :])
+    by_S_dot = C_s * (k * inner.value[2, :] + y * inner.value[1, :])
+    f_S, f_S_dot = (
+        _turned(build, name, leg.T, _local(build, f"{name}_leg", local), meaning)
+        for name, local, meaning in (
+            ("f_S", by_S, "friction moment by S"),
+            ("f_S_dot", by_S_dot, "friction moment by S_dot"),
         )
+    )
+    return f_S, f_S_dot
+
+
+def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
+    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+    _name_joint_motion(build, leg)
+    m, _ = _tip_inertia(build, leg)
+    by = _torque_slopes(build, leg, friction)
+    T, value = leg.T, tip.gradients().value
+    by_omega = sp.zeros(3, 3)
+    if friction:
+        y, k = sp.Matrix([0, 1, 0]), sp.Matrix([tip.k1, 0, tip.k3])
+        by_omega = n.C_s.value * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
+        by_omega = _turned(build, "A_3", T, _local(build, "A_3_leg", by_omega), "force at the tip by omega")
+    f_S, f_S_dot = _friction_slopes(build, leg, friction)
+    A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
     return _Slopes(
         S=_turned(build, "A_0", T, _local(build, "A_0_leg", A_0), "force at the tip by S"),
         S_dot=_turned(build, "A_1", T, _local(build, "A_1_leg", A_1), "force at the tip by S_dot"),
@@ -559,8 +648,56 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
         omega=by_omega,
         f_S=f_S,
         f_S_dot=f_S_dot,
-        force=force,
+        force=by.force,
     )
+
+
+def joint_slopes_kernel(friction: bool) -> SumKernel:
+    """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
+
+    The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
+    """
+    build = Builder()
+    leg = _leg(build)
+    q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
+    _name_joint_motion(build, leg)
+    by = _torque_slopes(build, leg, friction, NET.value)
+    S, S_dot, S_ddot = (
+        _named(build, name, _local(build, f"{name}_leg", value) * T.T, "generalised forces by the tip's motion")
+        for name, value in (
+            ("tau_S", by.S),
+            ("tau_S_dot", by.S_dot),
+            ("tau_S_ddot", by.inertia * tip.gradients().value),
+        )
+    )
+    W, w_q = tip.skew(n.omega.value), build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
+    pace = _named(build, "Y", S_dot + S_ddot * W)
+    bend = _turned(build, "bent", T, _local(build, "bent_leg", by.bend), "force by S as the rows turn")
+    fr = _named(build, "Z", -bend * turn)
+    mt, mr = turn * bend, turn * fr + tip.skew(by.force) * turn
+    mv = mw = by_omega = sp.zeros(3, 3)
+    if friction:
+        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
+        by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
+        mt, mr = mt - f_S, mr + (f_S + f_S_dot * W) * turn
+        mv, mw = -f_S_dot, f_S_dot * turn
+    zero = sp.zeros(3, 3)
+    block = build.block(
+        "joint_slopes_of_leg",
+        "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
+        _LEG_INPUTS,
+        [
+            *((quantity, zero) for quantity in INERTIA),
+            *zip(BY_POSE, (bend, fr, mt, mr), strict=True),
+            *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
+            *zip(TAU_BY, (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega), strict=True),
+            *_columns(leg.at),
+            *_judged(leg.at),
+        ],
+    )
+    pose = replace(_derivatives_of_platform(friction), name="joint_slopes_of_platform")
+    return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 
 def name_omega(build: Builder, at: JointFrame) -> None:

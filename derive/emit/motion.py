@@ -8,12 +8,13 @@ import re
 from collections.abc import Collection
 
 from .. import notation as n
-from ..block import Block, Operations
-from ..motion import F_LEG, SumKernel
+from ..block import Block, Operations, Quantity
+from ..motion import F_LEG, NET, SumKernel
 from ..prepared import t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix, wrap
+from .joint_rows import FORWARD_APART, SLOPES_APART
 from .lane_text import (
     JUDGED,
     LANES,
@@ -85,6 +86,8 @@ def source(
         *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
+        ("forward_apart", FORWARD_APART),
+        ("slopes_apart", SLOPES_APART),
         *((f"stewart_@NAME@_{what}", text) for what, text in _PUBLIC.items()),
         *_LOAD_POSE.items(),
         *((f"stewart_@NAME@_{what}_batch", _batch(what)) for what in MEMBERS),
@@ -139,9 +142,9 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     given = [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
     stored = [out.quantity for out in kernel.leg.outputs if out.quantity not in (*kernel.summed, *JUDGED)]
     forced = F_LEG in kernel.leg.inputs
-    text = _SUM_KERNEL.replace("@FORCE@", ", const stewart_real F[6]" if forced else "")
-    text = text.replace("@FORCE_ARGUMENT@", ", force" if forced else "")
-    text = text.replace("@FORCE_LANES@", ", const stewart_real *STEWART_RESTRICT force" if forced else "")
+    by_pose, argument, by_legs = _LANE_INPUTS[next((q for q in _LANE_INPUTS if q in kernel.leg.inputs), None)]
+    text = _SUM_KERNEL.replace("@FORCE@", by_pose)
+    text = text.replace("@FORCE_ARGUMENT@", argument).replace("@FORCE_LANES@", by_legs)
     parts = {
         "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
         "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
@@ -165,6 +168,13 @@ def _without_empty(text: str, parts: dict[str, list[str]]) -> str:
             text = text.replace(f"{mark}\n", "")
     return text
 
+
+_LANE_INPUTS: dict[Quantity | None, tuple[str, str, str]] = {
+    F_LEG: (", const stewart_real F[6]", ", force", ", const stewart_real *STEWART_RESTRICT force"),
+    NET: (", stewart_real (*net)[LANES]", ", net", ", stewart_real (*STEWART_RESTRICT net)[LANES]"),
+    None: ("", "", ""),
+}
+"""What legs are given besides pose and model: a kernel's parameter, the legs' argument and parameter."""
 
 _SPREAD_FORCE = [
     "    for (i = 0; i < LANES; ++i) {",
@@ -201,6 +211,8 @@ def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     for q in block.inputs:
         if q == F_LEG:
             inside.append("        const stewart_real F = force[l];")
+        elif q == NET:
+            inside += [f"        const stewart_real {name} = net[{i}][l];" for i, name in enumerate(q.names)]
         elif q in model.leg_constants():
             inside += loads(q, "model", "[l]", used, " " * 8)
         else:
@@ -430,6 +442,9 @@ _TOP = """\
 """
 
 _COMMON = """\
+/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+#define STEWART_KEPT ((stewart_real)0.00390625)
+
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
     stewart_real L[LANES], reach[LANES], k3[LANES];
@@ -572,7 +587,7 @@ static int @WHAT@_sums(
 _SOLVE = """\
 /* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.
  * Returns a status. */
-static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
+static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@]@LEAST@)
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
@@ -605,13 +620,14 @@ static int solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
 _DEFINITE = {
     "@KIND@": "definite",
     "@MATRIX@": "M",
-    "@METHOD@": "by L D L^T, M positive definite",
+    "@METHOD@": "by L D L^T, M positive definite, a pivot more than `least` of its diagonal number",
+    "@LEAST@": ", stewart_real least",
     "@SCALES@": """\
     for (k = 0; k < 6; ++k) {
         scale[k] = A[k * @WIDTH@ + k];
     }""",
     "@PIVOT@": """\
-        if (!(A[k * @WIDTH@ + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * @WIDTH@ + k] > least * scale[k])) {
             return STEWART_FABS(A[k * @WIDTH@ + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }""",
 }
@@ -620,6 +636,7 @@ _PIVOTED = {
     "@KIND@": "pivoted",
     "@MATRIX@": "H",
     "@METHOD@": "by elimination with partial pivoting",
+    "@LEAST@": "",
     "@SCALES@": """\
     stewart_real moment = REAL(0);
     for (i = 3; i < 6; ++i) {
@@ -714,7 +731,8 @@ int stewart_@NAME@_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[48], sum[27];
+    row_factors by;
+    stewart_real A[48], sum[27], net[3][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -728,7 +746,10 @@ int stewart_@NAME@_forward_dynamics(
         A[8 * i + 6] = sum[21 + i];
         A[8 * i + 7] = REAL(0);
     }
-    status = solve_definite_8(A);
+    status = solve_definite_8(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        return forward_apart(model, motion, F, &by, net, acceleration);
+    }
     if (status != STEWART_OK) {
         return status;
     }
@@ -855,9 +876,10 @@ int stewart_@NAME@_linearisation(
     stewart_linearisation *out)
 {
     derivatives_legs legs;
+    row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93];
+    stewart_real A[144], sum[93], net[3][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -877,7 +899,13 @@ int stewart_@NAME@_linearisation(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    status = solve_definite_24(A);
+    status = solve_definite_24(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        status = forward_apart(model, motion, F, &by, net, found.acceleration);
+        if (status == STEWART_OK) {
+            status = slopes_apart(model, &moving, &by, net, A);
+        }
+    }
     if (status != STEWART_OK) {
         return status;
     }

@@ -56,6 +56,9 @@
 
 #define LANES 8
 
+/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+#define STEWART_KEPT ((stewart_real)0.00390625)
+
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
     stewart_real L[LANES], reach[LANES], k3[LANES];
@@ -2178,9 +2181,1233 @@ static int derivatives_sums(
     return status;
 }
 
-/* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, leaving X in place of Y.
+/* ---- joint_rows ---- */
+
+typedef struct {
+    stewart_real t_1[3];
+    stewart_real B_0[9];
+} joint_rows_pose;
+
+typedef struct {
+    stewart_real sum[27][LANES];
+    stewart_real M_xi[6][8];
+    stewart_real row_v[9][8];
+    stewart_real row_w[9][8];
+    stewart_real tau[3][8];
+    leg_judgement judged;
+} joint_rows_legs;
+
+/* The platform's part: 204 (117 mul, 87 add, 0 div, 0 sqrt) operations. */
+static void joint_rows_of_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real C_P = model->C_P;
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
+    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
+    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
+    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
+    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
+    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
+    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
+    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
+    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
+        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    /* (31) omega x h */
+    const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
+    const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
+    const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+    /* (34) I omega */
+    const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
+    const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
+    const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    out->t_1[0] = t_x - b_1_x;
+    out->t_1[1] = t_y - b_1_y;
+    out->t_1[2] = t_z - b_1_z;
+    out->B_0[0] = B_xx;
+    out->B_0[1] = omega_xy;
+    out->B_0[2] = omega_xz;
+    out->B_0[3] = omega_xy;
+    out->B_0[4] = B_yy;
+    out->B_0[5] = omega_yz;
+    out->B_0[6] = omega_xz;
+    out->B_0[7] = omega_yz;
+    out->B_0[8] = B_zz;
+    sum[0] = M_P;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
+    sum[3] = M_P;
+    sum[4] = REAL(0);
+    sum[5] = M_P;
+    sum[6] = REAL(0);
+    sum[7] = h_base_z;
+    sum[8] = -h_base_y;
+    sum[9] = -h_base_z;
+    sum[10] = REAL(0);
+    sum[11] = h_base_x;
+    sum[12] = h_base_y;
+    sum[13] = -h_base_x;
+    sum[14] = REAL(0);
+    sum[15] = J_base_xx;
+    sum[16] = J_base_xy;
+    sum[17] = J_base_xz;
+    sum[18] = J_base_yy;
+    sum[19] = J_base_yz;
+    sum[20] = J_base_zz;
+    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
+    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
+    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
+    sum[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y - g_y*h_base_z;
+    sum[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z - g_z*h_base_x;
+    sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
+}
+
+/* The legs side by side: 310 (190 mul, 116 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void joint_rows_of_legs(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const joint_rows_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, joint_rows_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
+        B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
+        B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_y = model->h2_y[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real F = force[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        /* (7) acceleration of the platform point, a = alpha = 0 */
+        const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
+        const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
+        const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
+        const stewart_real a3 = J_xy - L*h_y;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real k3_h = h_y*k3;
+        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
+        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real bend = L_dot*theta_dot;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_x + k3*w_z;
+        const stewart_real w_n = k3*w_x - k1*w_z;
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
+            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real row_v_yx = -inv_L*z_x;
+        const stewart_real row_v_yy = -inv_L*z_y;
+        const stewart_real row_v_yz = -inv_L*z_z;
+        const stewart_real row_v_zx = inv_rho*y_x;
+        const stewart_real row_v_zy = inv_rho*y_y;
+        const stewart_real row_v_zz = inv_rho*y_z;
+        out->sum[0][l] = REAL(0);
+        out->sum[1][l] = REAL(0);
+        out->sum[2][l] = REAL(0);
+        out->sum[3][l] = REAL(0);
+        out->sum[4][l] = REAL(0);
+        out->sum[5][l] = REAL(0);
+        out->sum[6][l] = REAL(0);
+        out->sum[7][l] = REAL(0);
+        out->sum[8][l] = REAL(0);
+        out->sum[9][l] = REAL(0);
+        out->sum[10][l] = REAL(0);
+        out->sum[11][l] = REAL(0);
+        out->sum[12][l] = REAL(0);
+        out->sum[13][l] = REAL(0);
+        out->sum[14][l] = REAL(0);
+        out->sum[15][l] = REAL(0);
+        out->sum[16][l] = REAL(0);
+        out->sum[17][l] = REAL(0);
+        out->sum[18][l] = REAL(0);
+        out->sum[19][l] = REAL(0);
+        out->sum[20][l] = REAL(0);
+        out->sum[21][l] = REAL(0);
+        out->sum[22][l] = REAL(0);
+        out->sum[23][l] = REAL(0);
+        out->sum[24][l] = -C_s*(k_x*phi_dot + theta_dot*y_x);
+        out->sum[25][l] = -C_s*(k_y*phi_dot + theta_dot*y_y);
+        out->sum[26][l] = -C_s*(k_z*phi_dot + theta_dot*y_z);
+        out->M_xi[0][l] = REAL(0);
+        out->M_xi[1][l] = h_z;
+        out->M_xi[2][l] = -k3_h;
+        out->M_xi[3][l] = M_theta;
+        out->M_xi[4][l] = M_mixed;
+        out->M_xi[5][l] = M_phi;
+        out->row_v[0][l] = s_x;
+        out->row_v[1][l] = s_y;
+        out->row_v[2][l] = s_z;
+        out->row_v[3][l] = row_v_yx;
+        out->row_v[4][l] = row_v_yy;
+        out->row_v[5][l] = row_v_yz;
+        out->row_v[6][l] = row_v_zx;
+        out->row_v[7][l] = row_v_zy;
+        out->row_v[8][l] = row_v_zz;
+        out->row_w[0][l] = q_y*s_z - q_z*s_y;
+        out->row_w[1][l] = q_z*s_x - q_x*s_z;
+        out->row_w[2][l] = q_x*s_y - q_y*s_x;
+        out->row_w[3][l] = q_y*row_v_yz - q_z*row_v_yy;
+        out->row_w[4][l] = q_z*row_v_yx - q_x*row_v_yz;
+        out->row_w[5][l] = q_x*row_v_yy - q_y*row_v_yx;
+        out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
+        out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
+        out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
+        out->tau[0][l] = C_p*L_dot + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+        out->tau[1][l] = tau_y;
+        out->tau[2][l] = tau_k;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
+/* Platform and legs together; returns a status. */
+static int joint_rows_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], joint_rows_legs *legs,
+    stewart_real *sum)
+{
+    joint_rows_pose pose;
+    int status;
+    stewart_real force[LANES];
+    int i;
+    joint_rows_of_pose(model, motion, &pose, sum);
+    for (i = 0; i < LANES; ++i) {
+        force[i] = F[i < 6 ? i : 5];
+    }
+    joint_rows_of_legs(model, motion, &pose, force, legs);
+    status = legs_status(&legs->judged);
+    if (status == STEWART_OK) {
+        add_legs(legs->sum, 27, sum);
+    }
+    return status;
+}
+
+/* ---- joint_slopes ---- */
+
+typedef struct {
+    stewart_real t_1[3];
+    stewart_real B[9];
+} joint_slopes_pose;
+
+typedef struct {
+    stewart_real sum[93][LANES];
+    stewart_real tau_t[9][8];
+    stewart_real tau_r[9][8];
+    stewart_real tau_v[9][8];
+    stewart_real tau_w[9][8];
+    stewart_real H_force[3][8];
+    stewart_real H_moment[3][8];
+    leg_judgement judged;
+} joint_slopes_legs;
+
+/* The platform's part: 341 (168 mul, 173 add, 0 div, 0 sqrt) operations. */
+static void joint_slopes_of_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real C_P = model->C_P;
+    const stewart_real b_1_x = model->b_1[0], b_1_y = model->b_1[1], b_1_z = model->b_1[2];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
+    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
+    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
+    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
+    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
+    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
+    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
+    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
+    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
+        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real c7 = h_base_y*omega_z;
+    const stewart_real c8 = h_base_z*omega_y;
+    const stewart_real c9 = h_base_x*omega_z;
+    const stewart_real c10 = h_base_z*omega_x;
+    const stewart_real c11 = h_base_x*omega_y;
+    const stewart_real c12 = h_base_y*omega_x;
+    /* (31) omega x h */
+    const stewart_real w_h_x = c8 - c7;
+    const stewart_real w_h_y = c9 - c10;
+    const stewart_real w_h_z = c12 - c11;
+    const stewart_real c13 = J_base_xy*omega_y;
+    const stewart_real c14 = J_base_xz*omega_z;
+    const stewart_real c15 = J_base_xy*omega_x;
+    const stewart_real c16 = J_base_yz*omega_z;
+    const stewart_real c17 = J_base_xz*omega_x;
+    const stewart_real c18 = J_base_yz*omega_y;
+    /* (34) I omega */
+    const stewart_real J_w_x = J_base_xx*omega_x + c13 + c14;
+    const stewart_real J_w_y = J_base_yy*omega_y + c15 + c16;
+    const stewart_real J_w_z = J_base_zz*omega_z + c17 + c18;
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_xy = omega_xy - alpha_z;
+    const stewart_real B_xz = alpha_y + omega_xz;
+    const stewart_real B_yx = alpha_z + omega_xy;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_yz = omega_yz - alpha_x;
+    const stewart_real B_zx = omega_xz - alpha_y;
+    const stewart_real B_zy = alpha_x + omega_yz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    const stewart_real c19 = J_base_xy*alpha_y;
+    const stewart_real c20 = J_base_xz*alpha_z;
+    const stewart_real J_alpha_x = J_base_xx*alpha_x + c19 + c20;
+    const stewart_real c21 = J_base_xy*alpha_x;
+    const stewart_real c22 = J_base_yz*alpha_z;
+    const stewart_real J_alpha_y = J_base_yy*alpha_y + c21 + c22;
+    const stewart_real c23 = J_base_xz*alpha_x;
+    const stewart_real c24 = J_base_yz*alpha_y;
+    const stewart_real J_alpha_z = J_base_zz*alpha_z + c23 + c24;
+    /* (33) a - g */
+    const stewart_real rise_x = a_x - g_x;
+    const stewart_real rise_y = a_y - g_y;
+    const stewart_real rise_z = a_z - g_z;
+    const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
+    const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
+    const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
+    const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
+    const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+    const stewart_real c25 = J_base_xy*omega_z;
+    const stewart_real c26 = J_base_xz*omega_y;
+    const stewart_real c28 = J_w_z + c17 - J_base_xx*omega_z;
+    const stewart_real c29 = J_w_y + c15 - J_base_xx*omega_y;
+    const stewart_real c30 = J_w_z + c18 - J_base_yy*omega_z;
+    const stewart_real c31 = J_base_yz*omega_x;
+    const stewart_real c33 = c25 - c31;
+    const stewart_real c34 = J_w_x + c13 - J_base_yy*omega_x;
+    const stewart_real c35 = J_w_y + c16 - J_base_zz*omega_y;
+    const stewart_real c36 = J_w_x + c14 - J_base_zz*omega_x;
+    /* derivative of I omega by dphi at fixed omega */
+    const stewart_real spin_xx = c25 - c26;
+    const stewart_real spin_xy = c28;
+    const stewart_real spin_xz = -c29;
+    const stewart_real spin_yx = -c30;
+    const stewart_real spin_yy = -c33;
+    const stewart_real spin_yz = c34;
+    const stewart_real spin_zx = c35;
+    const stewart_real spin_zy = -c36;
+    const stewart_real spin_zz = c26 - c31;
+    const stewart_real c37 = J_base_xz*alpha_y;
+    const stewart_real c38 = h_base_y*rise_y;
+    const stewart_real c39 = h_base_z*rise_z;
+    const stewart_real c40 = J_base_xy*alpha_z;
+    const stewart_real c41 = h_base_x*rise_x;
+    const stewart_real c42 = J_base_yz*alpha_x;
+    const stewart_real c43 = h_base_y*omega_y;
+    const stewart_real c44 = h_base_z*omega_z;
+    const stewart_real c45 = h_base_x*omega_x;
+    out->t_1[0] = t_x - b_1_x;
+    out->t_1[1] = t_y - b_1_y;
+    out->t_1[2] = t_z - b_1_z;
+    out->B[0] = B_xx;
+    out->B[1] = B_xy;
+    out->B[2] = B_xz;
+    out->B[3] = B_yx;
+    out->B[4] = B_yy;
+    out->B[5] = B_yz;
+    out->B[6] = B_zx;
+    out->B[7] = B_zy;
+    out->B[8] = B_zz;
+    sum[0] = M_P;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
+    sum[3] = M_P;
+    sum[4] = REAL(0);
+    sum[5] = M_P;
+    sum[6] = REAL(0);
+    sum[7] = h_base_z;
+    sum[8] = -h_base_y;
+    sum[9] = -h_base_z;
+    sum[10] = REAL(0);
+    sum[11] = h_base_x;
+    sum[12] = h_base_y;
+    sum[13] = -h_base_x;
+    sum[14] = REAL(0);
+    sum[15] = J_base_xx;
+    sum[16] = J_base_xy;
+    sum[17] = J_base_xz;
+    sum[18] = J_base_yy;
+    sum[19] = J_base_yz;
+    sum[20] = J_base_zz;
+    sum[21] = REAL(0);
+    sum[22] = REAL(0);
+    sum[23] = REAL(0);
+    sum[24] = REAL(0);
+    sum[25] = REAL(0);
+    sum[26] = REAL(0);
+    sum[27] = REAL(0);
+    sum[28] = REAL(0);
+    sum[29] = REAL(0);
+    sum[30] = B_xz*h_base_y - B_xy*h_base_z;
+    sum[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
+    sum[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+    sum[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
+    sum[34] = B_yx*h_base_z - B_yz*h_base_x;
+    sum[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+    sum[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
+    sum[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
+    sum[38] = B_zy*h_base_x - B_zx*h_base_y;
+    sum[39] = REAL(0);
+    sum[40] = REAL(0);
+    sum[41] = REAL(0);
+    sum[42] = REAL(0);
+    sum[43] = REAL(0);
+    sum[44] = REAL(0);
+    sum[45] = REAL(0);
+    sum[46] = REAL(0);
+    sum[47] = REAL(0);
+    sum[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
+    sum[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
+    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
+    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24 - omega_x*spin_zx;
+    sum[52] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
+    sum[53] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
+    sum[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
+    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
+    sum[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
+    sum[57] = REAL(0);
+    sum[58] = REAL(0);
+    sum[59] = REAL(0);
+    sum[60] = REAL(0);
+    sum[61] = REAL(0);
+    sum[62] = REAL(0);
+    sum[63] = REAL(0);
+    sum[64] = REAL(0);
+    sum[65] = REAL(0);
+    sum[66] = c43 + c44;
+    sum[67] = w_h_z - c11;
+    sum[68] = -c9 - w_h_y;
+    sum[69] = -c12 - w_h_z;
+    sum[70] = c44 + c45;
+    sum[71] = w_h_x - c7;
+    sum[72] = w_h_y - c10;
+    sum[73] = -c8 - w_h_x;
+    sum[74] = c43 + c45;
+    sum[75] = REAL(0);
+    sum[76] = REAL(0);
+    sum[77] = REAL(0);
+    sum[78] = REAL(0);
+    sum[79] = REAL(0);
+    sum[80] = REAL(0);
+    sum[81] = REAL(0);
+    sum[82] = REAL(0);
+    sum[83] = REAL(0);
+    sum[84] = C_P + c26 - c25;
+    sum[85] = c30;
+    sum[86] = -c35;
+    sum[87] = -c28;
+    sum[88] = C_P + c33;
+    sum[89] = c36;
+    sum[90] = c29;
+    sum[91] = -c34;
+    sum[92] = C_P + c31 - c26;
+}
+
+/* The legs side by side: 1449 (868 mul, 577 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void joint_slopes_of_legs(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const joint_slopes_pose *STEWART_RESTRICT pose, stewart_real (*STEWART_RESTRICT net)[LANES], joint_slopes_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
+        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real net_x = net[0][l];
+        const stewart_real net_y = net[1][l];
+        const stewart_real net_z = net[2][l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real c1 = L_dot*inv_L;
+        /* L_dot / L */
+        const stewart_real L_share = c1;
+        const stewart_real c2 = kappa*theta_dot;
+        const stewart_real lean = c2;
+        const stewart_real c3 = theta_dot*theta_dot;
+        const stewart_real theta_dot2 = c3;
+        const stewart_real c4 = phi_dot*phi_dot;
+        const stewart_real phi_dot2 = c4;
+        const stewart_real c5 = REAL(2)*phi_dot;
+        const stewart_real two_phi_dot = c5;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real c6 = k3*k3;
+        const stewart_real k33 = c6;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z;
+        const stewart_real c7 = REAL(2)*theta_dot;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c8 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c8;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c9 = J_xy - L*h_y;
+        const stewart_real a3 = c9;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real c10 = h_y*k3;
+        const stewart_real k3_h = c10;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* k x y */
+        const stewart_real normal_x = k_y*y_z - k_z*y_y;
+        const stewart_real normal_y = k_z*y_x - k_x*y_z;
+        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        /* omega along k x y, y and k */
+        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
+        const stewart_real c11 = k3*phi_dot;
+        const stewart_real G_dot_12 = c11;
+        const stewart_real c12 = inv_L*theta_dot;
+        const stewart_real G_dot_21 = -c12;
+        const stewart_real c13 = k1*phi_dot;
+        const stewart_real G_dot_22 = c13*inv_L;
+        const stewart_real c14 = inv_L*inv_L;
+        const stewart_real c15 = L_dot*c14;
+        const stewart_real G_dot_23 = c15;
+        const stewart_real c16 = c11*inv_rho;
+        const stewart_real G_dot_31 = -c16;
+        const stewart_real c17 = c1*inv_rho;
+        const stewart_real c18 = -c17 - c2*inv_rho;
+        const stewart_real G_dot_32 = c18;
+        const stewart_real c19 = c13*inv_rho;
+        const stewart_real G_dot_33 = c19;
+        const stewart_real c20 = c4*c6;
+        const stewart_real G_ddot_11 = -c20 - c3;
+        const stewart_real c21 = k3*phi_ddot;
+        const stewart_real c22 = c5*k1;
+        const stewart_real G_ddot_12 = c21 + c22*theta_dot;
+        const stewart_real c23 = c4*c8;
+        const stewart_real G_ddot_13 = c23 - theta_ddot;
+        const stewart_real G_ddot_21 = REAL(2)*L_dot*c14*theta_dot - c23*inv_L - inv_L*theta_ddot;
+        const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c12*c5*k3 - c15*c22;
+        const stewart_real c24 = c4*k1*k1;
+        const stewart_real G_ddot_23 = L_ddot*c14 + c24*inv_L + c3*inv_L
+            - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
+        const stewart_real G_ddot_31 = c1*c16 + c19*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c19)
+            - c11*c18 - c21*inv_rho;
+        const stewart_real c25 = inv_L*inv_rho;
+        const stewart_real c26 = inv_rho*(-c1 - c2);
+        const stewart_real c27 = inv_rho*theta_dot;
+        const stewart_real G_ddot_32 = L_dot*(c15*inv_rho - c26*inv_L) + theta_dot*(-c26*kappa
+            - c27*(-kappa*kappa - REAL(1))) - L_ddot*c25 - c20*inv_rho - c24*inv_rho
+            - inv_rho*kappa*theta_ddot;
+        const stewart_real G_ddot_33 = c13*c18 + c16*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c16
+            - c19*kappa) - c13*c17;
+        const stewart_real c28 = c7*h_x;
+        const stewart_real tau_rate_12 = -c28;
+        const stewart_real c29 = c6*h_x;
+        const stewart_real c30 = c29 - h_z*k1*k3;
+        const stewart_real tau_rate_13 = -c30*c5;
+        const stewart_real tau_rate_21 = c28;
+        const stewart_real c31 = REAL(2)*h_x;
+        const stewart_real tau_rate_22 = C_us + L_dot*c31;
+        const stewart_real c32 = REAL(2)*h_z;
+        const stewart_real c33 = REAL(2)*J_xz - L*c32;
+        const stewart_real c34 = c33*k1;
+        const stewart_real c35 = k3*(J_zz + L*c31 - J_xx);
+        const stewart_real c36 = c34 + REAL(2)*c35;
+        const stewart_real c37 = STEWART_HALF*k1;
+        const stewart_real c38 = c36*c37 - STEWART_HALF*c33*c6;
+        const stewart_real tau_rate_23 = -c38*c5;
+        const stewart_real c39 = h_y*theta_dot;
+        const stewart_real c40 = REAL(2)*k1;
+        const stewart_real tau_rate_31 = REAL(2)*c30*phi_dot - c39*c40;
+        const stewart_real c41 = L_dot*h_y;
+        const stewart_real tau_rate_32 = c38*c5 + c7*(J_yz*k1 - c9*k3) - c40*c41;
+        const stewart_real tau_rate_33 = C_us + REAL(2)*L_dot*c30 + c38*c7;
+        const stewart_real c42 = h_y*phi_ddot;
+        const stewart_real c43 = c31*k3 - h_z*k1;
+        const stewart_real tau_place_12 = k1*(-c4*c43 - c42) - c20*h_z;
+        const stewart_real c44 = REAL(4)*h_x;
+        const stewart_real c45 = c37*(c44*k3 - REAL(2)*h_z*k1) + c6*h_z;
+        const stewart_real tau_place_21 = c31*theta_ddot - c4*c45 - c42*k1;
+        const stewart_real c46 = c37*(REAL(2)*J_zz + L*c44 - REAL(2)*J_xx) - c33*k3;
+        const stewart_real c47 = c34 + c35;
+        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c46)
+            - k3*(c9*phi_ddot + gamma_n*w_x - c4*c47 - g_k*w_z);
+        const stewart_real tau_place_23 = -C_s*w_n_omega - gamma_y*(k1*w_x + k3*w_z);
+        const stewart_real c48 = c45*phi_dot;
+        const stewart_real tau_place_31 = c48*theta_dot + phi_ddot*(REAL(2)*c29 - REAL(2)*c8*h_z)
+            + theta_dot*(c10*theta_dot + c48) - h_y*k1*theta_ddot;
+        const stewart_real c49 = L_dot*c43;
+        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c36*phi_ddot + c49*phi_dot
+            + phi_dot*(c46*theta_dot + c49) + theta_dot*(c46*phi_dot - c9*theta_dot) - L_ddot*h_y
+            - gamma_y*w_x) - k3*(L_dot*(-c11*h_z - c39) + c21*c33 + c9*theta_ddot + gamma_y*w_z
+            + phi_dot*(c47*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot + c47*phi_dot - c41));
+        const stewart_real tau_place_33 = gamma_n*(k1*w_z - k3*w_x) + gamma_y*w_y;
+        const stewart_real c50 = inv_rho*net_z;
+        const stewart_real c51 = inv_L*net_y;
+        /* force at the tip, less the actuator's */
+        const stewart_real R_tip_x = c50*y_x + net_x*s_x - c51*z_x;
+        const stewart_real R_tip_y = c50*y_y + net_x*s_y - c51*z_y;
+        const stewart_real R_tip_z = c50*y_z + net_x*s_z - c51*z_z;
+        const stewart_real tau_S_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13
+            - G_ddot_31*k3_h;
+        const stewart_real tau_S_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12
+            + G_dot_32*tau_rate_13 - G_ddot_32*k3_h;
+        const stewart_real tau_S_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13
+            - C_p*theta_dot - G_ddot_33*k3_h - inv_L*tau_place_12;
+        const stewart_real tau_S_leg_21 = G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed
+            + G_dot_21*tau_rate_22 + G_dot_31*tau_rate_23 + tau_place_21;
+        const stewart_real tau_S_leg_22 = G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed
+            + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23;
+        const stewart_real tau_S_leg_23 = G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed
+            + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot;
+        const stewart_real tau_S_leg_31 = G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
+            + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h;
+        const stewart_real tau_S_leg_32 = G_ddot_22*M_mixed + G_ddot_32*M_phi + G_dot_12*tau_rate_31
+            + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h;
+        const stewart_real tau_S_leg_33 = G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
+            + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32 - tau_rate_31*theta_dot;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
+        const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
+        const stewart_real tau_S_xz = s_z*tau_S_leg_11 + tau_S_leg_12*y_z + tau_S_leg_13*z_z;
+        const stewart_real tau_S_yx = s_x*tau_S_leg_21 + tau_S_leg_22*y_x + tau_S_leg_23*z_x;
+        const stewart_real tau_S_yy = s_y*tau_S_leg_21 + tau_S_leg_22*y_y + tau_S_leg_23*z_y;
+        const stewart_real tau_S_yz = s_z*tau_S_leg_21 + tau_S_leg_22*y_z + tau_S_leg_23*z_z;
+        const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
+        const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
+        const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
+        const stewart_real c52 = REAL(2)*k3_h;
+        const stewart_real tau_S_dot_leg_11 = C_p + G_dot_21*c32 - G_dot_31*c52;
+        const stewart_real tau_S_dot_leg_12 = G_dot_22*c32 + inv_rho*tau_rate_13 - G_dot_32*c52;
+        const stewart_real tau_S_dot_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c52 - inv_L*tau_rate_12;
+        const stewart_real c53 = REAL(2)*M_theta;
+        const stewart_real c54 = REAL(2)*M_mixed;
+        const stewart_real tau_S_dot_leg_21 = G_dot_21*c53 + G_dot_31*c54 + tau_rate_21;
+        const stewart_real tau_S_dot_leg_22 = G_dot_12*c32 + G_dot_22*c53 + G_dot_32*c54
+            + inv_rho*tau_rate_23;
+        const stewart_real tau_S_dot_leg_23 = G_dot_23*c53 + G_dot_33*c54 - c7*h_z - inv_L*tau_rate_22;
+        const stewart_real c55 = REAL(2)*M_phi;
+        const stewart_real tau_S_dot_leg_31 = G_dot_21*c54 + G_dot_31*c55 + tau_rate_31;
+        const stewart_real tau_S_dot_leg_32 = G_dot_22*c54 + G_dot_32*c55 + inv_rho*tau_rate_33
+            - G_dot_12*c52;
+        const stewart_real tau_S_dot_leg_33 = G_dot_23*c54 + G_dot_33*c55 + c7*k3_h - inv_L*tau_rate_32;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x
+            + tau_S_dot_leg_13*z_x;
+        const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y
+            + tau_S_dot_leg_13*z_y;
+        const stewart_real tau_S_dot_xz = s_z*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_z
+            + tau_S_dot_leg_13*z_z;
+        const stewart_real tau_S_dot_yx = s_x*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_x
+            + tau_S_dot_leg_23*z_x;
+        const stewart_real tau_S_dot_yy = s_y*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_y
+            + tau_S_dot_leg_23*z_y;
+        const stewart_real tau_S_dot_yz = s_z*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_z
+            + tau_S_dot_leg_23*z_z;
+        const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x
+            + tau_S_dot_leg_33*z_x;
+        const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y
+            + tau_S_dot_leg_33*z_y;
+        const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z
+            + tau_S_dot_leg_33*z_z;
+        const stewart_real tau_S_ddot_leg_12 = -inv_rho*k3_h;
+        const stewart_real tau_S_ddot_leg_13 = -h_z*inv_L;
+        const stewart_real tau_S_ddot_leg_22 = M_mixed*inv_rho;
+        const stewart_real tau_S_ddot_leg_23 = -M_theta*inv_L;
+        const stewart_real tau_S_ddot_leg_32 = M_phi*inv_rho;
+        const stewart_real tau_S_ddot_leg_33 = -M_mixed*inv_L;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
+        const stewart_real tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
+        const stewart_real tau_S_ddot_xz = tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z;
+        const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
+        const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
+        const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
+        const stewart_real tau_S_ddot_zx = tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x - k3_h*s_x;
+        const stewart_real tau_S_ddot_zy = tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y - k3_h*s_y;
+        const stewart_real tau_S_ddot_zz = tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z - k3_h*s_z;
+        /* (4) omega x q */
+        const stewart_real w_q_x = S_dot_x - v_x;
+        const stewart_real w_q_y = S_dot_y - v_y;
+        const stewart_real w_q_z = S_dot_z - v_z;
+        const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz
+            + omega_z*tau_S_dot_xy + tau_S_xx - omega_y*tau_S_dot_xz;
+        const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz
+            + omega_x*tau_S_dot_xz + tau_S_xy - omega_z*tau_S_dot_xx;
+        const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz
+            + omega_y*tau_S_dot_xx + tau_S_xz - omega_x*tau_S_dot_xy;
+        const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz
+            + omega_z*tau_S_dot_yy + tau_S_yx - omega_y*tau_S_dot_yz;
+        const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz
+            + omega_x*tau_S_dot_yz + tau_S_yy - omega_z*tau_S_dot_yx;
+        const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz
+            + omega_y*tau_S_dot_yx + tau_S_yz - omega_x*tau_S_dot_yy;
+        const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz
+            + omega_z*tau_S_dot_zy + tau_S_zx - omega_y*tau_S_dot_zz;
+        const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz
+            + omega_x*tau_S_dot_zz + tau_S_zy - omega_z*tau_S_dot_zx;
+        const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz
+            + omega_y*tau_S_dot_zx + tau_S_zz - omega_x*tau_S_dot_zy;
+        const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
+        const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
+        const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
+        const stewart_real Y_yx = omega_z*tau_S_ddot_yy + tau_S_dot_yx - omega_y*tau_S_ddot_yz;
+        const stewart_real Y_yy = omega_x*tau_S_ddot_yz + tau_S_dot_yy - omega_z*tau_S_ddot_yx;
+        const stewart_real Y_yz = omega_y*tau_S_ddot_yx + tau_S_dot_yz - omega_x*tau_S_ddot_yy;
+        const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
+        const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
+        const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
+        const stewart_real c56 = net_z*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c56*k3;
+        const stewart_real c57 = c14*net_y;
+        const stewart_real bent_leg_13 = c57;
+        const stewart_real c58 = c25*net_z;
+        const stewart_real bent_leg_21 = -c58;
+        const stewart_real c59 = inv_rho*k3;
+        const stewart_real bent_leg_22 = c25*k1*net_y + c59*net_x;
+        const stewart_real bent_leg_23 = c58*kappa;
+        const stewart_real bent_leg_31 = c57;
+        const stewart_real bent_leg_32 = c56*k1;
+        const stewart_real bent_leg_33 = inv_L*net_x;
+        const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
+        const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
+        const stewart_real bent_T_xz = bent_leg_13*s_x + bent_leg_23*y_x + bent_leg_33*z_x;
+        const stewart_real bent_T_ys = bent_leg_21*y_y + bent_leg_31*z_y;
+        const stewart_real bent_T_yy = bent_leg_12*s_y + bent_leg_22*y_y + bent_leg_32*z_y;
+        const stewart_real bent_T_yz = bent_leg_13*s_y + bent_leg_23*y_y + bent_leg_33*z_y;
+        const stewart_real bent_T_zs = bent_leg_21*y_z + bent_leg_31*z_z;
+        const stewart_real bent_T_zy = bent_leg_12*s_z + bent_leg_22*y_z + bent_leg_32*z_z;
+        const stewart_real bent_T_zz = bent_leg_13*s_z + bent_leg_23*y_z + bent_leg_33*z_z;
+        /* force by S as the rows turn */
+        const stewart_real bent_xx = bent_T_xs*s_x + bent_T_xy*y_x + bent_T_xz*z_x;
+        const stewart_real bent_xy = bent_T_xs*s_y + bent_T_xy*y_y + bent_T_xz*z_y;
+        const stewart_real bent_xz = bent_T_xs*s_z + bent_T_xy*y_z + bent_T_xz*z_z;
+        const stewart_real bent_yx = bent_T_ys*s_x + bent_T_yy*y_x + bent_T_yz*z_x;
+        const stewart_real bent_yy = bent_T_ys*s_y + bent_T_yy*y_y + bent_T_yz*z_y;
+        const stewart_real bent_yz = bent_T_ys*s_z + bent_T_yy*y_z + bent_T_yz*z_z;
+        const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
+        const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
+        const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
+        const stewart_real c60 = bent_xy*q_z;
+        const stewart_real c61 = bent_xz*q_y;
+        const stewart_real Z_xx = c61 - c60;
+        const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
+        const stewart_real c62 = bent_xx*q_y;
+        const stewart_real Z_xz = bent_xy*q_x - c62;
+        const stewart_real c63 = bent_yy*q_z;
+        const stewart_real Z_yx = bent_yz*q_y - c63;
+        const stewart_real c64 = bent_yx*q_z;
+        const stewart_real c65 = -bent_yz*q_x;
+        const stewart_real Z_yy = c64 + c65;
+        const stewart_real c66 = -bent_yy*q_x;
+        const stewart_real Z_yz = -bent_yx*q_y - c66;
+        const stewart_real c67 = -bent_zz*q_y;
+        const stewart_real Z_zx = -bent_zy*q_z - c67;
+        const stewart_real c68 = bent_zz*q_x;
+        const stewart_real Z_zy = bent_zx*q_z - c68;
+        const stewart_real c69 = bent_zx*q_y;
+        const stewart_real c70 = bent_zy*q_x;
+        const stewart_real Z_zz = c70 - c69;
+        const stewart_real c71 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c71;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c27*k3);
+        const stewart_real f_S_leg_13 = G_dot_33*c71;
+        const stewart_real f_S_leg_21 = C_s*G_dot_21;
+        const stewart_real f_S_leg_22 = C_s*G_dot_22;
+        const stewart_real f_S_leg_23 = C_s*G_dot_23;
+        const stewart_real c72 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c72;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c27*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c72;
+        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
+        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
+        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
+        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
+        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
+        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
+        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
+        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
+        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        /* friction moment by S */
+        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
+        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
+        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
+        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
+        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
+        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
+        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
+        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
+        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_dot_leg_12 = c71*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -C_s*inv_L;
+        const stewart_real f_S_dot_leg_32 = C_s*c59;
+        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
+        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
+        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        /* friction moment by S_dot */
+        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
+        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
+        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
+        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
+        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
+        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
+        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
+        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
+        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real c73 = R_tip_y*q_y;
+        const stewart_real c74 = R_tip_z*q_z;
+        const stewart_real c75 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c76 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c77 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c78 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c79 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c80 = R_tip_x*q_x;
+        const stewart_real c81 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c82 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c83 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c84 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        out->sum[0][l] = REAL(0);
+        out->sum[1][l] = REAL(0);
+        out->sum[2][l] = REAL(0);
+        out->sum[3][l] = REAL(0);
+        out->sum[4][l] = REAL(0);
+        out->sum[5][l] = REAL(0);
+        out->sum[6][l] = REAL(0);
+        out->sum[7][l] = REAL(0);
+        out->sum[8][l] = REAL(0);
+        out->sum[9][l] = REAL(0);
+        out->sum[10][l] = REAL(0);
+        out->sum[11][l] = REAL(0);
+        out->sum[12][l] = REAL(0);
+        out->sum[13][l] = REAL(0);
+        out->sum[14][l] = REAL(0);
+        out->sum[15][l] = REAL(0);
+        out->sum[16][l] = REAL(0);
+        out->sum[17][l] = REAL(0);
+        out->sum[18][l] = REAL(0);
+        out->sum[19][l] = REAL(0);
+        out->sum[20][l] = REAL(0);
+        out->sum[21][l] = bent_xx;
+        out->sum[22][l] = bent_xy;
+        out->sum[23][l] = bent_xz;
+        out->sum[24][l] = bent_yx;
+        out->sum[25][l] = bent_yy;
+        out->sum[26][l] = bent_yz;
+        out->sum[27][l] = bent_zx;
+        out->sum[28][l] = bent_zy;
+        out->sum[29][l] = bent_zz;
+        out->sum[30][l] = Z_xx;
+        out->sum[31][l] = Z_xy;
+        out->sum[32][l] = Z_xz;
+        out->sum[33][l] = Z_yx;
+        out->sum[34][l] = Z_yy;
+        out->sum[35][l] = Z_yz;
+        out->sum[36][l] = Z_zx;
+        out->sum[37][l] = Z_zy;
+        out->sum[38][l] = Z_zz;
+        out->sum[39][l] = c69 - c64 - f_S_xx;
+        out->sum[40][l] = bent_zy*q_y - c63 - f_S_xy;
+        out->sum[41][l] = -bent_yz*q_z - c67 - f_S_xz;
+        out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
+        out->sum[43][l] = c60 - c70 - f_S_yy;
+        out->sum[44][l] = bent_xz*q_z - c68 - f_S_yz;
+        out->sum[45][l] = bent_yx*q_x - c62 - f_S_zx;
+        out->sum[46][l] = -bent_xy*q_y - c66 - f_S_zy;
+        out->sum[47][l] = -c61 - c65 - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c76*q_z - Z_yx*q_z - c73 - c74 - c75*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c75*q_x - Z_yy*q_z - c77*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c77*q_y - Z_yz*q_z - c76*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c78*q_z - Z_zx*q_x - c79*q_y;
+        out->sum[52][l] = Z_xy*q_z + c79*q_x - Z_zy*q_x - c74 - c80 - c81*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c81*q_y - Z_zz*q_x - c78*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c82*q_z - Z_xx*q_y - c83*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c83*q_x - Z_xy*q_y - c84*q_z;
+        out->sum[56][l] = Z_yz*q_x + c84*q_y - Z_xz*q_y - c73 - c80 - c82*q_x;
+        out->sum[57][l] = REAL(0);
+        out->sum[58][l] = REAL(0);
+        out->sum[59][l] = REAL(0);
+        out->sum[60][l] = REAL(0);
+        out->sum[61][l] = REAL(0);
+        out->sum[62][l] = REAL(0);
+        out->sum[63][l] = REAL(0);
+        out->sum[64][l] = REAL(0);
+        out->sum[65][l] = REAL(0);
+        out->sum[66][l] = REAL(0);
+        out->sum[67][l] = REAL(0);
+        out->sum[68][l] = REAL(0);
+        out->sum[69][l] = REAL(0);
+        out->sum[70][l] = REAL(0);
+        out->sum[71][l] = REAL(0);
+        out->sum[72][l] = REAL(0);
+        out->sum[73][l] = REAL(0);
+        out->sum[74][l] = REAL(0);
+        out->sum[75][l] = -f_S_dot_xx;
+        out->sum[76][l] = -f_S_dot_xy;
+        out->sum[77][l] = -f_S_dot_xz;
+        out->sum[78][l] = -f_S_dot_yx;
+        out->sum[79][l] = -f_S_dot_yy;
+        out->sum[80][l] = -f_S_dot_yz;
+        out->sum[81][l] = -f_S_dot_zx;
+        out->sum[82][l] = -f_S_dot_zy;
+        out->sum[83][l] = -f_S_dot_zz;
+        out->sum[84][l] = f_S_dot_xy*q_z - f_S_dot_xz*q_y;
+        out->sum[85][l] = f_S_dot_xz*q_x - f_S_dot_xx*q_z;
+        out->sum[86][l] = f_S_dot_xx*q_y - f_S_dot_xy*q_x;
+        out->sum[87][l] = f_S_dot_yy*q_z - f_S_dot_yz*q_y;
+        out->sum[88][l] = f_S_dot_yz*q_x - f_S_dot_yx*q_z;
+        out->sum[89][l] = f_S_dot_yx*q_y - f_S_dot_yy*q_x;
+        out->sum[90][l] = f_S_dot_zy*q_z - f_S_dot_zz*q_y;
+        out->sum[91][l] = f_S_dot_zz*q_x - f_S_dot_zx*q_z;
+        out->sum[92][l] = f_S_dot_zx*q_y - f_S_dot_zy*q_x;
+        out->tau_t[0][l] = tau_S_xx;
+        out->tau_t[1][l] = tau_S_xy;
+        out->tau_t[2][l] = tau_S_xz;
+        out->tau_t[3][l] = tau_S_yx;
+        out->tau_t[4][l] = tau_S_yy;
+        out->tau_t[5][l] = tau_S_yz;
+        out->tau_t[6][l] = tau_S_zx;
+        out->tau_t[7][l] = tau_S_zy;
+        out->tau_t[8][l] = tau_S_zz;
+        out->tau_r[0][l] = X_xz*q_y - X_xy*q_z;
+        out->tau_r[1][l] = X_xx*q_z - X_xz*q_x;
+        out->tau_r[2][l] = X_xy*q_x - X_xx*q_y;
+        out->tau_r[3][l] = X_yz*q_y - X_yy*q_z;
+        out->tau_r[4][l] = X_yx*q_z - X_yz*q_x;
+        out->tau_r[5][l] = X_yy*q_x - X_yx*q_y;
+        out->tau_r[6][l] = X_zz*q_y - X_zy*q_z;
+        out->tau_r[7][l] = X_zx*q_z - X_zz*q_x;
+        out->tau_r[8][l] = X_zy*q_x - X_zx*q_y;
+        out->tau_v[0][l] = tau_S_dot_xx;
+        out->tau_v[1][l] = tau_S_dot_xy;
+        out->tau_v[2][l] = tau_S_dot_xz;
+        out->tau_v[3][l] = tau_S_dot_yx;
+        out->tau_v[4][l] = tau_S_dot_yy;
+        out->tau_v[5][l] = tau_S_dot_yz;
+        out->tau_v[6][l] = tau_S_dot_zx;
+        out->tau_v[7][l] = tau_S_dot_zy;
+        out->tau_v[8][l] = tau_S_dot_zz;
+        out->tau_w[0][l] = Y_xz*q_y + tau_S_ddot_xz*w_q_y - Y_xy*q_z - tau_S_ddot_xy*w_q_z;
+        out->tau_w[1][l] = Y_xx*q_z + tau_S_ddot_xx*w_q_z - Y_xz*q_x - tau_S_ddot_xz*w_q_x;
+        out->tau_w[2][l] = Y_xy*q_x + tau_S_ddot_xy*w_q_x - Y_xx*q_y - tau_S_ddot_xx*w_q_y;
+        out->tau_w[3][l] = Y_yz*q_y + tau_S_ddot_yz*w_q_y - C_s*y_x - Y_yy*q_z - tau_S_ddot_yy*w_q_z;
+        out->tau_w[4][l] = Y_yx*q_z + tau_S_ddot_yx*w_q_z - C_s*y_y - Y_yz*q_x - tau_S_ddot_yz*w_q_x;
+        out->tau_w[5][l] = Y_yy*q_x + tau_S_ddot_yy*w_q_x - C_s*y_z - Y_yx*q_y - tau_S_ddot_yx*w_q_y;
+        out->tau_w[6][l] = Y_zz*q_y + tau_S_ddot_zz*w_q_y - C_s*k_x - Y_zy*q_z - tau_S_ddot_zy*w_q_z;
+        out->tau_w[7][l] = Y_zx*q_z + tau_S_ddot_zx*w_q_z - C_s*k_y - Y_zz*q_x - tau_S_ddot_zz*w_q_x;
+        out->tau_w[8][l] = Y_zy*q_x + tau_S_ddot_zy*w_q_x - C_s*k_z - Y_zx*q_y - tau_S_ddot_zx*w_q_y;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
+/* Platform and legs together; returns a status. */
+static int joint_slopes_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*net)[LANES], joint_slopes_legs *legs,
+    stewart_real *sum)
+{
+    joint_slopes_pose pose;
+    int status;
+    joint_slopes_of_pose(model, motion, &pose, sum);
+    joint_slopes_of_legs(model, motion, &pose, net, legs);
+    status = legs_status(&legs->judged);
+    if (status == STEWART_OK) {
+        add_legs(legs->sum, 93, sum);
+    }
+    return status;
+}
+
+/* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_8(stewart_real A[6 * 8])
+static int solve_definite_8(stewart_real A[6 * 8], stewart_real least)
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
@@ -2188,7 +3415,7 @@ static int solve_definite_8(stewart_real A[6 * 8])
         scale[k] = A[k * 8 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k * 8 + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * 8 + k] > least * scale[k])) {
             return STEWART_FABS(A[k * 8 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
         inverse[k] = REAL(1) / A[k * 8 + k];
@@ -2213,9 +3440,9 @@ static int solve_definite_8(stewart_real A[6 * 8])
     return STEWART_OK;
 }
 
-/* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, leaving X in place of Y.
+/* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_24(stewart_real A[6 * 24])
+static int solve_definite_24(stewart_real A[6 * 24], stewart_real least)
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
@@ -2223,7 +3450,7 @@ static int solve_definite_24(stewart_real A[6 * 24])
         scale[k] = A[k * 24 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k * 24 + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * 24 + k] > least * scale[k])) {
             return STEWART_FABS(A[k * 24 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
         inverse[k] = REAL(1) / A[k * 24 + k];
@@ -2360,6 +3587,360 @@ static int solve_pivoted_24(stewart_real A[6 * 24])
     return STEWART_OK;
 }
 
+/* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. Each row of A carries the
+ * root of its inertia, so that blocks of weights are of about one. Six rows serve as coordinates. */
+#define ROWS 24
+
+typedef struct {
+    stewart_real weight[8][9];   /* of three rows each */
+    stewart_real size[ROWS];     /* root of the inertia that is in the row */
+    stewart_real share[ROWS][6]; /* the row as a sum of the six that serve as coordinates */
+    stewart_real factors[6][6];  /* L and U of these six, columns in the order of `column` */
+    stewart_real inertia[6][6];  /* M in these coordinates */
+    stewart_real length;         /* m: moments and rotations are measured by it */
+    int pivot[6], column[6];
+} row_factors;
+
+/* Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of these sizes. */
+static void weigh(const stewart_real *inertia, const stewart_real *size, stewart_real *weight)
+{
+    static const int place[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+    int i;
+    for (i = 0; i < 9; ++i) {
+        weight[i] = inertia[place[i]] / size[i / 3] / size[i % 3];
+    }
+}
+
+/* Rows and weights of the legs. `least` is far below the root of any mass that counts. */
+static void leg_rows(
+    const joint_rows_legs *legs, stewart_real least, stewart_real (*row)[6], row_factors *by)
+{
+    int l, i, j;
+    for (l = 0; l < 6; ++l) {
+        stewart_real *size = &by->size[3 * l];
+        stewart_real inertia[6];
+        const stewart_real reach = least * legs->judged.L[l];
+        for (i = 0; i < 6; ++i) {
+            inertia[i] = legs->M_xi[i][l];
+        }
+        size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
+        size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
+        size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
+        size[0] = STEWART_LARGER(size[0], least);
+        weigh(inertia, size, by->weight[l]);
+        for (i = 0; i < 3; ++i) {
+            for (j = 0; j < 3; ++j) {
+                row[3 * l + i][j] = size[i] * legs->row_v[3 * i + j][l];
+                row[3 * l + i][j + 3] = size[i] * (legs->row_w[3 * i + j][l] / by->length);
+            }
+        }
+    }
+}
+
+/* Rows and weights of the platform from its part of M: its centre of mass, and rotation about it. */
+static void platform_rows(const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
+{
+    static const int axis[3] = {15, 18, 20};
+    const stewart_real mass = sum[0], root = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
+    const stewart_real per_mass = mass > REAL(0) ? REAL(1) / mass : REAL(0);
+    const stewart_real c[3] = {sum[11] * per_mass, -sum[8] * per_mass, sum[7] * per_mass};
+    const stewart_real whole[6] = {mass, REAL(0), REAL(0), mass, REAL(0), mass};
+    stewart_real about[6];
+    int i, j, place = 0;
+    for (i = 0; i < 3; ++i) {
+        for (j = i; j < 3; ++j) {
+            const stewart_real square = i == j ? c[0] * c[0] + c[1] * c[1] + c[2] * c[2] : REAL(0);
+            about[place] = sum[15 + place] - mass * (square - c[i] * c[j]);
+            ++place;
+        }
+        by->size[18 + i] = root;
+    }
+    for (i = 0; i < 3; ++i) {
+        const stewart_real turned = STEWART_SQRT(STEWART_FABS(about[axis[i] - 15]));
+        by->size[21 + i] = STEWART_LARGER(turned, least * by->length);
+        for (j = 0; j < 3; ++j) {
+            row[18 + i][j] = i == j ? root : REAL(0);
+            row[21 + i][j] = REAL(0);
+            row[21 + i][j + 3] = i == j ? by->size[21 + i] / by->length : REAL(0);
+        }
+        row[18 + i][i + 3] = REAL(0);
+        row[18 + i][(i + 1) % 3 + 3] = root * (c[(i + 2) % 3] / by->length);
+        row[18 + i][(i + 2) % 3 + 3] = -root * (c[(i + 1) % 3] / by->length);
+    }
+    weigh(whole, &by->size[18], by->weight[6]);
+    weigh(about, &by->size[21], by->weight[7]);
+}
+
+static void swap(stewart_real *one, stewart_real *other)
+{
+    const stewart_real moved = *one;
+    *one = *other;
+    *other = moved;
+}
+
+/* Brings the largest number of rows and columns from k on to row and column k. */
+static void bring_largest(stewart_real (*row)[6], int k, int *order, row_factors *by)
+{
+    int i, j, best = k, across = k;
+    for (i = k; i < ROWS; ++i) {
+        for (j = k; j < 6; ++j) {
+            if (STEWART_FABS(row[i][j]) > STEWART_FABS(row[best][across])) {
+                best = i;
+                across = j;
+            }
+        }
+    }
+    i = order[k];
+    order[k] = order[best];
+    order[best] = i;
+    j = by->column[k];
+    by->column[k] = by->column[across];
+    by->column[across] = j;
+    for (j = 0; j < 6; ++j) {
+        swap(&row[k][j], &row[best][j]);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        swap(&row[i][k], &row[i][across]);
+    }
+}
+
+/* Picks six rows as coordinates and writes the others as sums of them. */
+static void eliminate_rows(stewart_real (*row)[6], row_factors *by)
+{
+    int order[ROWS], i, j, k;
+    for (i = 0; i < ROWS; ++i) {
+        order[i] = i;
+        by->column[i % 6] = i % 6;
+    }
+    for (k = 0; k < 6; ++k) {
+        bring_largest(row, k, order, by);
+        for (i = k + 1; i < ROWS; ++i) {
+            row[i][k] = row[i][k] / row[k][k];
+            for (j = k + 1; j < 6; ++j) {
+                row[i][j] = row[i][j] - row[i][k] * row[k][j];
+            }
+        }
+    }
+    for (i = 0; i < ROWS; ++i) {
+        stewart_real *share = by->share[order[i]];
+        for (j = 5; j >= 0; --j) {
+            share[j] = i < 6 ? (i == j ? REAL(1) : REAL(0)) : row[i][j];
+            for (k = j + 1; i >= 6 && k < 6; ++k) {
+                share[j] = share[j] - share[k] * row[k][j];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        by->pivot[k] = order[k];
+        for (j = 0; j < 6; ++j) {
+            by->factors[k][j] = row[k][j];
+        }
+    }
+}
+
+static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, row_factors *by)
+{
+    stewart_real row[ROWS][6], least = STEWART_FABS(sum[0]);
+    int l, i, j, k;
+    by->length = REAL(0);
+    for (l = 0; l < 6; ++l) {
+        const stewart_real L = legs->judged.L[l], rho = L * legs->judged.k3[l];
+        for (i = 0; i < 3; ++i) {
+            by->length = STEWART_LARGER(STEWART_FABS(legs->row_w[i][l]), by->length);
+        }
+        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[3][l]) / L / L, least);
+        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[5][l]) / rho / rho, least);
+    }
+    least = STEWART_LARGER(STEWART_EPSILON * STEWART_SQRT(least), STEWART_SHORTEST);
+    by->length = by->length > REAL(0) ? by->length : REAL(1);
+    leg_rows(legs, least, row, by);
+    platform_rows(sum, least, row, by);
+    eliminate_rows(row, by);
+    for (k = 0; k < 36; ++k) {
+        by->inertia[k / 6][k % 6] = REAL(0);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        for (j = 0; j < 3; ++j) {
+            const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
+            for (k = 0; k < 36; ++k) {
+                by->inertia[k / 6][k % 6] += by->share[i][k / 6] * weight * by->share[i / 3 * 3 + j][k % 6];
+            }
+        }
+    }
+}
+
+/* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
+ *
+ * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of the
+ * coordinates that balance their own large forces, from which the unknown ones are measured; rest: the rows'
+ * forces there. */
+static void row_right(
+    const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
+    stewart_real *rest, stewart_real *right)
+{
+    stewart_real moved[ROWS], y[6];
+    int balanced[ROWS] = {0};
+    int i, j, k;
+    for (k = 0; k < 6; ++k) {
+        const int row = by->pivot[k];
+        const stewart_real weight = by->weight[row / 3][row % 3 * 4];
+        balanced[row] = STEWART_FABS(weight) > STEWART_HALF ? 1 : 0;
+        start[k] = balanced[row] != 0 ? force[row] / weight : REAL(0);
+        y[k] = wrench[by->column[k]] / (by->column[k] < 3 ? REAL(1) : by->length);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        moved[i] = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            moved[i] = moved[i] + by->share[i][k] * start[k];
+        }
+    }
+    for (i = 0; i < ROWS; ++i) {
+        rest[i] = balanced[i] != 0 ? REAL(0) : force[i];
+        for (j = 0; j < 3; ++j) {
+            const int other = i / 3 * 3 + j;
+            if (balanced[i] == 0 || other != i) {
+                rest[i] = rest[i] - by->weight[i / 3][i % 3 * 3 + j] * moved[other];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        for (j = 0; j < k; ++j) {
+            y[k] = y[k] - by->factors[j][k] * y[j];
+        }
+        y[k] = y[k] / by->factors[k][k];
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            y[k] = y[k] - by->factors[j][k] * y[j];
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        right[k] = y[k];
+        for (i = 0; i < ROWS; ++i) {
+            right[k] = right[k] - by->share[i][k] * rest[i];
+        }
+    }
+}
+
+/* [a; alpha] from the coordinates' accelerations. */
+static void row_back(
+    const row_factors *by, const stewart_real *found, const stewart_real *start, stewart_real *acceleration)
+{
+    stewart_real x[6];
+    int j, k;
+    for (k = 0; k < 6; ++k) {
+        x[k] = found[k] - start[k];
+        for (j = 0; j < k; ++j) {
+            x[k] = x[k] - by->factors[k][j] * x[j];
+        }
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            x[k] = x[k] - by->factors[k][j] * x[j];
+        }
+        x[k] = x[k] / by->factors[k][k];
+        acceleration[by->column[k]] = x[k] / (by->column[k] < 3 ? REAL(1) : by->length);
+    }
+}
+
+/* Forward dynamics where M's factors would lose digits; net: the legs' generalised forces, without the
+ * actuators', along L, theta, phi. Returns a status. */
+static int forward_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    row_factors *by, stewart_real (*net)[LANES], stewart_real acceleration[6])
+{
+    joint_rows_legs legs;
+    stewart_real A[48], sum[27], force[ROWS], rest[ROWS], start[6], right[6], found[6];
+    int i, j, status = joint_rows_sums(model, motion, F, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    factor_rows(&legs, sum, by);
+    for (i = 0; i < ROWS; ++i) {
+        force[i] = i < 18 ? legs.tau[i % 3][i / 3] / by->size[i] : REAL(0);
+    }
+    row_right(by, force, &sum[21], start, rest, right);
+    for (i = 0; i < 6; ++i) {
+        copy(by->inertia[i], 6, &A[8 * i]);
+        A[8 * i + 6] = right[i];
+        A[8 * i + 7] = REAL(0);
+    }
+    status = solve_definite_8(A, STEWART_ROUNDING);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        right[i] = A[8 * i + 6];
+    }
+    row_back(by, right, start, found);
+    if (is_finite(found, 6) == 0) {
+        return STEWART_NOT_FINITE;
+    }
+    copy(found, 6, acceleration);
+    for (i = 0; i < ROWS; ++i) {
+        force[i] = REAL(0);
+        for (j = 0; j < 6; ++j) {
+            force[i] = force[i] + by->share[i][j] * right[j];
+        }
+    }
+    for (i = 0; i < 3 * LANES; ++i) {
+        const int row = 3 * (i / 3 < 6 ? i / 3 : 5) + i % 3;
+        const stewart_real *weight = &by->weight[row / 3][row % 3 * 3];
+        stewart_real held = rest[row];
+        for (j = 0; j < 3; ++j) {
+            held = held + weight[j] * force[row / 3 * 3 + j];
+        }
+        net[i % 3][i / 3] = held * by->size[row];
+    }
+    return STEWART_OK;
+}
+
+/* M^-1 times the derivatives of the wrench and H, columns 6 to 23 of the rows of A, as forward_apart solves.
+ * Returns a status. */
+static int slopes_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const row_factors *by,
+    stewart_real (*net)[LANES], stewart_real A[144])
+{
+    joint_slopes_legs legs;
+    stewart_real sum[93], start[18][6];
+    int i, c, status = joint_slopes_sums(model, motion, net, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
+    for (c = 0; c < 18; ++c) {
+        stewart_real (*const tau[4])[LANES] = {legs.tau_t, legs.tau_r, legs.tau_v, legs.tau_w};
+        stewart_real wrench[6], right[6], force[ROWS], rest[ROWS];
+        for (i = 0; i < ROWS; ++i) {
+            force[i] = i < 18 && c < 12 ? -tau[c / 3][i % 3 * 3 + c % 3][i / 3] / by->size[i] : REAL(0);
+        }
+        for (i = 0; i < 6; ++i) {
+            wrench[i] = A[24 * i + 6 + c];
+        }
+        row_right(by, force, wrench, start[c], rest, right);
+        for (i = 0; i < 6; ++i) {
+            A[24 * i + 6 + c] = right[i];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        copy(by->inertia[i], 6, &A[24 * i]);
+    }
+    status = solve_definite_24(A, STEWART_ROUNDING);
+    for (c = 0; status == STEWART_OK && c < 18; ++c) {
+        stewart_real found[6], acceleration[6];
+        for (i = 0; i < 6; ++i) {
+            found[i] = A[24 * i + 6 + c];
+        }
+        row_back(by, found, start[c], acceleration);
+        for (i = 0; i < 6; ++i) {
+            A[24 * i + 6 + c] = acceleration[i];
+        }
+    }
+    return status;
+}
+
 int stewart_exact_equations(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out)
 {
@@ -2419,7 +4000,8 @@ int stewart_exact_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[48], sum[27];
+    row_factors by;
+    stewart_real A[48], sum[27], net[3][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -2433,7 +4015,10 @@ int stewart_exact_forward_dynamics(
         A[8 * i + 6] = sum[21 + i];
         A[8 * i + 7] = REAL(0);
     }
-    status = solve_definite_8(A);
+    status = solve_definite_8(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        return forward_apart(model, motion, F, &by, net, acceleration);
+    }
     if (status != STEWART_OK) {
         return status;
     }
@@ -2557,9 +4142,10 @@ int stewart_exact_linearisation(
     stewart_linearisation *out)
 {
     derivatives_legs legs;
+    row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93];
+    stewart_real A[144], sum[93], net[3][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -2579,7 +4165,13 @@ int stewart_exact_linearisation(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    status = solve_definite_24(A);
+    status = solve_definite_24(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        status = forward_apart(model, motion, F, &by, net, found.acceleration);
+        if (status == STEWART_OK) {
+            status = slopes_apart(model, &moving, &by, net, A);
+        }
+    }
     if (status != STEWART_OK) {
         return status;
     }
