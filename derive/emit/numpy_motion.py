@@ -7,12 +7,13 @@ from collections.abc import Callable
 
 from .. import notation as n
 from ..block import Block, Quantity, component_name
-from ..motion import F_LEG, SumKernel
+from ..motion import F_LEG, NET, SumKernel
 from ..prepared import ADDED
 from ..regroup import ForceKernel
 from .infix import WIDTH, infix, wrap
 from .lane_text import names_used
 from .motion import sum_operations
+from .numpy_joint_rows import JOINT_ROWS
 from .numpy import step_lines
 
 Load = Callable[[Quantity, tuple[int, ...], str], str]
@@ -36,6 +37,7 @@ def module(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
         "@ADDED@": wrap_names("_ADDED = (" + ", ".join(f'"{c}"' for q in ADDED for c in q.names) + ")"),
         "@SUMMED@": "\n".join(_summed(kernel) for kernel in kernels),
         "@OPERATIONS@": "\n".join(f'    "{k.name}": {sum_operations(k).total},' for k in kernels),
+        "@JOINT_ROWS@": JOINT_ROWS,
         "@BLOCKS@": "\n\n\n".join(blocks),
     }
     text = _MODULE
@@ -93,6 +95,8 @@ def _in_lanes(kernel: SumKernel, model: ForceKernel) -> Load:
     def load(quantity: Quantity, key: tuple[int, ...], name: str) -> str:
         if quantity == F_LEG:
             return "F"
+        if quantity == NET:
+            return f"motion.net[..., {key[0]}]"
         if quantity in n.MOTION:
             return f"motion.{quantity.name}[...{_index(key)}, None]"
         if quantity in given:
@@ -152,6 +156,8 @@ Written by stewart-sym @VERSION@; do not edit.
 (..., 3). Wrenches and twists in base axes about the reference point. Units as in stewart.h.
 """
 
+from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -159,6 +165,8 @@ import numpy as np
 from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST, Array, eliminate_many
 
 INDEFINITE = 6
+# Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
+KEPT = 2.0**-8
 
 _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
 
@@ -206,7 +214,10 @@ def bias(robot: Any, motion: Any) -> dict[str, Array]:
 def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     """acceleration [a; alpha] (..., 6) under F (..., 6), and status (...)."""
     total, _, status = _sums("forward_dynamics", robot, motion, F)
-    x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None])
+    x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None], KEPT)
+    lost = (status == OK) & (fault == INDEFINITE)
+    if lost.any():
+        _, x[lost, :, 0], _, fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
     return _good({"acceleration": x[..., 0]}, np.where(status == OK, fault, status))
 
 
@@ -235,7 +246,10 @@ def linearisation(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     total, leg, status = _sums("derivatives", robot, motion, F)
     pose, twist = _slopes(total)
     right = np.concatenate([pose, twist, _columns(leg, "H")], axis=-1)
-    x, fault = _solve_definite(_inertia(total), right)
+    x, fault = _solve_definite(_inertia(total), right, KEPT)
+    lost = (status == OK) & (fault == INDEFINITE)
+    if lost.any():
+        x[lost], fault[lost] = _slopes_apart(robot, _chosen(motion, lost), F[lost])
     A = np.zeros((*status.shape, 12, 12))
     A[..., :6, 6:] = np.eye(6)
     A[..., 3, 4], A[..., 4, 3] = -motion.omega[..., 2], motion.omega[..., 2]
@@ -321,8 +335,8 @@ def _columns(leg: dict[str, Array], name: str) -> Array:
     return np.stack([leg[f"{name}_{row}"] for row in _ROWS], axis=-2)
 
 
-def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
-    """x of M x = right by L D L^T, and the status (...)."""
+def _solve_definite(M: Array, right: Array, least: float = ROUNDING) -> tuple[Array, Array]:
+    """x of M x = right by L D L^T, a pivot more than ``least`` of its diagonal number, and the status (...)."""
     A = np.concatenate([M, right], axis=-1)
     scale = np.diagonal(M, axis1=-2, axis2=-1)
     status = np.zeros(M.shape[:-2], dtype=np.int32)
@@ -330,7 +344,7 @@ def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
         for k in range(6):
             pivot = A[..., k, k]
             fault = np.where(np.isfinite(pivot), INDEFINITE, NOT_FINITE)
-            status = np.where((status == OK) & ~(pivot > ROUNDING * scale[..., k]), fault, status)
+            status = np.where((status == OK) & ~(pivot > least * scale[..., k]), fault, status)
             factor = A[..., k + 1 :, k] * (1 / pivot)[..., None]
             A[..., k + 1 :, :] -= factor[..., None] * A[..., k, None, :]
         for k in range(5, -1, -1):
@@ -339,7 +353,7 @@ def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
     return A[..., 6:], status
 
 
-def _good(found: dict[str, Array], status: Array) -> dict[str, Array]:
+@JOINT_ROWS@def _good(found: dict[str, Array], status: Array) -> dict[str, Array]:
     """Results with NaN where the status is not 0, and the status."""
     finite = np.ones(status.shape, dtype=bool)
     for value in found.values():
@@ -360,5 +374,7 @@ _PARTS = {
     "bias": (bias_of_platform, bias_of_leg),
     "forward_dynamics": (forward_of_platform, forward_of_leg),
     "derivatives": (derivatives_of_platform, derivatives_of_leg),
+    "joint_rows": (joint_rows_of_platform, joint_rows_of_leg),
+    "joint_slopes": (joint_slopes_of_platform, joint_slopes_of_leg),
 }
 '''
