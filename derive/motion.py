@@ -7,6 +7,7 @@ derivatives of the wrench by pose, twist and acceleration. Poses move by [dt; dp
 exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of sharing or printing.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -107,13 +108,19 @@ class SumKernel:
     """A pose's part and one leg's part of sums over the machine.
 
     summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
-    column of H where it is needed, and q, L, k3 by which the leg is judged.
+    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses in
+    which a leg is near its joint singularity, where the other loses digits.
     """
 
     name: str
     summed: tuple[Quantity, ...]
     pose: Block
     leg: Block
+    near: Block | None = None
+
+    def changed(self, change: Callable[[Block], Block]) -> "SumKernel":
+        """The kernel with the blocks of a leg changed."""
+        return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
@@ -126,7 +133,7 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
         joint_rows_kernel(friction),
         joint_slopes_kernel(friction),
     )
-    return tuple(replace(each, leg=from_base_point(each.leg)) for each in derived)
+    return tuple(each.changed(from_base_point) for each in derived)
 
 
 # ---------------------------------------------------------------- the platform's own part
@@ -371,7 +378,8 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
 def equations_kernel(friction: bool) -> SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*INERTIA, *CORIOLIS, *GRAVITY, *FRICTION)
-    return SumKernel("equations", summed, _equations_of_platform(friction), _equations_of_leg(friction))
+    legs = (_equations_of_leg(friction, near) for near in (False, True))
+    return SumKernel("equations", summed, _equations_of_platform(friction), *legs)
 
 
 def _equations_of_platform(friction: bool) -> Block:
@@ -397,20 +405,17 @@ def _equations_of_platform(friction: bool) -> Block:
     )
 
 
-def _equations_of_leg(friction: bool) -> Block:
+def _equations_of_leg(friction: bool, near: bool) -> Block:
     build = Builder()
     leg = _leg(build)
     at, q = leg.at, leg.at.q
     rates = joint_rates(build, at, leg.S_dot)
     m, M = _tip_inertia(build, leg)
-    inner = tip.gradients()
-    C = _local(build, "C_xi", tip.christoffel(tip.inertia()))
-    rate = _local(build, "G_dot", inner.rate)
     C_tip = _turned(
         build,
         "C_tip",
         leg.T,
-        _local(build, "C_leg", inner.value.T * (C * inner.value + M * rate)),
+        _local(build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M)),
         "Coriolis matrix at the tip, base frame",
     )
     w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
@@ -435,7 +440,7 @@ def _equations_of_leg(friction: bool) -> Block:
         )
     s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "rate of s")
     return build.block(
-        "equations_of_leg",
+        "equations_of_leg_near" if near else "equations_of_leg",
         "one leg's part of M, C, g and friction, its column of H and the column's rate",
         _LEG_INPUTS,
         [
@@ -448,6 +453,21 @@ def _equations_of_leg(friction: bool) -> Block:
             *_judged(at),
         ],
     )
+
+
+def _coriolis(build: Builder, M: sp.Matrix) -> sp.Matrix:
+    """Coriolis matrix at the tip, leg frame, from the named M of the joint coordinates."""
+    inner = tip.gradients()
+    C = _local(build, "C_xi", tip.christoffel(tip.inertia()))
+    rate = _local(build, "G_dot", inner.rate)
+    return inner.value.T * (C * inner.value + M * rate)
+
+
+def _coriolis_near(build: Builder, leg: _Leg) -> sp.Matrix:
+    """The same without large parts that cancel near the joint singularity."""
+    inner, M = tip.gradients(), tip.inertia()
+    _name_finite_rates(build, leg)
+    return tip.gathered(inner.value.T * (tip.christoffel(M) * inner.value + M * inner.rate))
 
 
 def _from_torques(build: Builder, leg: _Leg, axial: sp.Expr, about_y: sp.Expr, about_k: sp.Expr) -> sp.Matrix:
@@ -469,7 +489,8 @@ def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
 def derivatives_kernel(friction: bool) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
-    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), _derivatives_of_leg(friction))
+    legs = (_derivatives_of_leg(friction, near) for near in (False, True))
+    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), *legs)
 
 
 def _derivatives_of_platform(friction: bool) -> Block:
@@ -526,11 +547,11 @@ class _Slopes:
     force: sp.Matrix
 
 
-def _derivatives_of_leg(friction: bool) -> Block:
+def _derivatives_of_leg(friction: bool, near: bool) -> Block:
     build = Builder()
     leg = _leg(build)
     q, turn = leg.at.q, tip.skew(leg.at.q)
-    by = _tip_slopes(build, leg, friction)
+    by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
     w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
     reach = _named(build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip")
@@ -543,7 +564,7 @@ def _derivatives_of_leg(friction: bool) -> Block:
         mt, mr = mt - by.f_S, mr + (by.f_S + by.f_S_dot * W) * turn
         mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
-        "derivatives_of_leg",
+        "derivatives_of_leg_near" if near else "derivatives_of_leg",
         "one leg's part of the derivatives of the wrench",
         _LEG_INPUTS,
         [
@@ -571,21 +592,26 @@ class _TorqueSlopes:
     force: sp.Matrix
 
 
-def _torque_slopes(build: Builder, leg: _Leg, friction: bool, net: sp.Matrix | None = None) -> _TorqueSlopes:
-    """See ``tip`` for the formulas. net: generalised forces less the actuator's, where they are given."""
-    at = leg.at
-    M = joint_inertia(build, at).matrix()
-    gravity_torques(build, at)
+def _torque_slopes(
+    build: Builder, leg: _Leg, friction: bool, near: bool, net: sp.Matrix | None = None
+) -> _TorqueSlopes:
+    """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
+
+    net: generalised forces less the actuator's, where they are given.
+    """
+    inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
+    gravity_torques(build, leg.at)
     if friction:
-        name_omega(build, at)
-    inner = tip.gradients()
-    raw = tip.torques(friction)
+        name_omega(build, leg.at)
     if net is None:
-        tau = [build.scalar(f"tau_{name}", value) for name, value in zip(("L", "theta", "phi"), raw, strict=True)]
+        named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
+        tau = [build.scalar(name, value) for name, value in named]
         net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
-    rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
-    by_rate = _local(build, "tau_rate", raw.jacobian(tip.rates))
-    by_place = _local(build, "tau_place", tip.place(raw))
+    rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
+    if not near:
+        M = joint_inertia(build, leg.at).matrix()
+        rate, second = _local(build, "G_dot", rate), _local(build, "G_ddot", second)
+        by_rate, by_place = _local(build, "tau_rate", by_rate), _local(build, "tau_place", by_place)
     return _TorqueSlopes(
         S=M * second + by_rate * rate + by_place * inner.value,
         S_dot=2 * M * rate + by_rate * inner.value,
@@ -600,12 +626,25 @@ def _torque_slopes(build: Builder, leg: _Leg, friction: bool, net: sp.Matrix | N
     )
 
 
-def _name_joint_motion(build: Builder, leg: _Leg) -> None:
-    """Names rates and accelerations of the joint coordinates under the motion's own accelerations."""
-    rates = joint_rates(build, leg.at, leg.S_dot)
+def _name_finite_rates(build: Builder, leg: _Leg) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg and its rates."""
+    joint_rates(build, leg.at, leg.S_dot)
+    build.scalar(tip.inv_k3.name, leg.at.L * leg.at.inv_rho)
+    build.scalar(tip.W_z.name, leg.at.inv_L * leg.at.y.dot(leg.S_dot), "(6)", "leg's turning about z")
+
+
+def _name_joint_motion(build: Builder, leg: _Leg, near: bool) -> None:
+    """Names rates and accelerations of the joint coordinates; near: also those of ``tip.gathered``."""
+    at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
     meaning = "acceleration of the platform point"
-    S_ddot = build.vector("S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", meaning)
-    joint_accelerations(build, leg.at, rates, S_ddot)
+    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", meaning)
+    joint_accelerations(build, at, rates, S_ddot)
+    if not near:
+        return
+    _name_finite_rates(build, leg)
+    meaning = "turning accelerations of the leg about y and z but for the turning of the frame about s"
+    build.scalar(tip.OWN_Y.name, -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share, "(9)", meaning)
+    build.scalar(tip.OWN_Z.name, at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share, "(9)", meaning)
 
 
 def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
@@ -628,11 +667,11 @@ def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matr
     return f_S, f_S_dot
 
 
-def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
+def _tip_slopes(build: Builder, leg: _Leg, friction: bool, near: bool) -> _Slopes:
     """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
-    _name_joint_motion(build, leg)
+    _name_joint_motion(build, leg, near)
     m, _ = _tip_inertia(build, leg)
-    by = _torque_slopes(build, leg, friction)
+    by = _torque_slopes(build, leg, friction, near)
     T, value = leg.T, tip.gradients().value
     by_omega = sp.zeros(3, 3)
     if friction:
@@ -641,6 +680,8 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
         by_omega = _turned(build, "A_3", T, _local(build, "A_3_leg", by_omega), "force at the tip by omega")
     f_S, f_S_dot = _friction_slopes(build, leg, friction)
     A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
+    if near:
+        A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
     return _Slopes(
         S=_turned(build, "A_0", T, _local(build, "A_0_leg", A_0), "force at the tip by S"),
         S_dot=_turned(build, "A_1", T, _local(build, "A_1_leg", A_1), "force at the tip by S_dot"),
@@ -660,10 +701,10 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     build = Builder()
     leg = _leg(build)
     q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
-    _name_joint_motion(build, leg)
-    by = _torque_slopes(build, leg, friction, NET.value)
+    _name_joint_motion(build, leg, near=True)
+    by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
     S, S_dot, S_ddot = (
-        _named(build, name, _local(build, f"{name}_leg", value) * T.T, "generalised forces by the tip's motion")
+        _named(build, name, _local(build, f"{name}_leg", tip.gathered(value)) * T.T, "generalised forces by the tip's motion")
         for name, value in (
             ("tau_S", by.S),
             ("tau_S_dot", by.S_dot),

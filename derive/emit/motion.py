@@ -144,20 +144,28 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     forced = F_LEG in kernel.leg.inputs
     by_pose, argument, by_legs = _LANE_INPUTS[next((q for q in _LANE_INPUTS if q in kernel.leg.inputs), None)]
     text = _SUM_KERNEL.replace("@FORCE@", by_pose)
-    text = text.replace("@FORCE_ARGUMENT@", argument).replace("@FORCE_LANES@", by_legs)
+    text = text.replace("@FORCE_ARGUMENT@", argument)
+    legs = {"": kernel.leg} | ({} if kernel.near is None else {"_near": kernel.near})
+    text = text.replace("@LEGS@", "\n".join(_of_legs(suffix, leg, kernel, model) for suffix, leg in legs.items()))
+    text = text.replace("@FORCE_LANES@", by_legs)
     parts = {
         "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
         "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
         "@POSE_BODY@": _pose_body(kernel),
-        "@OUTSIDE@": _leg_loads(kernel.leg, model)[0],
-        "@LEG_BODY@": _leg_body(kernel, model),
         "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
         "@SPREAD@": _SPREAD_FORCE if forced else [],
+        "@NEAR@": [] if kernel.near is None else [_NEAR.replace("@WHAT@", kernel.name).replace("@FORCE_ARGUMENT@", argument)],
     }
     marks = {"@WHAT@": kernel.name, "@COUNT@": str(sum(size(q) for q in kernel.summed))}
-    marks["@POSE_COUNT@"], marks["@LEG_COUNT@"] = str(kernel.pose.operations()), str(kernel.leg.operations())
+    marks["@POSE_COUNT@"] = str(kernel.pose.operations())
     for mark, value in marks.items():
         text = text.replace(mark, value)
+    return filled(_without_empty(text, parts), parts)
+
+
+def _of_legs(suffix: str, leg: Block, kernel: SumKernel, model: ForceKernel) -> str:
+    parts = {"@OUTSIDE@": _leg_loads(leg, model)[0], "@LEG_BODY@": _leg_body(leg, kernel, model)}
+    text = _OF_LEGS.replace("@NEAR@", suffix).replace("@LEG_COUNT@", str(leg.operations()))
     return filled(_without_empty(text, parts), parts)
 
 
@@ -221,8 +229,7 @@ def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     return outside, inside
 
 
-def _leg_body(kernel: SumKernel, model: ForceKernel) -> list[str]:
-    block = kernel.leg
+def _leg_body(block: Block, kernel: SumKernel, model: ForceKernel) -> list[str]:
     kept = tuple(o for o in block.outputs if o.quantity not in (*kernel.summed, *JUDGED))
     length, sine = judged(block)
     terms = [f"STEWART_FABS({name})" for q in (n.S_1, t_1) for name in q.names]
@@ -467,6 +474,17 @@ static int legs_status(const leg_judgement *judged)
 """
 
 _SHARED = {
+    "is_near": """\
+/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+static int is_near(const leg_judgement *judged)
+{
+    int i, found = 0;
+    for (i = 0; i < 6; ++i) {
+        found = judged->k3[i] < STEWART_NEAR_POLE ? 1 : found;
+    }
+    return found;
+}
+""",
     "add_legs": """\
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
@@ -553,18 +571,7 @@ static void @WHAT@_of_pose(
 @POSE_BODY@
 }
 
-/* The legs side by side: @LEG_COUNT@ operations each. */
-STEWART_APART static void @WHAT@_of_legs(
-    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const @WHAT@_pose *STEWART_RESTRICT pose@FORCE_LANES@, @WHAT@_legs *STEWART_RESTRICT out)
-{
-    int l;
-@OUTSIDE@
-    for (l = 0; l < LANES; ++l) {
-@LEG_BODY@
-    }
-}
-
+@LEGS@
 /* Platform and legs together; returns a status. */
 static int @WHAT@_sums(
     const stewart_@NAME@_model *model, const stewart_motion *motion@FORCE@, @WHAT@_legs *legs,
@@ -576,6 +583,7 @@ static int @WHAT@_sums(
     @WHAT@_of_pose(model, motion, &pose, sum);
 @SPREAD@
     @WHAT@_of_legs(model, motion, &pose@FORCE_ARGUMENT@, legs);
+@NEAR@
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, @COUNT@, sum);
@@ -583,6 +591,26 @@ static int @WHAT@_sums(
     return status;
 }
 """
+
+_OF_LEGS = """\
+/* The legs side by side: @LEG_COUNT@ operations each. */
+STEWART_APART static void @WHAT@_of_legs@NEAR@(
+    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const @WHAT@_pose *STEWART_RESTRICT pose@FORCE_LANES@, @WHAT@_legs *STEWART_RESTRICT out)
+{
+    int l;
+@OUTSIDE@
+    for (l = 0; l < LANES; ++l) {
+@LEG_BODY@
+    }
+}
+"""
+
+_NEAR = """\
+    if (is_near(&legs->judged) != 0) {
+        @WHAT@_of_legs_near(model, motion, &pose@FORCE_ARGUMENT@, legs);
+    }"""
+"""Where a kernel has a code path near the joint singularity."""
 
 _SOLVE = """\
 /* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.

@@ -29,7 +29,11 @@ def module(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
     for kernel in kernels:
         blocks += [
             _function(kernel.pose, "platform, motion", _of_pose),
-            _function(kernel.leg, "leg, platform, pose, motion, F", _in_lanes(kernel, model)),
+            *(
+                _function(leg, "leg, platform, pose, motion, F", _in_lanes(kernel, model))
+                for leg in (kernel.leg, kernel.near)
+                if leg is not None
+            ),
         ]
     parts = {
         "@NAME@": name,
@@ -38,6 +42,7 @@ def module(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
         "@SUMMED@": "\n".join(_summed(kernel) for kernel in kernels),
         "@OPERATIONS@": "\n".join(f'    "{k.name}": {sum_operations(k).total},' for k in kernels),
         "@JOINT_ROWS@": JOINT_ROWS,
+        "@NEAR@": "\n".join(f'    "{k.name}": {k.near.name},' for k in kernels if k.near is not None),
         "@BLOCKS@": "\n\n\n".join(blocks),
     }
     text = _MODULE
@@ -167,6 +172,8 @@ from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHOR
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
 KEPT = 2.0**-8
+# Below this sine of the angle between a leg and its fixed axis the shorter formulas lose digits.
+NEAR_POLE = 2.0**-6
 
 _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
 
@@ -280,6 +287,9 @@ def _sums(
             name: np.broadcast_to(value, shape)
             for name, value in of_leg(leg, platform, pose, motion, F).items()
         }
+        if what in _NEAR and np.any(near := parts["k3"].min(axis=-1, keepdims=True) < NEAR_POLE):
+            exact = _NEAR[what](leg, platform, pose, motion, F)
+            parts = {name: np.where(near, exact[name], value) for name, value in parts.items()}
         total = {name: np.broadcast_to(pose[name], shape[:-1]) + _six(parts[name]) for name in _SUMMED[what]}
         return total, parts, _leg_status(leg, pose, parts)
 
@@ -376,5 +386,9 @@ _PARTS = {
     "derivatives": (derivatives_of_platform, derivatives_of_leg),
     "joint_rows": (joint_rows_of_platform, joint_rows_of_leg),
     "joint_slopes": (joint_slopes_of_platform, joint_slopes_of_leg),
+}
+# Legs' blocks for poses in which a leg is near its joint singularity.
+_NEAR = {
+@NEAR@
 }
 '''

@@ -79,6 +79,16 @@ static int legs_status(const leg_judgement *judged)
     return STEWART_OK;
 }
 
+/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+static int is_near(const leg_judgement *judged)
+{
+    int i, found = 0;
+    for (i = 0; i < 6; ++i) {
+        found = judged->k3[i] < STEWART_NEAR_POLE ? 1 : found;
+    }
+    return found;
+}
+
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
 STEWART_APART static void add_legs(
@@ -626,6 +636,359 @@ STEWART_APART static void equations_of_legs(
     }
 }
 
+/* The legs side by side: 701 (426 mul, 271 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void equations_of_legs_near(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = c1*inv_rho;
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real k33 = k3*k3;
+        const stewart_real k13 = k1*k3;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real a3 = J_xy - L*h_y;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real k3_h = h_y*k3;
+        const stewart_real c2 = h_z*inv_L;
+        const stewart_real c3 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -c2;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
+        const stewart_real m_leg_zz = M_theta*c3;
+        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
+        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
+        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
+        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
+        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
+        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
+        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
+        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
+        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
+        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
+        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
+        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
+        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
+        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c1*inv_L;
+        const stewart_real c4 = W_z*inv_L;
+        const stewart_real c5 = c4*h_y;
+        const stewart_real c6 = c5 - c2*theta_dot;
+        const stewart_real C_leg_11 = c6;
+        const stewart_real c7 = c4*h_x;
+        const stewart_real c8 = L_dot*c3;
+        const stewart_real c9 = c8*h_y;
+        const stewart_real c10 = inv_L*theta_dot;
+        const stewart_real c11 = c10*h_y;
+        const stewart_real c12 = inv_k3*k1;
+        const stewart_real c13 = W_z*c2;
+        const stewart_real C_leg_12 = c11*c12 + REAL(2)*c12*c13 + c9 - c7;
+        const stewart_real c14 = c10*h_x - c12*c5;
+        const stewart_real C_leg_13 = c14 + c8*h_z;
+        const stewart_real c15 = c3*theta_dot;
+        const stewart_real c16 = J_yz*c15;
+        const stewart_real c17 = J_xy*c15;
+        const stewart_real c18 = W_z*c3;
+        const stewart_real c19 = inv_k3*inv_k3;
+        const stewart_real c20 = J_xx*c19;
+        const stewart_real c21 = REAL(2)*J_xz;
+        const stewart_real c22 = c18*c21;
+        const stewart_real c23 = J_xx - J_zz;
+        const stewart_real C_leg_21 = W_z*c23*c3 + W_z*h_z*inv_L*inv_k3*k1 - c12*c17 - c12*c22 - c16
+            - c18*c20 - c7;
+        const stewart_real c24 = J_xy*c18;
+        const stewart_real c25 = c8*h_x;
+        const stewart_real c26 = c19*c5;
+        const stewart_real c27 = inv_L*inv_L*inv_L;
+        const stewart_real c28 = L_dot*c27;
+        const stewart_real c29 = J_xz*c19;
+        const stewart_real c30 = c12*c28;
+        const stewart_real c31 = J_yz*c18;
+        const stewart_real c32 = c12*c31;
+        const stewart_real c33 = c19*c24;
+        const stewart_real c34 = J_xx*k1*inv_k3*inv_k3*inv_k3;
+        const stewart_real C_leg_22 = L_dot*c23*c27 + L_dot*c3*h_z*inv_k3*k1 + c19*h_z*inv_L*theta_dot + c32
+            + c33 - c15*c29 - c15*c34 - c20*c28 - c21*c30 - c24 - c25 - c26;
+        const stewart_real c35 = c12*c16;
+        const stewart_real c36 = J_xy*c30 + J_yz*c28 + c18*c29 - c13*c19;
+        const stewart_real C_leg_23 = c17 + c18*c34 + c36 - c35;
+        const stewart_real C_leg_31 = J_yy*c15 + c12*c24 + c14 + c31;
+        const stewart_real C_leg_32 = c11 + c12*c18*(-J_yy - c23) + c13 + c17*c19 + c35 + c36 - c11*c19
+            - c12*c9 - c17 - c22;
+        const stewart_real C_leg_33 = c24 + c26 - J_yy*c28 - c25 - c32 - c33 - c6;
+        const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
+        const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
+        const stewart_real C_tip_T_xz = C_leg_13*s_x + C_leg_23*y_x + C_leg_33*z_x;
+        const stewart_real C_tip_T_ys = C_leg_11*s_y + C_leg_21*y_y + C_leg_31*z_y;
+        const stewart_real C_tip_T_yy = C_leg_12*s_y + C_leg_22*y_y + C_leg_32*z_y;
+        const stewart_real C_tip_T_yz = C_leg_13*s_y + C_leg_23*y_y + C_leg_33*z_y;
+        const stewart_real C_tip_T_zs = C_leg_11*s_z + C_leg_21*y_z + C_leg_31*z_z;
+        const stewart_real C_tip_T_zy = C_leg_12*s_z + C_leg_22*y_z + C_leg_32*z_z;
+        const stewart_real C_tip_T_zz = C_leg_13*s_z + C_leg_23*y_z + C_leg_33*z_z;
+        /* Coriolis matrix at the tip, base frame */
+        const stewart_real C_tip_xx = C_tip_T_xs*s_x + C_tip_T_xy*y_x + C_tip_T_xz*z_x;
+        const stewart_real C_tip_xy = C_tip_T_xs*s_y + C_tip_T_xy*y_y + C_tip_T_xz*z_y;
+        const stewart_real C_tip_xz = C_tip_T_xs*s_z + C_tip_T_xy*y_z + C_tip_T_xz*z_z;
+        const stewart_real C_tip_yx = C_tip_T_ys*s_x + C_tip_T_yy*y_x + C_tip_T_yz*z_x;
+        const stewart_real C_tip_yy = C_tip_T_ys*s_y + C_tip_T_yy*y_y + C_tip_T_yz*z_y;
+        const stewart_real C_tip_yz = C_tip_T_ys*s_z + C_tip_T_yy*y_z + C_tip_T_yz*z_z;
+        const stewart_real C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x;
+        const stewart_real C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y;
+        const stewart_real C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z;
+        /* (4) omega x q */
+        const stewart_real w_q_x = S_dot_x - v_x;
+        const stewart_real w_q_y = S_dot_y - v_y;
+        const stewart_real w_q_z = S_dot_z - v_z;
+        const stewart_real c37 = C_tip_xy*q_z;
+        const stewart_real c38 = m_xy*w_q_z;
+        const stewart_real c39 = C_tip_xz*q_y;
+        const stewart_real c40 = m_xz*w_q_y;
+        const stewart_real C_q_xx = c39 + c40 - c37 - c38;
+        const stewart_real c41 = C_tip_xx*q_z;
+        const stewart_real C_q_xy = c41 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
+        const stewart_real c42 = C_tip_xx*q_y;
+        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c42 - m_xx*w_q_y;
+        const stewart_real c43 = C_tip_yy*q_z;
+        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c43 - m_yy*w_q_z;
+        const stewart_real c44 = C_tip_yx*q_z;
+        const stewart_real c45 = -C_tip_yz*q_x;
+        const stewart_real c46 = -m_yz*w_q_x;
+        const stewart_real C_q_yy = c38 + c44 + c45 + c46;
+        const stewart_real c47 = -C_tip_yy*q_x;
+        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c47 - m_xy*w_q_y;
+        const stewart_real c48 = -C_tip_zz*q_y;
+        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c48 - m_yz*w_q_z;
+        const stewart_real c49 = -C_tip_zz*q_x;
+        const stewart_real C_q_zy = C_tip_zx*q_z + c49 + m_xz*w_q_z - m_zz*w_q_x;
+        const stewart_real c50 = C_tip_zx*q_y;
+        const stewart_real c51 = -C_tip_zy*q_x;
+        const stewart_real C_q_zz = -c40 - c46 - c50 - c51;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_x + k3*w_z;
+        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real c52 = inv_L*(g_k*w_n + gamma_n*w_k);
+        const stewart_real c53 = -gamma_n*w_y - gamma_y*w_n;
+        /* against gravity */
+        const stewart_real held_x = c53*inv_rho*y_x - c52*z_x;
+        const stewart_real held_y = c53*inv_rho*y_y - c52*z_y;
+        const stewart_real held_z = c53*inv_rho*y_z - c52*z_z;
+        const stewart_real c54 = L_dot*s_x;
+        const stewart_real c55 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
+        const stewart_real c56 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
+        const stewart_real c57 = L_dot*s_y;
+        const stewart_real c58 = L_dot*s_z;
+        /* against friction */
+        const stewart_real rubbed_x = C_p*c54 + c55*y_x - c56*z_x;
+        const stewart_real rubbed_y = C_p*c57 + c55*y_y - c56*z_y;
+        const stewart_real rubbed_z = C_p*c58 + c55*y_z - c56*z_z;
+        /* (3) rate of s */
+        const stewart_real s_dot_x = inv_L*(S_dot_x - c54);
+        const stewart_real s_dot_y = inv_L*(S_dot_y - c57);
+        const stewart_real s_dot_z = inv_L*(S_dot_z - c58);
+        const stewart_real c59 = m_xy*q_z;
+        const stewart_real c60 = m_xz*q_y;
+        const stewart_real c61 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c59 - c60;
+        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
+        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
+        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_yy = -c59 - c61;
+        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
+        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
+        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_zz = c60 + c61;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
+        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
+        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
+        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
+        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
+        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[21][l] = C_tip_xx;
+        out->sum[22][l] = C_tip_xy;
+        out->sum[23][l] = C_tip_xz;
+        out->sum[24][l] = C_tip_yx;
+        out->sum[25][l] = C_tip_yy;
+        out->sum[26][l] = C_tip_yz;
+        out->sum[27][l] = C_tip_zx;
+        out->sum[28][l] = C_tip_zy;
+        out->sum[29][l] = C_tip_zz;
+        out->sum[30][l] = C_q_xx;
+        out->sum[31][l] = C_q_xy;
+        out->sum[32][l] = C_q_xz;
+        out->sum[33][l] = C_q_yx;
+        out->sum[34][l] = C_q_yy;
+        out->sum[35][l] = C_q_yz;
+        out->sum[36][l] = C_q_zx;
+        out->sum[37][l] = C_q_zy;
+        out->sum[38][l] = C_q_zz;
+        out->sum[39][l] = c50 - c44;
+        out->sum[40][l] = C_tip_zy*q_y - c43;
+        out->sum[41][l] = -C_tip_yz*q_z - c48;
+        out->sum[42][l] = c41 - C_tip_zx*q_x;
+        out->sum[43][l] = c37 + c51;
+        out->sum[44][l] = C_tip_xz*q_z + c49;
+        out->sum[45][l] = C_tip_yx*q_x - c42;
+        out->sum[46][l] = -C_tip_xy*q_y - c47;
+        out->sum[47][l] = -c39 - c45;
+        out->sum[48][l] = C_q_zx*q_y - C_q_yx*q_z;
+        out->sum[49][l] = C_q_zy*q_y - C_q_yy*q_z;
+        out->sum[50][l] = C_q_zz*q_y - C_q_yz*q_z;
+        out->sum[51][l] = C_q_xx*q_z - C_q_zx*q_x;
+        out->sum[52][l] = C_q_xy*q_z - C_q_zy*q_x;
+        out->sum[53][l] = C_q_xz*q_z - C_q_zz*q_x;
+        out->sum[54][l] = C_q_yx*q_x - C_q_xx*q_y;
+        out->sum[55][l] = C_q_yy*q_x - C_q_xy*q_y;
+        out->sum[56][l] = C_q_yz*q_x - C_q_xz*q_y;
+        out->sum[57][l] = held_x;
+        out->sum[58][l] = held_y;
+        out->sum[59][l] = held_z;
+        out->sum[60][l] = held_z*q_y - held_y*q_z;
+        out->sum[61][l] = held_x*q_z - held_z*q_x;
+        out->sum[62][l] = held_y*q_x - held_x*q_y;
+        out->sum[63][l] = rubbed_x;
+        out->sum[64][l] = rubbed_y;
+        out->sum[65][l] = rubbed_z;
+        out->sum[66][l] = q_y*rubbed_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*rubbed_y;
+        out->sum[67][l] = q_z*rubbed_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*rubbed_z;
+        out->sum[68][l] = q_x*rubbed_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*rubbed_x;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_dot_force[0][l] = s_dot_x;
+        out->H_dot_force[1][l] = s_dot_y;
+        out->H_dot_force[2][l] = s_dot_z;
+        out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
+        out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
+        out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
 /* Platform and legs together; returns a status. */
 static int equations_sums(
     const stewart_exact_model *model, const stewart_motion *motion, equations_legs *legs,
@@ -635,6 +998,9 @@ static int equations_sums(
     int status;
     equations_of_pose(model, motion, &pose, sum);
     equations_of_legs(model, motion, &pose, legs);
+    if (is_near(&legs->judged) != 0) {
+        equations_of_legs_near(model, motion, &pose, legs);
+    }
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, 69, sum);
@@ -2160,6 +2526,734 @@ STEWART_APART static void derivatives_of_legs(
     }
 }
 
+/* The legs side by side: 2074 (1251 mul, 819 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void derivatives_of_legs_near(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
+        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real t_1_x = pose->t_1[0], t_1_y = pose->t_1[1], t_1_z = pose->t_1[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real F = force[l];
+        const stewart_real r_x = model->r[0][l], r_y = model->r[1][l], r_z = model->r[2][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) platform point from base point 1, base frame */
+        const stewart_real S_1_x = q_x + t_1_x;
+        const stewart_real S_1_y = q_y + t_1_y;
+        const stewart_real S_1_z = q_z + t_1_z;
+        /* (1) leg vector */
+        const stewart_real S_x = S_1_x - r_x;
+        const stewart_real S_y = S_1_y - r_y;
+        const stewart_real S_z = S_1_z - r_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = c1*inv_rho;
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real c2 = L_dot*inv_L;
+        /* L_dot / L */
+        const stewart_real L_share = c2;
+        const stewart_real c3 = theta_dot*theta_dot;
+        const stewart_real theta_dot2 = c3;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c1*inv_L;
+        const stewart_real c4 = REAL(2)*L_share;
+        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        const stewart_real own_y = -c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c4;
+        const stewart_real k13 = k1*k3;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c5 = L*h_y;
+        const stewart_real a3 = J_xy - c5;
+        const stewart_real c6 = J_yz*k3;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = a3*k1 + c6;
+        const stewart_real c7 = h_y*k3;
+        const stewart_real k3_h = c7;
+        const stewart_real c8 = h_z*inv_L;
+        const stewart_real c9 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -c8;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
+        const stewart_real m_leg_zz = M_theta*c9;
+        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
+        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
+        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
+        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
+        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
+        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
+        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
+        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
+        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
+        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
+        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
+        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
+        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
+        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* k x y */
+        const stewart_real normal_x = k_y*y_z - k_z*y_y;
+        const stewart_real normal_y = k_z*y_x - k_x*y_z;
+        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        /* omega along k x y, y and k */
+        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
+        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real c10 = h_y*own_z;
+        const stewart_real c11 = W_z*W_z;
+        const stewart_real c12 = c11*h_x;
+        const stewart_real c13 = h_y*k1;
+        const stewart_real c14 = W_z*inv_k3;
+        const stewart_real c15 = REAL(2)*theta_dot;
+        const stewart_real c16 = c14*c15;
+        const stewart_real c17 = c11*h_z;
+        const stewart_real c18 = inv_k3*k1;
+        const stewart_real c19 = REAL(2)*c18;
+        const stewart_real tau_L = C_p*L_dot + c13*c16 + c17*c19 + h_z*own_y - c10 - c12 - c3*h_x;
+        const stewart_real c20 = C_us*theta_dot;
+        const stewart_real c21 = J_yy*own_y;
+        const stewart_real c22 = J_yz*own_z;
+        const stewart_real c23 = L_ddot*h_z;
+        const stewart_real c24 = k3*w_x;
+        const stewart_real c25 = gamma_n*w_x;
+        const stewart_real c26 = k3*w_z;
+        const stewart_real c27 = J_xy*c15;
+        const stewart_real c28 = W_z*c27;
+        const stewart_real c29 = REAL(2)*L;
+        const stewart_real c30 = c29*h_x;
+        const stewart_real c31 = L_dot*c15;
+        const stewart_real c32 = k1*w_z;
+        const stewart_real c33 = inv_k3*own_z;
+        const stewart_real c34 = c33*k1;
+        const stewart_real c35 = J_xy*c34;
+        const stewart_real c36 = J_xz*c11;
+        const stewart_real c37 = REAL(2)*c36;
+        const stewart_real c38 = W_z*c15*c5;
+        const stewart_real c39 = J_yz*k1;
+        const stewart_real c40 = inv_k3*inv_k3;
+        const stewart_real c41 = J_xx - J_zz;
+        const stewart_real c42 = J_yy + c41;
+        const stewart_real c43 = c11*inv_k3;
+        const stewart_real tau_theta = L*c17*c40 + c20 + c21 + c22 + c23 + c24*g_k + c25*k1 + c26*gamma_n
+            + c28 + c30*own_y + c31*h_x + c35 + c37 + c38*c40 + c42*c43*k1 - C_s*w_y_omega - c16*c39
+            - c17*c29 - c28*c40 - c32*g_k - c34*c5 - c36*c40 - c38;
+        const stewart_real c44 = J_xy*own_y;
+        const stewart_real c45 = c44*k1;
+        const stewart_real c46 = REAL(2)*J_xz;
+        const stewart_real c47 = k1*own_z;
+        const stewart_real c48 = J_xy*c11;
+        const stewart_real c49 = c48*inv_k3;
+        const stewart_real c50 = c11*c39;
+        const stewart_real c51 = c3*c39;
+        const stewart_real c52 = J_xz*c15;
+        const stewart_real c53 = k3*own_z;
+        const stewart_real c54 = k1*own_y;
+        const stewart_real c55 = c29*h_z;
+        const stewart_real c56 = REAL(2)*h_x;
+        const stewart_real c57 = REAL(2)*W_z;
+        const stewart_real c58 = c3*k3;
+        const stewart_real c59 = c14*theta_dot;
+        const stewart_real c61 = REAL(2)*J_xx;
+        const stewart_real c62 = c40*c61;
+        const stewart_real tau_phi = C_us*c14 + J_xx*c33 + L_dot*W_z*c56*k3 + c11*c5*k3 + c30*c53
+            + c32*gamma_y + c45 + c46*c47 + c49 + c5*c58 + c50 + c51 + c55*c59 + c6*own_y - C_s*w_k_omega
+            - J_xy*c58 - L_ddot*c7 - L_dot*c57*h_z*k1 - W_z*c62*k1*theta_dot - c13*c31 - c14*c52
+            - c24*gamma_y - c41*c53 - c43*c5 - c47*c55 - c48*k3 - c5*c54 - gamma_n*w_y;
+        const stewart_real c63 = inv_rho*tau_phi;
+        const stewart_real c64 = inv_L*tau_theta;
+        const stewart_real c65 = tau_L - F;
+        /* force at the tip, less the actuator's */
+        const stewart_real R_tip_x = c63*y_x + c65*s_x - c64*z_x;
+        const stewart_real R_tip_y = c63*y_y + c65*s_y - c64*z_y;
+        const stewart_real R_tip_z = c63*y_z + c65*s_z - c64*z_z;
+        const stewart_real c66 = C_s*inv_rho;
+        const stewart_real c67 = c66*k1;
+        const stewart_real A_3_leg_21 = -c67;
+        const stewart_real c68 = c66*k3;
+        const stewart_real A_3_leg_23 = -c68;
+        const stewart_real c69 = C_s*inv_L;
+        const stewart_real A_3_leg_32 = c69;
+        const stewart_real A_3_T_xs = A_3_leg_21*y_x;
+        const stewart_real A_3_T_xy = A_3_leg_32*z_x;
+        const stewart_real A_3_T_xz = A_3_leg_23*y_x;
+        const stewart_real A_3_T_ys = A_3_leg_21*y_y;
+        const stewart_real A_3_T_yy = A_3_leg_32*z_y;
+        const stewart_real A_3_T_yz = A_3_leg_23*y_y;
+        const stewart_real A_3_T_zs = A_3_leg_21*y_z;
+        const stewart_real A_3_T_zy = A_3_leg_32*z_z;
+        const stewart_real A_3_T_zz = A_3_leg_23*y_z;
+        /* force at the tip by omega */
+        const stewart_real A_3_xx = A_3_T_xs*s_x + A_3_T_xy*y_x + A_3_T_xz*z_x;
+        const stewart_real A_3_xy = A_3_T_xs*s_y + A_3_T_xy*y_y + A_3_T_xz*z_y;
+        const stewart_real A_3_xz = A_3_T_xs*s_z + A_3_T_xy*y_z + A_3_T_xz*z_z;
+        const stewart_real A_3_yx = A_3_T_ys*s_x + A_3_T_yy*y_x + A_3_T_yz*z_x;
+        const stewart_real A_3_yy = A_3_T_ys*s_y + A_3_T_yy*y_y + A_3_T_yz*z_y;
+        const stewart_real A_3_yz = A_3_T_ys*s_z + A_3_T_yy*y_z + A_3_T_yz*z_z;
+        const stewart_real A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x;
+        const stewart_real A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y;
+        const stewart_real A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z;
+        const stewart_real c70 = inv_L*theta_dot;
+        const stewart_real G_dot_21 = -c70;
+        const stewart_real c71 = k1*phi_dot;
+        const stewart_real G_dot_22 = c71*inv_L;
+        const stewart_real c72 = L_dot*c9;
+        const stewart_real G_dot_23 = c72;
+        const stewart_real c73 = inv_rho*k3;
+        const stewart_real G_dot_31 = -c73*phi_dot;
+        const stewart_real c74 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c74*kappa;
+        const stewart_real G_dot_33 = c71*inv_rho;
+        const stewart_real c75 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c75;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c73*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c75;
+        const stewart_real f_S_leg_21 = C_s*G_dot_21;
+        const stewart_real f_S_leg_22 = C_s*G_dot_22;
+        const stewart_real f_S_leg_23 = C_s*G_dot_23;
+        const stewart_real c76 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c76;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c74*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c76;
+        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
+        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
+        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
+        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
+        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
+        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
+        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
+        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
+        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        /* friction moment by S */
+        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
+        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
+        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
+        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
+        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
+        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
+        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
+        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
+        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_dot_leg_12 = c67;
+        const stewart_real f_S_dot_leg_23 = -c69;
+        const stewart_real f_S_dot_leg_32 = c68;
+        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
+        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
+        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        /* friction moment by S_dot */
+        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
+        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
+        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
+        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
+        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
+        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
+        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
+        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
+        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real c77 = -REAL(2)*c3*h_x*inv_L;
+        const stewart_real c78 = c72*h_z;
+        const stewart_real c79 = c15*c78;
+        const stewart_real c80 = c11*c8;
+        const stewart_real c81 = c13*c70;
+        const stewart_real c82 = c8*own_y;
+        const stewart_real c83 = REAL(2)*h_y;
+        const stewart_real c84 = c72*c83;
+        const stewart_real c85 = W_z*c84;
+        const stewart_real c86 = c82 + c85;
+        const stewart_real A_0_leg_11 = REAL(2)*c11*h_x*inv_L + c79 + h_y*inv_L*own_z - REAL(4)*c14*c81
+            - REAL(4)*c18*c80 - c77 - c86;
+        const stewart_real c87 = L_ddot*c9;
+        const stewart_real c88 = c87*h_y;
+        const stewart_real c89 = h_y*inv_L;
+        const stewart_real c90 = c3*c89;
+        const stewart_real c91 = c11*c89;
+        const stewart_real c92 = inv_L*inv_L*inv_L;
+        const stewart_real c93 = L_dot*L_dot;
+        const stewart_real c94 = c92*c93;
+        const stewart_real c95 = c83*c94;
+        const stewart_real c96 = REAL(2)*c40;
+        const stewart_real c97 = c15*c8;
+        const stewart_real c98 = W_z*c97;
+        const stewart_real c99 = c40*c91;
+        const stewart_real c100 = c89*own_y;
+        const stewart_real c101 = REAL(4)*W_z;
+        const stewart_real c102 = c8*theta_dot;
+        const stewart_real c103 = c14*k1;
+        const stewart_real c104 = REAL(4)*c103;
+        const stewart_real c105 = c15*c72;
+        const stewart_real c106 = c105*h_y;
+        const stewart_real c107 = c9*inv_k3;
+        const stewart_real c108 = c56*c72;
+        const stewart_real c109 = W_z*c108 - c107*tau_phi;
+        const stewart_real A_0_leg_12 = C_p*W_z + c100*c18 + c109 + c34*c8 + c88 + c90 + c98 + REAL(2)*c99
+            - c101*c102*c40 - c104*c78 - c106*c18 - c90*c96 - c91 - c95;
+        const stewart_real c110 = REAL(2)*c94;
+        const stewart_real c111 = c110*h_z;
+        const stewart_real c112 = c40*c80;
+        const stewart_real c113 = c3*c8;
+        const stewart_real c114 = c105*h_x;
+        const stewart_real c115 = c70*c83;
+        const stewart_real c116 = W_z*c115;
+        const stewart_real c117 = c103*c84 + c113 + c116*c40 + c9*tau_theta - c114 - c116 - c80;
+        const stewart_real A_0_leg_13 = REAL(2)*c112 + c117 + c23*c9 - C_p*theta_dot - c111;
+        const stewart_real c118 = c41*c9;
+        const stewart_real c119 = J_yz*c9;
+        const stewart_real c120 = c48*c9;
+        const stewart_real c121 = REAL(2)*c120;
+        const stewart_real c122 = c3*c9;
+        const stewart_real c123 = REAL(2)*J_xy;
+        const stewart_real c124 = c122*c123;
+        const stewart_real c125 = c61 - REAL(2)*J_zz;
+        const stewart_real c127 = L_dot*c92;
+        const stewart_real c128 = W_z*c127;
+        const stewart_real c129 = C_us*c9;
+        const stewart_real c130 = c9*own_z;
+        const stewart_real c131 = J_xx*c40;
+        const stewart_real c132 = c127*c15;
+        const stewart_real c133 = c46*c9;
+        const stewart_real c134 = REAL(2)*c107;
+        const stewart_real c135 = REAL(4)*J_xz;
+        const stewart_real c136 = W_z*c9;
+        const stewart_real c137 = c136*theta_dot;
+        const stewart_real c138 = c137*c40;
+        const stewart_real c139 = REAL(2)*c78;
+        const stewart_real c140 = c127*c27;
+        const stewart_real c141 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c142 = c141*k1;
+        const stewart_real c143 = J_xx*c142;
+        const stewart_real c144 = REAL(4)*c137;
+        const stewart_real c145 = c103*c127;
+        const stewart_real A_0_leg_21 = J_yz*c132 + c109 + c118*own_z + c121 + c124 + c128*c62 + c135*c138
+            + c135*c145 + c140*c18 + c143*c144 + c99 - W_z*c129*c40 - c103*c139 - c107*c45 - c119*own_y
+            - c121*c40 - c125*c128 - c130*c131 - c133*c34 - c134*c50 - c134*c51 - c40*c98;
+        const stewart_real c146 = F*inv_L;
+        const stewart_real c147 = J_xy*c130;
+        const stewart_real c148 = inv_L*inv_L*inv_L*inv_L;
+        const stewart_real c149 = c56*c87;
+        const stewart_real c150 = C_us*c127;
+        const stewart_real c151 = L_ddot*c92;
+        const stewart_real c152 = inv_k3*inv_k3*inv_k3*inv_k3;
+        const stewart_real c153 = c11*c9;
+        const stewart_real c154 = c119*c15;
+        const stewart_real c155 = W_z*c154;
+        const stewart_real c156 = c20*c9;
+        const stewart_real c157 = c151*c18;
+        const stewart_real c158 = c107*k1;
+        const stewart_real c159 = REAL(2)*inv_L;
+        const stewart_real c160 = c159*h_x;
+        const stewart_real c161 = REAL(2)*c142;
+        const stewart_real c162 = c9*k1;
+        const stewart_real c163 = c14*c162;
+        const stewart_real c164 = c163*c27;
+        const stewart_real c165 = c136*c142;
+        const stewart_real c166 = c123*c128;
+        const stewart_real c167 = c141*c162;
+        const stewart_real c168 = REAL(2)*c14*c39;
+        const stewart_real c169 = c10*c40*inv_L + c127*c168 + c166*c40 + c167*c37 - c147*c40 - c161*c80
+            - c166;
+        const stewart_real A_0_leg_22 = REAL(2)*J_xx*L_dot*c141*c92*k1*theta_dot + J_xx*c11*c40*c9
+            + REAL(2)*J_xx*c148*c40*c93 + REAL(2)*J_xx*c152*c3*c9 + REAL(2)*J_xz*L_dot*c40*c92*theta_dot
+            + REAL(2)*J_xz*c141*c3*c9*k1 + REAL(4)*J_xz*c148*c93*inv_k3*k1 + REAL(2)*J_xz*c3*c9*inv_k3*k1
+            + REAL(2)*J_xz*c9*own_y + J_yz*c9*inv_k3*k1*own_z + L_ddot*c41*c92
+            + REAL(2)*L_ddot*c9*h_z*inv_k3*k1 + REAL(2)*W_z*c141*h_y*inv_L*k1*theta_dot + c11*c41*c9
+            + c40*c9*gamma_n*k1*w_z + c40*c9*gamma_y*w_y + REAL(2)*c40*h_z*inv_L*own_y
+            + c41*c9*inv_k3*k1*own_y + c9*inv_k3*k1*tau_theta + REAL(2)*c92*c93*h_x + inv_L*tau_L
+            - J_xx*c141*c54*c9 - c107*c25 - c111*c18 - c113*c161 - c113*c19 - c114*c18 - c122*c131
+            - c125*c148*c93 - c131*c151 - c133*c40*own_y - c142*c156 - c146 - c147 - c149 - c150*c40
+            - c152*c153*c61 - c155 - c157*c46 - c158*c37 - c160*c54*inv_k3 - c164 - c165*c27 - c169
+            - c3*c41*c9 - c77 - c79 - REAL(2)*c82;
+        const stewart_real c170 = c44*c9;
+        const stewart_real c171 = c8*own_z;
+        const stewart_real c172 = c119*c3;
+        const stewart_real c173 = REAL(2)*c172;
+        const stewart_real c174 = c57*c78;
+        const stewart_real c175 = c107*c39;
+        const stewart_real c176 = c175*own_y;
+        const stewart_real c177 = c142*c91;
+        const stewart_real c178 = c158*c3;
+        const stewart_real c179 = c132*c39*inv_k3;
+        const stewart_real c180 = c148*c93;
+        const stewart_real c181 = REAL(2)*J_yz;
+        const stewart_real c182 = c56*c70;
+        const stewart_real c183 = c40*c46;
+        const stewart_real c184 = c135*c163;
+        const stewart_real c185 = J_xy*c157 + J_yz*c151 + W_z*c182 + c142*c98 + c158*gamma_y*w_x
+            + c162*c40*tau_phi + c174*c40 + c184*theta_dot + c9*gamma_y*w_z - c103*c108 - c123*c18*c180
+            - c125*c137 - c128*c183 - c160*c34 - c165*c52 - c180*c181;
+        const stewart_real A_0_leg_23 = W_z*c129*c142 + c118*c34 + c120*c142 + c123*c178 + c130*c143
+            + c130*c46 + c131*c144 + c170 + c173 + c179 + c185 - J_xx*c144*c152 - c103*c97 - c128*c142*c61
+            - c140 - REAL(2)*c171 - c174 - c176 - c177;
+        const stewart_real c186 = REAL(4)*c9;
+        const stewart_real c187 = c40*c9;
+        const stewart_real c188 = REAL(2)*J_yy;
+        const stewart_real c189 = c188*theta_dot;
+        const stewart_real c190 = J_xy*c144;
+        const stewart_real c191 = c125 + c188;
+        const stewart_real A_0_leg_31 = c11*c158*c191 + c112 + c117 + c156 + c186*c36 + c190 + c21*c9
+            + c22*c9 + c35*c9 - c123*c145 - c127*c189 - c128*c181 - c186*c39*c59 - c187*c37 - c190*c40;
+        const stewart_real c192 = c11*c119;
+        const stewart_real A_0_leg_32 = C_s*c107*w_n_omega + J_xy*c178 + c100 + c106*c40 + c121*c142
+            + c128*c135 + c138*c191 + c140 + c145*c191 + c161*c90 + c170*c40 + c172 + c176 + c18*c91
+            + c18*c95 + c185 + c192*c96 - J_yy*c34*c9 - c100*c40 - c101*c78 - c102*c104 - c103*c129 - c106
+            - c124*c142 - c140*c40 - c162*c49 - c170 - c171 - c173*c40 - REAL(2)*c177 - c179 - c18*c88
+            - c18*c90 - c192;
+        const stewart_real c193 = c9*gamma_n;
+        const stewart_real A_0_leg_33 = J_yy*c153 + c103*c115 + c110*h_x + c12*c159 + c142*c190 + c155*c40
+            + c162*g_k*w_x + c169 + c180*c188 + c193*c32 + c26*c9*g_k + c86 + inv_L*tau_L - J_yy*c122
+            - J_yy*c151 - c101*c141*c81 - c146 - c149 - c150 - c153*c40*c42 - c155 - c164 - c193*c24
+            - c40*c85;
+        const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
+        const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
+        const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
+        const stewart_real A_0_T_ys = A_0_leg_11*s_y + A_0_leg_21*y_y + A_0_leg_31*z_y;
+        const stewart_real A_0_T_yy = A_0_leg_12*s_y + A_0_leg_22*y_y + A_0_leg_32*z_y;
+        const stewart_real A_0_T_yz = A_0_leg_13*s_y + A_0_leg_23*y_y + A_0_leg_33*z_y;
+        const stewart_real A_0_T_zs = A_0_leg_11*s_z + A_0_leg_21*y_z + A_0_leg_31*z_z;
+        const stewart_real A_0_T_zy = A_0_leg_12*s_z + A_0_leg_22*y_z + A_0_leg_32*z_z;
+        const stewart_real A_0_T_zz = A_0_leg_13*s_z + A_0_leg_23*y_z + A_0_leg_33*z_z;
+        /* force at the tip by S */
+        const stewart_real A_0_xx = A_0_T_xs*s_x + A_0_T_xy*y_x + A_0_T_xz*z_x;
+        const stewart_real A_0_xy = A_0_T_xs*s_y + A_0_T_xy*y_y + A_0_T_xz*z_y;
+        const stewart_real A_0_xz = A_0_T_xs*s_z + A_0_T_xy*y_z + A_0_T_xz*z_z;
+        const stewart_real A_0_yx = A_0_T_ys*s_x + A_0_T_yy*y_x + A_0_T_yz*z_x;
+        const stewart_real A_0_yy = A_0_T_ys*s_y + A_0_T_yy*y_y + A_0_T_yz*z_y;
+        const stewart_real A_0_yz = A_0_T_ys*s_z + A_0_T_yy*y_z + A_0_T_yz*z_z;
+        const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
+        const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
+        const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
+        const stewart_real c194 = c57*c89;
+        const stewart_real c195 = c194 - c97;
+        const stewart_real A_1_leg_11 = C_p + c195;
+        const stewart_real c196 = W_z*c160;
+        const stewart_real A_1_leg_12 = REAL(4)*c103*c8 + c115*c18 + c84 - c196;
+        const stewart_real c197 = c182 - REAL(2)*c103*c89;
+        const stewart_real A_1_leg_13 = c139 + c197;
+        const stewart_real A_1_leg_21 = W_z*c125*c9 + REAL(2)*W_z*h_z*inv_L*inv_k3*k1 - c136*c62 - c154
+            - c158*c27 - c184 - c196;
+        const stewart_real c198 = c123*c136;
+        const stewart_real c199 = c194*c40;
+        const stewart_real c200 = c127*c18;
+        const stewart_real c201 = c168*c9;
+        const stewart_real c202 = c198*c40;
+        const stewart_real A_1_leg_22 = C_us*c40*c9 + L_dot*c125*c92 + REAL(2)*L_dot*c9*h_z*inv_k3*k1 + c201
+            + c202 + REAL(2)*c40*h_z*inv_L*theta_dot - c108 - c127*c62 - c135*c200 - c167*c61*theta_dot
+            - c187*c52 - c198 - c199;
+        const stewart_real c203 = c27*c9;
+        const stewart_real c204 = c15*c175;
+        const stewart_real c205 = c57*c8;
+        const stewart_real c206 = c123*c200 + c127*c181 + c136*c183 - c205*c40;
+        const stewart_real A_1_leg_23 = c165*c61 + c203 + c206 - c204;
+        const stewart_real A_1_leg_31 = c119*c57 + c123*c163 + c189*c9 + c197;
+        const stewart_real A_1_leg_32 = c115 + c203*c40 + c204 + c205 + c206 - c115*c40 - c135*c136
+            - c163*c191 - c18*c84 - c203;
+        const stewart_real A_1_leg_33 = C_us*c9 + c198 + c199 - c108 - c127*c188 - c195 - c201 - c202;
+        const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
+        const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
+        const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
+        const stewart_real A_1_T_ys = A_1_leg_11*s_y + A_1_leg_21*y_y + A_1_leg_31*z_y;
+        const stewart_real A_1_T_yy = A_1_leg_12*s_y + A_1_leg_22*y_y + A_1_leg_32*z_y;
+        const stewart_real A_1_T_yz = A_1_leg_13*s_y + A_1_leg_23*y_y + A_1_leg_33*z_y;
+        const stewart_real A_1_T_zs = A_1_leg_11*s_z + A_1_leg_21*y_z + A_1_leg_31*z_z;
+        const stewart_real A_1_T_zy = A_1_leg_12*s_z + A_1_leg_22*y_z + A_1_leg_32*z_z;
+        const stewart_real A_1_T_zz = A_1_leg_13*s_z + A_1_leg_23*y_z + A_1_leg_33*z_z;
+        /* force at the tip by S_dot */
+        const stewart_real A_1_xx = A_1_T_xs*s_x + A_1_T_xy*y_x + A_1_T_xz*z_x;
+        const stewart_real A_1_xy = A_1_T_xs*s_y + A_1_T_xy*y_y + A_1_T_xz*z_y;
+        const stewart_real A_1_xz = A_1_T_xs*s_z + A_1_T_xy*y_z + A_1_T_xz*z_z;
+        const stewart_real A_1_yx = A_1_T_ys*s_x + A_1_T_yy*y_x + A_1_T_yz*z_x;
+        const stewart_real A_1_yy = A_1_T_ys*s_y + A_1_T_yy*y_y + A_1_T_yz*z_y;
+        const stewart_real A_1_yz = A_1_T_ys*s_z + A_1_T_yy*y_z + A_1_T_yz*z_z;
+        const stewart_real A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x;
+        const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
+        const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
+        /* (4) omega x q */
+        const stewart_real w_q_x = S_dot_x - v_x;
+        const stewart_real w_q_y = S_dot_y - v_y;
+        const stewart_real w_q_z = S_dot_z - v_z;
+        /* force by rotation about the tip */
+        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz
+            - A_1_xz*omega_y;
+        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz
+            - A_1_xx*omega_z;
+        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz
+            - A_1_xy*omega_x;
+        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz
+            - A_1_yz*omega_y;
+        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz
+            - A_1_yx*omega_z;
+        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz
+            - A_1_yy*omega_x;
+        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz
+            - A_1_zz*omega_y;
+        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz
+            - A_1_zx*omega_z;
+        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
+            - A_1_zy*omega_x;
+        const stewart_real c207 = m_xy*omega_z;
+        const stewart_real c208 = m_xz*omega_y;
+        const stewart_real Y_xx = A_1_xx + c207 - c208;
+        const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
+        const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
+        const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
+        const stewart_real c209 = m_yz*omega_x;
+        const stewart_real Y_yy = A_1_yy + c209 - c207;
+        const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
+        const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
+        const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
+        const stewart_real Y_zz = A_1_zz + c208 - c209;
+        const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
+        const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
+        const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
+        const stewart_real Z_yx = X_yz*q_y - X_yy*q_z;
+        const stewart_real Z_yy = X_yx*q_z - X_yz*q_x;
+        const stewart_real Z_yz = X_yy*q_x - X_yx*q_y;
+        const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
+        const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
+        const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
+        const stewart_real c210 = m_xz*w_q_y;
+        const stewart_real c211 = m_xy*w_q_z;
+        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c210 - Y_xy*q_z - c211;
+        const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
+        const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
+        const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
+        const stewart_real c212 = m_yz*w_q_x;
+        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c211 - Y_yz*q_x - c212;
+        const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
+        const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
+        const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
+        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c212 - Y_zx*q_y - c210;
+        const stewart_real c213 = m_xy*q_z;
+        const stewart_real c214 = m_xz*q_y;
+        const stewart_real c215 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c213 - c214;
+        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
+        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
+        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_yy = -c213 - c215;
+        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
+        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
+        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_zz = c214 + c215;
+        const stewart_real c216 = R_tip_y*q_y;
+        const stewart_real c217 = R_tip_z*q_z;
+        const stewart_real c218 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c219 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c220 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c221 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c222 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c223 = R_tip_x*q_x;
+        const stewart_real c224 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c225 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c226 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c227 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
+        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
+        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
+        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
+        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
+        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[21][l] = A_0_xx;
+        out->sum[22][l] = A_0_xy;
+        out->sum[23][l] = A_0_xz;
+        out->sum[24][l] = A_0_yx;
+        out->sum[25][l] = A_0_yy;
+        out->sum[26][l] = A_0_yz;
+        out->sum[27][l] = A_0_zx;
+        out->sum[28][l] = A_0_zy;
+        out->sum[29][l] = A_0_zz;
+        out->sum[30][l] = Z_xx;
+        out->sum[31][l] = Z_xy;
+        out->sum[32][l] = Z_xz;
+        out->sum[33][l] = Z_yx;
+        out->sum[34][l] = Z_yy;
+        out->sum[35][l] = Z_yz;
+        out->sum[36][l] = Z_zx;
+        out->sum[37][l] = Z_zy;
+        out->sum[38][l] = Z_zz;
+        out->sum[39][l] = A_0_zx*q_y - A_0_yx*q_z - f_S_xx;
+        out->sum[40][l] = A_0_zy*q_y - A_0_yy*q_z - f_S_xy;
+        out->sum[41][l] = A_0_zz*q_y - A_0_yz*q_z - f_S_xz;
+        out->sum[42][l] = A_0_xx*q_z - A_0_zx*q_x - f_S_yx;
+        out->sum[43][l] = A_0_xy*q_z - A_0_zy*q_x - f_S_yy;
+        out->sum[44][l] = A_0_xz*q_z - A_0_zz*q_x - f_S_yz;
+        out->sum[45][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
+        out->sum[46][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
+        out->sum[47][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c219*q_z - Z_yx*q_z - c216 - c217 - c218*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c218*q_x - Z_yy*q_z - c220*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c220*q_y - Z_yz*q_z - c219*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c221*q_z - Z_zx*q_x - c222*q_y;
+        out->sum[52][l] = Z_xy*q_z + c222*q_x - Z_zy*q_x - c217 - c223 - c224*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c224*q_y - Z_zz*q_x - c221*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c225*q_z - Z_xx*q_y - c226*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c226*q_x - Z_xy*q_y - c227*q_z;
+        out->sum[56][l] = Z_yz*q_x + c227*q_y - Z_xz*q_y - c216 - c223 - c225*q_x;
+        out->sum[57][l] = A_1_xx;
+        out->sum[58][l] = A_1_xy;
+        out->sum[59][l] = A_1_xz;
+        out->sum[60][l] = A_1_yx;
+        out->sum[61][l] = A_1_yy;
+        out->sum[62][l] = A_1_yz;
+        out->sum[63][l] = A_1_zx;
+        out->sum[64][l] = A_1_zy;
+        out->sum[65][l] = A_1_zz;
+        out->sum[66][l] = V_xx;
+        out->sum[67][l] = V_xy;
+        out->sum[68][l] = V_xz;
+        out->sum[69][l] = V_yx;
+        out->sum[70][l] = V_yy;
+        out->sum[71][l] = V_yz;
+        out->sum[72][l] = V_zx;
+        out->sum[73][l] = V_zy;
+        out->sum[74][l] = V_zz;
+        out->sum[75][l] = A_1_zx*q_y - A_1_yx*q_z - f_S_dot_xx;
+        out->sum[76][l] = A_1_zy*q_y - A_1_yy*q_z - f_S_dot_xy;
+        out->sum[77][l] = A_1_zz*q_y - A_1_yz*q_z - f_S_dot_xz;
+        out->sum[78][l] = A_1_xx*q_z - A_1_zx*q_x - f_S_dot_yx;
+        out->sum[79][l] = A_1_xy*q_z - A_1_zy*q_x - f_S_dot_yy;
+        out->sum[80][l] = A_1_xz*q_z - A_1_zz*q_x - f_S_dot_yz;
+        out->sum[81][l] = A_1_yx*q_x - A_1_xx*q_y - f_S_dot_zx;
+        out->sum[82][l] = A_1_yy*q_x - A_1_xy*q_y - f_S_dot_zy;
+        out->sum[83][l] = A_1_yz*q_x - A_1_xz*q_y - f_S_dot_zz;
+        out->sum[84][l] = V_zx*q_y + f_S_dot_xy*q_z - V_yx*q_z - f_S_dot_xz*q_y;
+        out->sum[85][l] = V_zy*q_y + f_S_dot_xz*q_x - V_yy*q_z - f_S_dot_xx*q_z;
+        out->sum[86][l] = V_zz*q_y + f_S_dot_xx*q_y - V_yz*q_z - f_S_dot_xy*q_x;
+        out->sum[87][l] = V_xx*q_z + f_S_dot_yy*q_z - V_zx*q_x - f_S_dot_yz*q_y;
+        out->sum[88][l] = V_xy*q_z + f_S_dot_yz*q_x - V_zy*q_x - f_S_dot_yx*q_z;
+        out->sum[89][l] = V_xz*q_z + f_S_dot_yx*q_y - V_zz*q_x - f_S_dot_yy*q_x;
+        out->sum[90][l] = V_yx*q_x + f_S_dot_zy*q_z - V_xx*q_y - f_S_dot_zz*q_y;
+        out->sum[91][l] = V_yy*q_x + f_S_dot_zz*q_x - V_xy*q_y - f_S_dot_zx*q_z;
+        out->sum[92][l] = V_yz*q_x + f_S_dot_zx*q_y - V_xz*q_y - f_S_dot_zy*q_x;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(S_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(S_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_1_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(r_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
 /* Platform and legs together; returns a status. */
 static int derivatives_sums(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], derivatives_legs *legs,
@@ -2174,6 +3268,9 @@ static int derivatives_sums(
         force[i] = F[i < 6 ? i : 5];
     }
     derivatives_of_legs(model, motion, &pose, force, legs);
+    if (is_near(&legs->judged) != 0) {
+        derivatives_of_legs_near(model, motion, &pose, force, legs);
+    }
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, 93, sum);
@@ -2785,7 +3882,7 @@ static void joint_slopes_of_pose(
     sum[92] = C_P + c31 - c26;
 }
 
-/* The legs side by side: 1449 (868 mul, 577 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 1947 (1236 mul, 707 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void joint_slopes_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const joint_slopes_pose *STEWART_RESTRICT pose, stewart_real (*STEWART_RESTRICT net)[LANES], joint_slopes_legs *STEWART_RESTRICT out)
@@ -2806,13 +3903,9 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
-        const stewart_real h2_x = model->h2_x[l];
-        const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
         const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
             J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
-        const stewart_real J2_xz = model->J2_xz[l];
-        const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
             g_x_k_z = model->g_x_k[2][l];
@@ -2872,51 +3965,31 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real phi_dot = c1*inv_rho;
         const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
-        const stewart_real c1 = L_dot*inv_L;
+        const stewart_real c2 = L_dot*inv_L;
         /* L_dot / L */
-        const stewart_real L_share = c1;
-        const stewart_real c2 = kappa*theta_dot;
-        const stewart_real lean = c2;
+        const stewart_real L_share = c2;
         const stewart_real c3 = theta_dot*theta_dot;
         const stewart_real theta_dot2 = c3;
-        const stewart_real c4 = phi_dot*phi_dot;
-        const stewart_real phi_dot2 = c4;
-        const stewart_real c5 = REAL(2)*phi_dot;
-        const stewart_real two_phi_dot = c5;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
         /* (7) acceleration of the platform point */
         const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
         const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
         const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
-        const stewart_real c6 = k3*k3;
-        const stewart_real k33 = c6;
+        const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
-        const stewart_real c7 = REAL(2)*theta_dot;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - L_share*two_phi_dot;
-        const stewart_real c8 = k1*k3;
-        /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
-        const stewart_real k13 = c8;
-        const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
-        const stewart_real c9 = J_xy - L*h_y;
-        const stewart_real a3 = c9;
-        /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-        const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
-        const stewart_real c10 = h_y*k3;
-        const stewart_real k3_h = c10;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c1*inv_L;
+        const stewart_real c4 = REAL(2)*L_share;
+        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        const stewart_real own_y = -c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c4;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
@@ -2926,110 +3999,196 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real normal_z = k_x*y_y - k_y*y_x;
         /* omega along k x y, y and k */
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real c11 = k3*phi_dot;
-        const stewart_real G_dot_12 = c11;
-        const stewart_real c12 = inv_L*theta_dot;
-        const stewart_real G_dot_21 = -c12;
-        const stewart_real c13 = k1*phi_dot;
-        const stewart_real G_dot_22 = c13*inv_L;
-        const stewart_real c14 = inv_L*inv_L;
-        const stewart_real c15 = L_dot*c14;
-        const stewart_real G_dot_23 = c15;
-        const stewart_real c16 = c11*inv_rho;
-        const stewart_real G_dot_31 = -c16;
-        const stewart_real c17 = c1*inv_rho;
-        const stewart_real c18 = -c17 - c2*inv_rho;
-        const stewart_real G_dot_32 = c18;
-        const stewart_real c19 = c13*inv_rho;
-        const stewart_real G_dot_33 = c19;
-        const stewart_real c20 = c4*c6;
-        const stewart_real G_ddot_11 = -c20 - c3;
-        const stewart_real c21 = k3*phi_ddot;
-        const stewart_real c22 = c5*k1;
-        const stewart_real G_ddot_12 = c21 + c22*theta_dot;
-        const stewart_real c23 = c4*c8;
-        const stewart_real G_ddot_13 = c23 - theta_ddot;
-        const stewart_real G_ddot_21 = REAL(2)*L_dot*c14*theta_dot - c23*inv_L - inv_L*theta_ddot;
-        const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c12*c5*k3 - c15*c22;
-        const stewart_real c24 = c4*k1*k1;
-        const stewart_real G_ddot_23 = L_ddot*c14 + c24*inv_L + c3*inv_L
-            - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
-        const stewart_real G_ddot_31 = c1*c16 + c19*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c19)
-            - c11*c18 - c21*inv_rho;
-        const stewart_real c25 = inv_L*inv_rho;
-        const stewart_real c26 = inv_rho*(-c1 - c2);
-        const stewart_real c27 = inv_rho*theta_dot;
-        const stewart_real G_ddot_32 = L_dot*(c15*inv_rho - c26*inv_L) + theta_dot*(-c26*kappa
-            - c27*(-kappa*kappa - REAL(1))) - L_ddot*c25 - c20*inv_rho - c24*inv_rho
-            - inv_rho*kappa*theta_ddot;
-        const stewart_real G_ddot_33 = c13*c18 + c16*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c16
-            - c19*kappa) - c13*c17;
-        const stewart_real c28 = c7*h_x;
-        const stewart_real tau_rate_12 = -c28;
-        const stewart_real c29 = c6*h_x;
-        const stewart_real c30 = c29 - h_z*k1*k3;
-        const stewart_real tau_rate_13 = -c30*c5;
-        const stewart_real tau_rate_21 = c28;
-        const stewart_real c31 = REAL(2)*h_x;
-        const stewart_real tau_rate_22 = C_us + L_dot*c31;
-        const stewart_real c32 = REAL(2)*h_z;
-        const stewart_real c33 = REAL(2)*J_xz - L*c32;
-        const stewart_real c34 = c33*k1;
-        const stewart_real c35 = k3*(J_zz + L*c31 - J_xx);
-        const stewart_real c36 = c34 + REAL(2)*c35;
-        const stewart_real c37 = STEWART_HALF*k1;
-        const stewart_real c38 = c36*c37 - STEWART_HALF*c33*c6;
-        const stewart_real tau_rate_23 = -c38*c5;
-        const stewart_real c39 = h_y*theta_dot;
-        const stewart_real c40 = REAL(2)*k1;
-        const stewart_real tau_rate_31 = REAL(2)*c30*phi_dot - c39*c40;
-        const stewart_real c41 = L_dot*h_y;
-        const stewart_real tau_rate_32 = c38*c5 + c7*(J_yz*k1 - c9*k3) - c40*c41;
-        const stewart_real tau_rate_33 = C_us + REAL(2)*L_dot*c30 + c38*c7;
-        const stewart_real c42 = h_y*phi_ddot;
-        const stewart_real c43 = c31*k3 - h_z*k1;
-        const stewart_real tau_place_12 = k1*(-c4*c43 - c42) - c20*h_z;
-        const stewart_real c44 = REAL(4)*h_x;
-        const stewart_real c45 = c37*(c44*k3 - REAL(2)*h_z*k1) + c6*h_z;
-        const stewart_real tau_place_21 = c31*theta_ddot - c4*c45 - c42*k1;
-        const stewart_real c46 = c37*(REAL(2)*J_zz + L*c44 - REAL(2)*J_xx) - c33*k3;
-        const stewart_real c47 = c34 + c35;
-        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c46)
-            - k3*(c9*phi_ddot + gamma_n*w_x - c4*c47 - g_k*w_z);
-        const stewart_real tau_place_23 = -C_s*w_n_omega - gamma_y*(k1*w_x + k3*w_z);
-        const stewart_real c48 = c45*phi_dot;
-        const stewart_real tau_place_31 = c48*theta_dot + phi_ddot*(REAL(2)*c29 - REAL(2)*c8*h_z)
-            + theta_dot*(c10*theta_dot + c48) - h_y*k1*theta_ddot;
-        const stewart_real c49 = L_dot*c43;
-        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c36*phi_ddot + c49*phi_dot
-            + phi_dot*(c46*theta_dot + c49) + theta_dot*(c46*phi_dot - c9*theta_dot) - L_ddot*h_y
-            - gamma_y*w_x) - k3*(L_dot*(-c11*h_z - c39) + c21*c33 + c9*theta_ddot + gamma_y*w_z
-            + phi_dot*(c47*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot + c47*phi_dot - c41));
-        const stewart_real tau_place_33 = gamma_n*(k1*w_z - k3*w_x) + gamma_y*w_y;
-        const stewart_real c50 = inv_rho*net_z;
-        const stewart_real c51 = inv_L*net_y;
+        const stewart_real c5 = inv_rho*net_z;
+        const stewart_real c6 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c50*y_x + net_x*s_x - c51*z_x;
-        const stewart_real R_tip_y = c50*y_y + net_x*s_y - c51*z_y;
-        const stewart_real R_tip_z = c50*y_z + net_x*s_z - c51*z_z;
-        const stewart_real tau_S_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13
-            - G_ddot_31*k3_h;
-        const stewart_real tau_S_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12
-            + G_dot_32*tau_rate_13 - G_ddot_32*k3_h;
-        const stewart_real tau_S_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13
-            - C_p*theta_dot - G_ddot_33*k3_h - inv_L*tau_place_12;
-        const stewart_real tau_S_leg_21 = G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed
-            + G_dot_21*tau_rate_22 + G_dot_31*tau_rate_23 + tau_place_21;
-        const stewart_real tau_S_leg_22 = G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed
-            + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23;
-        const stewart_real tau_S_leg_23 = G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed
-            + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot;
-        const stewart_real tau_S_leg_31 = G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
-            + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h;
-        const stewart_real tau_S_leg_32 = G_ddot_22*M_mixed + G_ddot_32*M_phi + G_dot_12*tau_rate_31
-            + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h;
-        const stewart_real tau_S_leg_33 = G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
-            + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32 - tau_rate_31*theta_dot;
+        const stewart_real R_tip_x = c5*y_x + net_x*s_x - c6*z_x;
+        const stewart_real R_tip_y = c5*y_y + net_x*s_y - c6*z_y;
+        const stewart_real R_tip_z = c5*y_z + net_x*s_z - c6*z_z;
+        const stewart_real c7 = h_z*own_y;
+        const stewart_real c8 = W_z*W_z;
+        const stewart_real c9 = inv_L*inv_L;
+        const stewart_real c10 = L_dot*c9;
+        const stewart_real c11 = REAL(2)*h_y;
+        const stewart_real c12 = W_z*c11;
+        const stewart_real c13 = h_y*inv_L;
+        const stewart_real c14 = inv_k3*k1;
+        const stewart_real c15 = c13*c14;
+        const stewart_real c16 = REAL(4)*W_z;
+        const stewart_real c17 = c16*theta_dot;
+        const stewart_real c18 = c8*h_z;
+        const stewart_real c19 = c18*inv_L;
+        const stewart_real c20 = REAL(4)*c14;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c9*h_z*theta_dot + REAL(2)*c3*h_x*inv_L
+            + REAL(2)*c8*h_x*inv_L + h_y*inv_L*own_z - c10*c12 - c15*c17 - c19*c20 - c7*inv_L;
+        const stewart_real c21 = L_ddot*c9;
+        const stewart_real c22 = c13*c3;
+        const stewart_real c23 = h_z*inv_L;
+        const stewart_real c24 = REAL(2)*theta_dot;
+        const stewart_real c25 = c23*c24;
+        const stewart_real c26 = h_y*own_y;
+        const stewart_real c27 = inv_L*inv_k3;
+        const stewart_real c28 = c27*k1;
+        const stewart_real c29 = h_z*own_z;
+        const stewart_real c30 = c13*c8;
+        const stewart_real c31 = REAL(2)*h_x;
+        const stewart_real c32 = W_z*c10;
+        const stewart_real c33 = L_dot*L_dot;
+        const stewart_real c34 = inv_L*inv_L*inv_L;
+        const stewart_real c35 = c33*c34;
+        const stewart_real c36 = inv_k3*inv_k3;
+        const stewart_real c37 = REAL(2)*c36;
+        const stewart_real c38 = h_y*k1;
+        const stewart_real c39 = c38*inv_k3;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c25 + c21*h_y + c22 + c26*c28 + c28*c29 + c30*c37
+            + c31*c32 - c10*c24*c39 - c11*c35 - c17*c23*c36 - c20*c32*h_z - c22*c37 - c30;
+        const stewart_real c40 = W_z*c24;
+        const stewart_real c41 = c31*theta_dot;
+        const stewart_real c42 = REAL(2)*h_z;
+        const stewart_real tau_S_leg_13 = L_ddot*c9*h_z + REAL(2)*L_dot*W_z*c9*h_y*inv_k3*k1
+            + REAL(2)*W_z*c36*h_y*inv_L*theta_dot + c3*h_z*inv_L + REAL(2)*c36*c8*h_z*inv_L - C_p*theta_dot
+            - c10*c41 - c13*c40 - c19 - c35*c42;
+        const stewart_real c43 = C_us*inv_L;
+        const stewart_real c44 = c43*theta_dot;
+        const stewart_real c45 = J_yy*inv_L;
+        const stewart_real c46 = J_yz*inv_L;
+        const stewart_real c47 = c3*h_z;
+        const stewart_real c48 = inv_L*theta_dot;
+        const stewart_real c49 = J_xy*c48;
+        const stewart_real c50 = J_xy*inv_L;
+        const stewart_real c51 = c50*k1;
+        const stewart_real c52 = c51*inv_k3;
+        const stewart_real c53 = c8*inv_L;
+        const stewart_real c54 = REAL(4)*J_xz;
+        const stewart_real c55 = c11*theta_dot;
+        const stewart_real c56 = REAL(2)*W_z;
+        const stewart_real c57 = REAL(2)*J_yy;
+        const stewart_real c58 = REAL(2)*J_xx;
+        const stewart_real c59 = c58 - REAL(2)*J_zz;
+        const stewart_real c60 = c57 + c59;
+        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c9*inv_k3*k1
+            + REAL(4)*J_xy*W_z*c36*inv_L*theta_dot + REAL(2)*J_xz*c36*c8*inv_L
+            + REAL(2)*J_yy*L_dot*c9*theta_dot + REAL(2)*J_yz*L_dot*W_z*c9
+            + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot + REAL(2)*L_dot*h_x*inv_L*theta_dot
+            + REAL(2)*W_z*h_y*theta_dot + c8*h_z - W_z*c36*c55 - c16*c49 - c18*c36 - c2*c39*c56 - c44
+            - c45*own_y - c46*own_z - c47 - c52*own_z - c53*c54 - c60*c8*inv_L*inv_k3*k1;
+        const stewart_real c62 = c50*own_y;
+        const stewart_real c63 = W_z*c41;
+        const stewart_real c64 = inv_L*w_z;
+        const stewart_real c65 = c64*gamma_y;
+        const stewart_real c66 = c46*c8;
+        const stewart_real c67 = C_s*inv_L;
+        const stewart_real c68 = c16*h_z;
+        const stewart_real c69 = k1*own_z;
+        const stewart_real c70 = c31*c69;
+        const stewart_real c71 = W_z*c43*inv_k3;
+        const stewart_real c72 = J_yz*c21;
+        const stewart_real c73 = c3*c46;
+        const stewart_real c74 = k1*own_y;
+        const stewart_real c75 = c46*c74;
+        const stewart_real c76 = c14*theta_dot;
+        const stewart_real c77 = inv_L*w_x;
+        const stewart_real c78 = c77*k1;
+        const stewart_real c79 = c78*gamma_y;
+        const stewart_real c80 = J_xy*c10;
+        const stewart_real c81 = c24*c80;
+        const stewart_real c82 = W_z*c54;
+        const stewart_real c83 = c10*c82;
+        const stewart_real c84 = c8*inv_k3;
+        const stewart_real c85 = c48*c82;
+        const stewart_real c86 = c2*c31;
+        const stewart_real c87 = W_z*c86;
+        const stewart_real c88 = REAL(2)*J_yz;
+        const stewart_real c89 = c35*c88;
+        const stewart_real c90 = c21*inv_k3;
+        const stewart_real c91 = J_xy*k1;
+        const stewart_real c92 = W_z*c42;
+        const stewart_real c93 = c36*c92;
+        const stewart_real c94 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c95 = c92*k1;
+        const stewart_real c96 = c95*theta_dot;
+        const stewart_real c97 = c38*c8;
+        const stewart_real c98 = REAL(2)*c94;
+        const stewart_real c99 = c3*c98;
+        const stewart_real c100 = REAL(2)*k1;
+        const stewart_real c101 = J_xz*c100;
+        const stewart_real c102 = W_z*c48;
+        const stewart_real c103 = c10*c88;
+        const stewart_real c104 = J_xy*c100*c35;
+        const stewart_real c105 = c51*c8;
+        const stewart_real c106 = J_xz*c56;
+        const stewart_real c107 = c106*c36;
+        const stewart_real c108 = c33*c9;
+        const stewart_real c109 = W_z*c36;
+        const stewart_real c110 = c109*c48;
+        const stewart_real tau_S_leg_22 = L_ddot*c15 + W_z*c48*c59 + c10*c107 + c101*c102*c94 + c103*c76
+            + c104*inv_k3 + c14*c87 + c2*c55 + c2*c68 + c26*c36 + c29 + c3*c39 + c36*c81 + c37*c73
+            + c45*c69*inv_k3 + c51*c84 + c51*c99 + c62 + c66 + c68*c76 + c70*inv_k3 + c71*k1 + c89 + c97*c98
+            - c105*c98 - REAL(2)*c108*c39 - c110*c60 - c14*c85 - c2*c36*c55 - c2*c93 - c26 - c3*c52
+            - c32*c60*inv_k3*k1 - c36*c62 - c37*c66 - c38*c84 - c38*c99 - c63 - c65 - c67*inv_k3*w_n_omega
+            - c72 - c73 - c75*inv_k3 - c79*inv_k3 - c81 - c83 - c90*c91 - c94*c96;
+        const stewart_real c111 = h_y*own_z;
+        const stewart_real c112 = c48*c94;
+        const stewart_real c113 = W_z*c103;
+        const stewart_real c114 = c56*c80;
+        const stewart_real c115 = c101*c53;
+        const stewart_real c116 = J_xx - J_zz;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c9 + REAL(2)*J_xy*L_dot*W_z*c9
+            + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c36*inv_L*own_z + J_yy*L_ddot*c9
+            + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c36*h_y*inv_L + REAL(4)*W_z*c94*h_y*k1*theta_dot + c36*c8*inv_L*(J_yy
+            + c116) + REAL(2)*c8*c94*h_z*k1 + gamma_n*inv_L*k3*w_x - c108*c31 - c111*c36 - c112*c16*c91
+            - c113*c14 - c114*c36 - c115*c94 - c12*c2 - c31*c8 - c35*c57 - c36*c40*c46 - c39*c40 - c45*c8
+            - c64*g_k*k3 - c64*gamma_n*k1 - c7 - c78*g_k;
+        const stewart_real c117 = J_xx*inv_L;
+        const stewart_real c118 = c117*inv_k3;
+        const stewart_real c119 = c101*inv_L;
+        const stewart_real c120 = c46*k3;
+        const stewart_real c121 = c92*inv_k3;
+        const stewart_real c122 = c48*inv_k3;
+        const stewart_real c123 = c31*k3;
+        const stewart_real c124 = W_z*c123;
+        const stewart_real c125 = REAL(2)*k3;
+        const stewart_real c126 = c125*c50;
+        const stewart_real c127 = inv_L*k3;
+        const stewart_real c128 = c58*inv_k3;
+        const stewart_real c129 = c100*c80;
+        const stewart_real c130 = c103*k3;
+        const stewart_real c131 = J_xx*c16;
+        const stewart_real c132 = c36*k1;
+        const stewart_real c133 = c132*c48;
+        const stewart_real c135 = -c59*k3;
+        const stewart_real tau_S_leg_31 = c116*c127*own_z + c122*c82 + c124*c2 + c126*c3 + c126*c8
+            + c128*c32 + c129*theta_dot + c130*theta_dot + c131*c133 + c135*c32 + c83*k1 + c84*h_y
+            - c100*c66 - c100*c73 - c118*own_z - c119*own_z - c120*own_y - c121*theta_dot - c2*c95
+            - REAL(2)*c50*c84 - c62*k1 - c71;
+        const stewart_real c136 = REAL(2)*J_xz;
+        const stewart_real c137 = c100*c47;
+        const stewart_real c138 = c100*c49;
+        const stewart_real c139 = c42*theta_dot;
+        const stewart_real c140 = c2*k3;
+        const stewart_real c141 = c117*c36;
+        const stewart_real c142 = c42*k1;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c36*c9*k1*theta_dot + REAL(2)*J_xx*c3*c94*inv_L
+            + REAL(2)*J_xx*c33*c34*inv_k3 + J_xx*c8*inv_L*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c9*k3
+            + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c9*inv_k3*theta_dot
+            + REAL(2)*J_xz*c3*c36*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c33*c34*k1
+            + REAL(2)*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c116*c9*k3
+            + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c36*h_y*k1*theta_dot + c116*c8*inv_L*k3
+            + c116*inv_L*k1*own_y + REAL(2)*c3*h_x*k3 + REAL(2)*c33*c9*h_x*k3 + REAL(2)*c36*c8*h_z*k1
+            + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y
+            - C_us*c10*inv_k3 - J_xx*c90 - L_ddot*c123*inv_L - W_z*c138 - c101*c21 - c101*c36*c53
+            - c108*c142 - c109*c138 - c111*inv_k3 - c113*k1 - c114*inv_k3 - c115 - c116*c3*inv_L*k3
+            - c118*c3 - c120*c40 - c132*c44 - c136*c27*own_y - c137*c36 - c137 - c139*c140 - c141*c74
+            - c2*c41*k1 - c31*c74 - c33*c34*c59*k3 - c50*k3*own_z - c53*c58*c94 - REAL(2)*c7*k3
+            - c77*gamma_n;
+        const stewart_real c144 = c109*k1;
+        const stewart_real c145 = k1*theta_dot;
+        const stewart_real tau_S_leg_33 = c102*c135 + c103*c145 + c105*c36 + c116*c69*inv_L + c121*c2
+            + c122*c131 + c125*c73 + c127*c136*own_z + c141*c69 + c144*c43 + c145*c93 + c21*c91
+            + REAL(2)*c3*c51 + c62*k3 + c63*k3 + c65*k3 + c72*k3 + c79 + c85*k1 - c10*c106*inv_k3
+            - c101*c110 - c104 - c112*c131 - c125*c29 - c125*c80*theta_dot - c132*c32*c58 - c140*c92
+            - c36*c97 - c70 - c75 - c87*k1 - c89*k3 - c96;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -3040,21 +4199,28 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real c52 = REAL(2)*k3_h;
-        const stewart_real tau_S_dot_leg_11 = C_p + G_dot_21*c32 - G_dot_31*c52;
-        const stewart_real tau_S_dot_leg_12 = G_dot_22*c32 + inv_rho*tau_rate_13 - G_dot_32*c52;
-        const stewart_real tau_S_dot_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c52 - inv_L*tau_rate_12;
-        const stewart_real c53 = REAL(2)*M_theta;
-        const stewart_real c54 = REAL(2)*M_mixed;
-        const stewart_real tau_S_dot_leg_21 = G_dot_21*c53 + G_dot_31*c54 + tau_rate_21;
-        const stewart_real tau_S_dot_leg_22 = G_dot_12*c32 + G_dot_22*c53 + G_dot_32*c54
-            + inv_rho*tau_rate_23;
-        const stewart_real tau_S_dot_leg_23 = G_dot_23*c53 + G_dot_33*c54 - c7*h_z - inv_L*tau_rate_22;
-        const stewart_real c55 = REAL(2)*M_phi;
-        const stewart_real tau_S_dot_leg_31 = G_dot_21*c54 + G_dot_31*c55 + tau_rate_31;
-        const stewart_real tau_S_dot_leg_32 = G_dot_22*c54 + G_dot_32*c55 + inv_rho*tau_rate_33
-            - G_dot_12*c52;
-        const stewart_real tau_S_dot_leg_33 = G_dot_23*c54 + G_dot_33*c55 + c7*k3_h - inv_L*tau_rate_32;
+        const stewart_real tau_S_dot_leg_11 = C_p + c13*c56 - c25;
+        const stewart_real c146 = c100*c13*inv_k3;
+        const stewart_real tau_S_dot_leg_12 = c10*c11 + c14*c16*c23 + c146*theta_dot - W_z*c31*inv_L;
+        const stewart_real tau_S_dot_leg_13 = c10*c42 + c31*c48 - W_z*c146;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c41 - c46*c56 - c48*c57 - c52*c56;
+        const stewart_real c147 = c100*c46;
+        const stewart_real c148 = c147*theta_dot;
+        const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L
+            + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1 + REAL(2)*W_z*c36*h_z + W_z*c60*inv_L*inv_k3*k1
+            + REAL(2)*c36*h_y*theta_dot - c103 - c107*inv_L - c129*inv_k3 - c148*inv_k3 - REAL(2)*c36*c49
+            - c55 - c92;
+        const stewart_real c149 = c50*c56;
+        const stewart_real tau_S_dot_leg_23 = W_z*c147*inv_k3 + c10*c57 + c12 + c149*c36 + c86 - c12*c36
+            - c139 - c149 - c43;
+        const stewart_real tau_S_dot_leg_31 = W_z*c59*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c27*c58 - c120*c24
+            - c124 - c138 - c82*inv_L*k1;
+        const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3
+            + REAL(2)*J_yz*W_z*inv_L*k1 + L_dot*c59*c9*k3 + REAL(2)*L_dot*h_z*inv_L*k1
+            + REAL(2)*h_z*inv_k3*theta_dot - W_z*c126 - c10*c128 - c10*c54*k1 - c12*inv_k3 - c122*c136
+            - c123*c2 - c133*c58;
+        const stewart_real tau_S_dot_leg_33 = c106*c27 + c125*c49 + c129 + c130 + c144*c58*inv_L - c121
+            - c148;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x
             + tau_S_dot_leg_13*z_x;
@@ -3074,12 +4240,13 @@ STEWART_APART static void joint_slopes_of_legs(
             + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z
             + tau_S_dot_leg_33*z_z;
-        const stewart_real tau_S_ddot_leg_12 = -inv_rho*k3_h;
-        const stewart_real tau_S_ddot_leg_13 = -h_z*inv_L;
-        const stewart_real tau_S_ddot_leg_22 = M_mixed*inv_rho;
-        const stewart_real tau_S_ddot_leg_23 = -M_theta*inv_L;
-        const stewart_real tau_S_ddot_leg_32 = M_phi*inv_rho;
-        const stewart_real tau_S_ddot_leg_33 = -M_mixed*inv_L;
+        const stewart_real tau_S_ddot_leg_12 = -c13;
+        const stewart_real tau_S_ddot_leg_13 = -c23;
+        const stewart_real tau_S_ddot_leg_22 = c46 + c52 - c39;
+        const stewart_real tau_S_ddot_leg_23 = -c31 - c45;
+        const stewart_real tau_S_ddot_leg_31 = -h_y*k3;
+        const stewart_real tau_S_ddot_leg_32 = c118 + c119 + c123 - c116*c127 - c142;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c120 - c51;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
         const stewart_real tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
@@ -3087,9 +4254,12 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
         const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
         const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
-        const stewart_real tau_S_ddot_zx = tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x - k3_h*s_x;
-        const stewart_real tau_S_ddot_zy = tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y - k3_h*s_y;
-        const stewart_real tau_S_ddot_zz = tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z - k3_h*s_z;
+        const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x
+            + tau_S_ddot_leg_33*z_x;
+        const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y
+            + tau_S_ddot_leg_33*z_y;
+        const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z
+            + tau_S_ddot_leg_33*z_z;
         /* (4) omega x q */
         const stewart_real w_q_x = S_dot_x - v_x;
         const stewart_real w_q_y = S_dot_y - v_y;
@@ -3121,17 +4291,17 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real c56 = net_z*inv_rho*inv_rho;
-        const stewart_real bent_leg_12 = -c56*k3;
-        const stewart_real c57 = c14*net_y;
-        const stewart_real bent_leg_13 = c57;
-        const stewart_real c58 = c25*net_z;
-        const stewart_real bent_leg_21 = -c58;
-        const stewart_real c59 = inv_rho*k3;
-        const stewart_real bent_leg_22 = c25*k1*net_y + c59*net_x;
-        const stewart_real bent_leg_23 = c58*kappa;
-        const stewart_real bent_leg_31 = c57;
-        const stewart_real bent_leg_32 = c56*k1;
+        const stewart_real c150 = net_z*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c150*k3;
+        const stewart_real c151 = c9*net_y;
+        const stewart_real bent_leg_13 = c151;
+        const stewart_real c152 = c5*inv_L;
+        const stewart_real bent_leg_21 = -c152;
+        const stewart_real c153 = inv_rho*k3;
+        const stewart_real bent_leg_22 = c153*net_x + c6*inv_rho*k1;
+        const stewart_real bent_leg_23 = c152*kappa;
+        const stewart_real bent_leg_31 = c151;
+        const stewart_real bent_leg_32 = c150*k1;
         const stewart_real bent_leg_33 = inv_L*net_x;
         const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
         const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
@@ -3152,37 +4322,45 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
         const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
         const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
-        const stewart_real c60 = bent_xy*q_z;
-        const stewart_real c61 = bent_xz*q_y;
-        const stewart_real Z_xx = c61 - c60;
+        const stewart_real c154 = bent_xy*q_z;
+        const stewart_real c155 = bent_xz*q_y;
+        const stewart_real Z_xx = c155 - c154;
         const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
-        const stewart_real c62 = bent_xx*q_y;
-        const stewart_real Z_xz = bent_xy*q_x - c62;
-        const stewart_real c63 = bent_yy*q_z;
-        const stewart_real Z_yx = bent_yz*q_y - c63;
-        const stewart_real c64 = bent_yx*q_z;
-        const stewart_real c65 = -bent_yz*q_x;
-        const stewart_real Z_yy = c64 + c65;
-        const stewart_real c66 = -bent_yy*q_x;
-        const stewart_real Z_yz = -bent_yx*q_y - c66;
-        const stewart_real c67 = -bent_zz*q_y;
-        const stewart_real Z_zx = -bent_zy*q_z - c67;
-        const stewart_real c68 = bent_zz*q_x;
-        const stewart_real Z_zy = bent_zx*q_z - c68;
-        const stewart_real c69 = bent_zx*q_y;
-        const stewart_real c70 = bent_zy*q_x;
-        const stewart_real Z_zz = c70 - c69;
-        const stewart_real c71 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c71;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c27*k3);
-        const stewart_real f_S_leg_13 = G_dot_33*c71;
+        const stewart_real c156 = bent_xx*q_y;
+        const stewart_real Z_xz = bent_xy*q_x - c156;
+        const stewart_real c157 = bent_yy*q_z;
+        const stewart_real Z_yx = bent_yz*q_y - c157;
+        const stewart_real c158 = bent_yx*q_z;
+        const stewart_real c159 = -bent_yz*q_x;
+        const stewart_real Z_yy = c158 + c159;
+        const stewart_real c160 = -bent_yy*q_x;
+        const stewart_real Z_yz = -bent_yx*q_y - c160;
+        const stewart_real c161 = -bent_zz*q_y;
+        const stewart_real Z_zx = -bent_zy*q_z - c161;
+        const stewart_real c162 = bent_zz*q_x;
+        const stewart_real Z_zy = bent_zx*q_z - c162;
+        const stewart_real c163 = bent_zx*q_y;
+        const stewart_real c164 = bent_zy*q_x;
+        const stewart_real Z_zz = c164 - c163;
+        const stewart_real G_dot_21 = -c48;
+        const stewart_real c165 = k1*phi_dot;
+        const stewart_real G_dot_22 = c165*inv_L;
+        const stewart_real G_dot_23 = c10;
+        const stewart_real G_dot_31 = -c153*phi_dot;
+        const stewart_real c166 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c166*kappa - c2*inv_rho;
+        const stewart_real G_dot_33 = c165*inv_rho;
+        const stewart_real c167 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c167;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c153*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c167;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c72 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c72;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c27*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c72;
+        const stewart_real c168 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c168;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c166*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c168;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -3202,9 +4380,9 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c71*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -C_s*inv_L;
-        const stewart_real f_S_dot_leg_32 = C_s*c59;
+        const stewart_real f_S_dot_leg_12 = c167*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c67;
+        const stewart_real f_S_dot_leg_32 = C_s*c153;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -3221,18 +4399,18 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c73 = R_tip_y*q_y;
-        const stewart_real c74 = R_tip_z*q_z;
-        const stewart_real c75 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c76 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c77 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c78 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c79 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c80 = R_tip_x*q_x;
-        const stewart_real c81 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c82 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c83 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c84 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c169 = R_tip_y*q_y;
+        const stewart_real c170 = R_tip_z*q_z;
+        const stewart_real c171 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c172 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c173 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c174 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c175 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c176 = R_tip_x*q_x;
+        const stewart_real c177 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c178 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c179 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c180 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -3272,24 +4450,24 @@ STEWART_APART static void joint_slopes_of_legs(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = c69 - c64 - f_S_xx;
-        out->sum[40][l] = bent_zy*q_y - c63 - f_S_xy;
-        out->sum[41][l] = -bent_yz*q_z - c67 - f_S_xz;
+        out->sum[39][l] = c163 - c158 - f_S_xx;
+        out->sum[40][l] = bent_zy*q_y - c157 - f_S_xy;
+        out->sum[41][l] = -bent_yz*q_z - c161 - f_S_xz;
         out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
-        out->sum[43][l] = c60 - c70 - f_S_yy;
-        out->sum[44][l] = bent_xz*q_z - c68 - f_S_yz;
-        out->sum[45][l] = bent_yx*q_x - c62 - f_S_zx;
-        out->sum[46][l] = -bent_xy*q_y - c66 - f_S_zy;
-        out->sum[47][l] = -c61 - c65 - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c76*q_z - Z_yx*q_z - c73 - c74 - c75*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c75*q_x - Z_yy*q_z - c77*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c77*q_y - Z_yz*q_z - c76*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c78*q_z - Z_zx*q_x - c79*q_y;
-        out->sum[52][l] = Z_xy*q_z + c79*q_x - Z_zy*q_x - c74 - c80 - c81*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c81*q_y - Z_zz*q_x - c78*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c82*q_z - Z_xx*q_y - c83*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c83*q_x - Z_xy*q_y - c84*q_z;
-        out->sum[56][l] = Z_yz*q_x + c84*q_y - Z_xz*q_y - c73 - c80 - c82*q_x;
+        out->sum[43][l] = c154 - c164 - f_S_yy;
+        out->sum[44][l] = bent_xz*q_z - c162 - f_S_yz;
+        out->sum[45][l] = bent_yx*q_x - c156 - f_S_zx;
+        out->sum[46][l] = -bent_xy*q_y - c160 - f_S_zy;
+        out->sum[47][l] = -c155 - c159 - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c172*q_z - Z_yx*q_z - c169 - c170 - c171*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c171*q_x - Z_yy*q_z - c173*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c173*q_y - Z_yz*q_z - c172*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c174*q_z - Z_zx*q_x - c175*q_y;
+        out->sum[52][l] = Z_xy*q_z + c175*q_x - Z_zy*q_x - c170 - c176 - c177*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c177*q_y - Z_zz*q_x - c174*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c178*q_z - Z_xx*q_y - c179*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c179*q_x - Z_xy*q_y - c180*q_z;
+        out->sum[56][l] = Z_yz*q_x + c180*q_y - Z_xz*q_y - c169 - c176 - c178*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
