@@ -89,6 +89,8 @@ H_DOT = (
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
 )
 
+TURNED = Quantity("turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone")
+
 # A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
 # L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
 M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
@@ -221,7 +223,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, NET, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, p.t_1, F_LEG, NET, TURNED, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
@@ -603,10 +605,13 @@ def _torque_slopes(
     gravity_torques(build, leg.at)
     if friction:
         name_omega(build, leg.at)
+    named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
     if net is None:
-        named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
         tau = [build.scalar(name, value) for name, value in named]
         net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
+        bent = sp.Matrix([raw[0] - F_LEG.value, raw[1], raw[2]]) if near else net
+    else:
+        bent = net
     rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
     if not near:
         M = joint_inertia(build, leg.at).matrix()
@@ -615,7 +620,7 @@ def _torque_slopes(
     return _TorqueSlopes(
         S=M * second + by_rate * rate + by_place * inner.value,
         S_dot=2 * M * rate + by_rate * inner.value,
-        bend=tip.hessian(net),
+        bend=_bend(bent),
         inertia=M,
         force=build.vector(
             "R_tip",
@@ -626,6 +631,12 @@ def _torque_slopes(
     )
 
 
+def _bend(net: sp.Matrix) -> sp.Matrix:
+    """Sum of the net forces times the Hessians of L, theta, phi, whatever the forces are made of."""
+    names = sp.Matrix(sp.symbols("net_L net_theta net_phi", real=True))
+    return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
+
+
 def _name_finite_rates(build: Builder, leg: _Leg) -> None:
     """Names what ``tip.gathered`` takes as given of the leg and its rates."""
     joint_rates(build, leg.at, leg.S_dot)
@@ -633,18 +644,39 @@ def _name_finite_rates(build: Builder, leg: _Leg) -> None:
     build.scalar(tip.W_z.name, leg.at.inv_L * leg.at.y.dot(leg.S_dot), "(6)", "leg's turning about z")
 
 
-def _name_joint_motion(build: Builder, leg: _Leg, near: bool) -> None:
-    """Names rates and accelerations of the joint coordinates; near: also those of ``tip.gathered``."""
+def _name_joint_motion(build: Builder, leg: _Leg) -> None:
+    """Names rates and accelerations of the joint coordinates."""
+    rates = joint_rates(build, leg.at, leg.S_dot)
+    S_ddot = build.vector("S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point")
+    joint_accelerations(build, leg.at, rates, S_ddot)
+
+
+def _name_finite_motion(build: Builder, leg: _Leg, turned: bool) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
+
+    turned: what the platform's accelerations add is given by the joint coordinates, where rounding of the
+    platform's would be large beside it.
+    """
     at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
-    meaning = "acceleration of the platform point"
-    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", meaning)
-    joint_accelerations(build, at, rates, S_ddot)
-    if not near:
-        return
     _name_finite_rates(build, leg)
+    if turned:
+        S_ddot, (along, about_y, about_k) = _centripetal_acceleration(build, at), TURNED.value
+    else:
+        S_ddot = p.B.value * at.q + n.a.value
+        along = about_y = about_k = sp.S.Zero
+    S_ddot = build.vector("S_ddot", S_ddot, "(7)", "acceleration of the platform point")
+    along += at.s.dot(S_ddot) + at.L * (rates.theta2 + at.k3**2 * rates.phi2)
+    build.scalar(tip.accelerations[0].name, along, "(8)", "acceleration of the length")
     meaning = "turning accelerations of the leg about y and z but for the turning of the frame about s"
-    build.scalar(tip.OWN_Y.name, -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share, "(9)", meaning)
-    build.scalar(tip.OWN_Z.name, at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share, "(9)", meaning)
+    about_y += -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
+    about_z = at.k3 * about_k + at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share
+    build.scalar(tip.OWN_Y.name, about_y, "(9)", meaning)
+    build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
+
+
+def _centripetal_acceleration(build: Builder, at: JointFrame) -> sp.Matrix:
+    omega = n.omega.value
+    return cross(omega, build.vector("w_q", cross(omega, at.q), "(4)", "omega x q"))
 
 
 def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
@@ -669,7 +701,10 @@ def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matr
 
 def _tip_slopes(build: Builder, leg: _Leg, friction: bool, near: bool) -> _Slopes:
     """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
-    _name_joint_motion(build, leg, near)
+    if near:
+        _name_finite_motion(build, leg, turned=False)
+    else:
+        _name_joint_motion(build, leg)
     m, _ = _tip_inertia(build, leg)
     by = _torque_slopes(build, leg, friction, near)
     T, value = leg.T, tip.gradients().value
@@ -701,7 +736,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     build = Builder()
     leg = _leg(build)
     q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
-    _name_joint_motion(build, leg, near=True)
+    _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
     S, S_dot, S_ddot = (
         _named(build, name, _local(build, f"{name}_leg", tip.gathered(value)) * T.T, "generalised forces by the tip's motion")
@@ -711,7 +746,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             ("tau_S_ddot", by.inertia * tip.gradients().value),
         )
     )
-    W, w_q = tip.skew(n.omega.value), build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
     pace = _named(build, "Y", S_dot + S_ddot * W)
     bend = _turned(build, "bent", T, _local(build, "bent_leg", by.bend), "force by S as the rows turn")

@@ -19,7 +19,7 @@ from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHOR
 
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
-KEPT = 2.0**-8
+KEPT = 2.0**-6
 # Below this sine of the angle between a leg and its fixed axis the shorter formulas lose digits.
 NEAR_POLE = 2.0**-6
 
@@ -30,9 +30,9 @@ OPERATIONS: dict[str, int] = {
     "equations": 4655,
     "bias": 2034,
     "forward_dynamics": 2916,
-    "derivatives": 11249,
+    "derivatives": 11225,
     "joint_rows": 2226,
-    "joint_slopes": 12581,
+    "joint_slopes": 12545,
 }
 
 _ADDED = ("M_add", "h_add_x", "h_add_y", "h_add_z", "J_add_xx", "J_add_xy", "J_add_xz", "J_add_yy",
@@ -118,7 +118,7 @@ def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None], KEPT)
     lost = (status == OK) & (fault == INDEFINITE)
     if lost.any():
-        _, x[lost, :, 0], _, fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
+        _, x[lost, :, 0], fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
     return _good({"acceleration": x[..., 0]}, np.where(status == OK, fault, status))
 
 
@@ -332,8 +332,8 @@ def _eliminated(row: Array) -> tuple[Array, Array, Array, Array]:
     return share, row[:, :6], order[:, :6], column
 
 
-def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, Array]:
-    """x (n, 6, m) of M x = wrench - A^T (force sizes), the rows' own forces at that, and the status (n,).
+def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, Array, Array]:
+    """x (n, 6, m) of M x = wrench - A^T (force sizes), forces and accelerations of rows, and the status (n,).
 
     force: generalised forces (n, 24, m); wrench: (n, 6, m).
     """
@@ -357,13 +357,14 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     found, status = _solve_definite(by.inertia, y - by.share.swapaxes(-1, -2) @ rest)
     held = (rest + _weighted(by.weight, by.share @ found)) * by.size[..., None]
     x = found - start
+    turned = (by.share @ x) / by.size[..., None]
     for k in range(6):
         x[:, k] -= (by.factors[:, None, k, :k] @ x[:, :k])[:, 0]
     for k in range(5, -1, -1):
         x[:, k] = (x[:, k] - (by.factors[:, None, k, k + 1 :] @ x[:, k + 1 :])[:, 0]) / by.factors[:, k, k, None]
     solved = np.empty_like(x)
     solved[at, by.column] = x / unit
-    return solved, held, status
+    return solved, held, turned, status
 
 
 def _weighted(weight: Array, rows: Array) -> Array:
@@ -371,25 +372,26 @@ def _weighted(weight: Array, rows: Array) -> Array:
     return (weight @ rows.reshape(len(rows), 8, 3, -1)).reshape(rows.shape)
 
 
-def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Array, Array]:
-    """The rows, [a; alpha] (n, 6), the legs' net forces (n, 6, 3) and the status (n,)."""
+def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Array]:
+    """The rows, [a; alpha] (n, 6) and the status (n,); ``motion`` gets what the derivatives read of the legs."""
     total, leg, _ = _sums("joint_rows", robot, motion, F)
     by = _factored(total, leg)
     force = np.zeros((len(F), 24, 1))
     force[:, :18, 0] = np.stack([leg[f"tau_{axis}"] for axis in "xyz"], axis=-1).reshape(-1, 18)
-    x, held, status = _rows_solved(by, force, _wrench(total, "right")[..., None])
-    return by, x[..., 0], held[:, :18, 0].reshape(-1, 6, 3), status
+    x, held, turned, status = _rows_solved(by, force, _wrench(total, "right")[..., None])
+    motion.net, motion.turned = (rows[:, :18, 0].reshape(-1, 6, 3) for rows in (held, turned))
+    return by, x[..., 0], status
 
 
 def _slopes_apart(robot: Any, motion: Any, F: Array) -> tuple[Array, Array]:
     """M^-1 times the derivatives of the wrench and H, (n, 6, 18), and the status (n,)."""
-    by, x, motion.net, status = _forward_apart(robot, motion, F)
+    by, x, status = _forward_apart(robot, motion, F)
     motion.a, motion.alpha = x[..., :3], x[..., 3:]
     total, leg, _ = _sums("joint_slopes", robot, motion)
     force = np.zeros((len(F), 24, 18))
     slopes = [_matrix(leg, f"tau_{by}") for by in "trvw"]
     force[:, :18, :12] = -np.concatenate(slopes, axis=-1).reshape(-1, 18, 12)
-    x, _, fault = _rows_solved(by, force, np.concatenate([*_slopes(total), _columns(leg, "H")], axis=-1))
+    x, _, _, fault = _rows_solved(by, force, np.concatenate([*_slopes(total), _columns(leg, "H")], axis=-1))
     return x, np.where(status == OK, fault, status)
 
 
@@ -2462,7 +2464,7 @@ def derivatives_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench.
 
-    Operations: 1725 (1022 mul, 699 add, 2 div, 2 sqrt).
+    Operations: 1721 (1020 mul, 697 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -2860,10 +2862,10 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
         inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32 + G_dot_31*tau_rate_33
         + tau_place_31 - G_ddot_11*k3_h) - c75
     )
-    c76 = inv_rho*k3
     A_0_leg_22 = (
-        c13*k1*tau_theta + c76*tau_L + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi + G_dot_12*tau_rate_31
-        + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c76
+        c13*k1*tau_theta + c67*inv_rho*k3 + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi
+        + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33
+        - G_ddot_12*k3_h)
     )
     A_0_leg_23 = (
         c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
@@ -2878,8 +2880,8 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
         + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23)
     )
     A_0_leg_33 = (
-        inv_L*tau_L - F*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed
-        + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot)
+        c67*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed + G_dot_23*tau_rate_22
+        + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot)
     )
     A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x
     A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x
@@ -2900,20 +2902,20 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x
     A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y
     A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z
-    c77 = 2*h_z
-    c78 = 2*k3_h
-    A_1_leg_11 = C_p + G_dot_21*c77 - G_dot_31*c78
-    A_1_leg_12 = G_dot_22*c77 + inv_rho*tau_rate_13 - G_dot_32*c78
-    A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12
-    c79 = 2*M_mixed
-    c80 = 2*M_phi
-    A_1_leg_21 = inv_rho*(G_dot_21*c79 + G_dot_31*c80 + tau_rate_31)
-    A_1_leg_22 = inv_rho*(G_dot_22*c79 + G_dot_32*c80 + inv_rho*tau_rate_33 - G_dot_12*c78)
-    A_1_leg_23 = inv_rho*(G_dot_23*c79 + G_dot_33*c80 + c7*k3_h - inv_L*tau_rate_32)
-    c81 = 2*M_theta
-    A_1_leg_31 = -inv_L*(G_dot_21*c81 + G_dot_31*c79 + tau_rate_21)
-    A_1_leg_32 = -inv_L*(G_dot_12*c77 + G_dot_22*c81 + G_dot_32*c79 + inv_rho*tau_rate_23)
-    A_1_leg_33 = -inv_L*(G_dot_23*c81 + G_dot_33*c79 - c7*h_z - inv_L*tau_rate_22)
+    c76 = 2*h_z
+    c77 = 2*k3_h
+    A_1_leg_11 = C_p + G_dot_21*c76 - G_dot_31*c77
+    A_1_leg_12 = G_dot_22*c76 + inv_rho*tau_rate_13 - G_dot_32*c77
+    A_1_leg_13 = 2*G_dot_23*h_z - G_dot_33*c77 - inv_L*tau_rate_12
+    c78 = 2*M_mixed
+    c79 = 2*M_phi
+    A_1_leg_21 = inv_rho*(G_dot_21*c78 + G_dot_31*c79 + tau_rate_31)
+    A_1_leg_22 = inv_rho*(G_dot_22*c78 + G_dot_32*c79 + inv_rho*tau_rate_33 - G_dot_12*c77)
+    A_1_leg_23 = inv_rho*(G_dot_23*c78 + G_dot_33*c79 + c7*k3_h - inv_L*tau_rate_32)
+    c80 = 2*M_theta
+    A_1_leg_31 = -inv_L*(G_dot_21*c80 + G_dot_31*c78 + tau_rate_21)
+    A_1_leg_32 = -inv_L*(G_dot_12*c76 + G_dot_22*c80 + G_dot_32*c78 + inv_rho*tau_rate_23)
+    A_1_leg_33 = -inv_L*(G_dot_23*c80 + G_dot_33*c78 - c7*h_z - inv_L*tau_rate_22)
     A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x
     A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x
     A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x
@@ -2947,18 +2949,18 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y
     X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z
     X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x
-    c82 = m_xy*omega_z
-    c83 = m_xz*omega_y
-    Y_xx = A_1_xx + c82 - c83
+    c81 = m_xy*omega_z
+    c82 = m_xz*omega_y
+    Y_xx = A_1_xx + c81 - c82
     Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z
     Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x
     Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y
-    c84 = m_yz*omega_x
-    Y_yy = A_1_yy + c84 - c82
+    c83 = m_yz*omega_x
+    Y_yy = A_1_yy + c83 - c81
     Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x
     Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y
     Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z
-    Y_zz = A_1_zz + c83 - c84
+    Y_zz = A_1_zz + c82 - c83
     Z_xx = X_xz*q_y - X_xy*q_z
     Z_xy = X_xx*q_z - X_xz*q_x
     Z_xz = X_xy*q_x - X_xx*q_y
@@ -2968,43 +2970,43 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     Z_zx = X_zz*q_y - X_zy*q_z
     Z_zy = X_zx*q_z - X_zz*q_x
     Z_zz = X_zy*q_x - X_zx*q_y
-    c85 = m_xz*w_q_y
-    c86 = m_xy*w_q_z
-    V_xx = A_3_xx + Y_xz*q_y + c85 - Y_xy*q_z - c86
+    c84 = m_xz*w_q_y
+    c85 = m_xy*w_q_z
+    V_xx = A_3_xx + Y_xz*q_y + c84 - Y_xy*q_z - c85
     V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x
     V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y
     V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z
-    c87 = m_yz*w_q_x
-    V_yy = A_3_yy + Y_yx*q_z + c86 - Y_yz*q_x - c87
+    c86 = m_yz*w_q_x
+    V_yy = A_3_yy + Y_yx*q_z + c85 - Y_yz*q_x - c86
     V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y
     V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z
     V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x
-    V_zz = A_3_zz + Y_zy*q_x + c87 - Y_zx*q_y - c85
-    c88 = m_xy*q_z
-    c89 = m_xz*q_y
-    c90 = -m_yz*q_x
+    V_zz = A_3_zz + Y_zy*q_x + c86 - Y_zx*q_y - c84
+    c87 = m_xy*q_z
+    c88 = m_xz*q_y
+    c89 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c88 - c89
+    m_q_xx = c87 - c88
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c88 - c90
+    m_q_yy = -c87 - c89
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c89 + c90
-    c91 = R_tip_y*q_y
-    c92 = R_tip_z*q_z
-    c93 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c94 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c95 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c96 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c97 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c98 = R_tip_x*q_x
-    c99 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c100 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c101 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c102 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    m_q_zz = c88 + c89
+    c90 = R_tip_y*q_y
+    c91 = R_tip_z*q_z
+    c92 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c93 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c94 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c95 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c96 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c97 = R_tip_x*q_x
+    c98 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c99 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c100 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c101 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -3054,15 +3056,15 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
         "W_mt_zx": A_0_yx*q_x - A_0_xx*q_y - f_S_zx,
         "W_mt_zy": A_0_yy*q_x - A_0_xy*q_y - f_S_zy,
         "W_mt_zz": A_0_yz*q_x - A_0_xz*q_y - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c94*q_z - Z_yx*q_z - c91 - c92 - c93*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c93*q_x - Z_yy*q_z - c95*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c95*q_y - Z_yz*q_z - c94*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c96*q_z - Z_zx*q_x - c97*q_y,
-        "W_mr_yy": Z_xy*q_z + c97*q_x - Z_zy*q_x - c92 - c98 - c99*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c99*q_y - Z_zz*q_x - c96*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c100*q_z - Z_xx*q_y - c101*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c101*q_x - Z_xy*q_y - c102*q_z,
-        "W_mr_zz": Z_yz*q_x + c102*q_y - Z_xz*q_y - c100*q_x - c91 - c98,
+        "W_mr_xx": Z_zx*q_y + c93*q_z - Z_yx*q_z - c90 - c91 - c92*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c92*q_x - Z_yy*q_z - c94*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c94*q_y - Z_yz*q_z - c93*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c95*q_z - Z_zx*q_x - c96*q_y,
+        "W_mr_yy": Z_xy*q_z + c96*q_x - Z_zy*q_x - c91 - c97 - c98*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c98*q_y - Z_zz*q_x - c95*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c99*q_z - Z_xx*q_y - c100*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c100*q_x - Z_xy*q_y - c101*q_z,
+        "W_mr_zz": Z_yz*q_x + c101*q_y - Z_xz*q_y - c90 - c97 - c99*q_x,
         "W_fv_xx": A_1_xx,
         "W_fv_xy": A_1_xy,
         "W_fv_xz": A_1_xz,
@@ -3116,7 +3118,7 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
 def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench.
 
-    Operations: 2074 (1251 mul, 819 add, 2 div, 2 sqrt).
+    Operations: 2158 (1283 mul, 871 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -3247,41 +3249,42 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     c3 = theta_dot*theta_dot
     theta_dot2 = c3
     phi_dot2 = phi_dot*phi_dot
+    inv_k3 = L*inv_rho
+    # (6) leg's turning about z
+    W_z = c1*inv_L
     # (7) acceleration of the platform point
     S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x
     S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y
     S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z
-    k33 = k3*k3
-    # (8) accelerations of the joint coordinates
-    L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
-    inv_k3 = L*inv_rho
-    # (6) leg's turning about z
-    W_z = c1*inv_L
-    c4 = 2*L_share
+    c4 = k3*k3
+    # (8) acceleration of the length
+    L_ddot = L*(c4*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    c5 = 2*L_share
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = -c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c4
+    own_y = -c5*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c5
+    k33 = c4
     k13 = k1*k3
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
     a2 = J2_xz - L*h2_z
-    c5 = L*h_y
-    a3 = J_xy - c5
-    c6 = J_yz*k3
+    c6 = L*h_y
+    a3 = J_xy - c6
+    c7 = J_yz*k3
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
     M_theta = J_yy + L_h2
-    M_mixed = a3*k1 + c6
-    c7 = h_y*k3
-    k3_h = c7
-    c8 = h_z*inv_L
-    c9 = inv_L*inv_L
+    M_mixed = a3*k1 + c7
+    c8 = h_y*k3
+    k3_h = c8
+    c9 = h_z*inv_L
+    c10 = inv_L*inv_L
     # inertia at the tip, leg frame
     m_leg_sy = -inv_rho*k3_h
-    m_leg_sz = -c8
+    m_leg_sz = -c9
     m_leg_yy = M_phi*inv_rho*inv_rho
     m_leg_yz = -M_mixed*inv_L*inv_rho
-    m_leg_zz = M_theta*c9
+    m_leg_zz = M_theta*c10
     m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x
     m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x
     m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x
@@ -3309,84 +3312,95 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z
     w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
     w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
-    c10 = h_y*own_z
-    c11 = W_z*W_z
-    c12 = c11*h_x
-    c13 = h_y*k1
-    c14 = W_z*inv_k3
-    c15 = 2*theta_dot
-    c16 = c14*c15
-    c17 = c11*h_z
-    c18 = inv_k3*k1
-    c19 = 2*c18
-    tau_L = C_p*L_dot + c13*c16 + c17*c19 + h_z*own_y - c10 - c12 - c3*h_x
-    c20 = C_us*theta_dot
-    c21 = J_yy*own_y
-    c22 = J_yz*own_z
-    c23 = L_ddot*h_z
-    c24 = k3*w_x
-    c25 = gamma_n*w_x
-    c26 = k3*w_z
-    c27 = J_xy*c15
-    c28 = W_z*c27
-    c29 = 2*L
-    c30 = c29*h_x
-    c31 = L_dot*c15
-    c32 = k1*w_z
-    c33 = inv_k3*own_z
-    c34 = c33*k1
-    c35 = J_xy*c34
-    c36 = J_xz*c11
-    c37 = 2*c36
-    c38 = W_z*c15*c5
-    c39 = J_yz*k1
-    c40 = inv_k3*inv_k3
-    c41 = J_xx - J_zz
-    c42 = J_yy + c41
-    c43 = c11*inv_k3
+    c11 = h_y*own_z
+    c12 = W_z*W_z
+    c13 = c12*h_x
+    c14 = c3*h_x
+    c15 = h_y*k1
+    c16 = W_z*inv_k3
+    c17 = 2*theta_dot
+    c18 = c16*c17
+    c19 = c12*h_z
+    c20 = inv_k3*k1
+    c21 = 2*c20
+    tau_L = C_p*L_dot + c15*c18 + c19*c21 + h_z*own_y - c11 - c13 - c14
+    c22 = C_us*theta_dot
+    c23 = J_yy*own_y
+    c24 = J_yz*own_z
+    c25 = L_ddot*h_z
+    c26 = C_s*w_y_omega
+    c27 = k3*w_x
+    c28 = c27*g_k
+    c29 = k1*w_x
+    c30 = c29*gamma_n
+    c31 = k3*w_z
+    c32 = c31*gamma_n
+    c33 = J_xy*c17
+    c34 = W_z*c33
+    c35 = 2*L
+    c36 = h_x*own_y
+    c37 = L_dot*c17
+    c38 = k1*w_z
+    c39 = c38*g_k
+    c40 = inv_k3*own_z
+    c41 = J_xy*k1
+    c42 = c40*c41
+    c43 = J_xz*c12
+    c44 = 2*c43
+    c45 = W_z*c17*c6
+    c46 = J_yz*k1
+    c47 = c18*c46
+    c48 = c6*k1
+    c49 = inv_k3*inv_k3
+    c50 = c43*c49
+    c51 = c12*inv_k3
+    c53 = J_xx - J_zz
+    c54 = J_yy + c53
+    c55 = c54*k1
     tau_theta = (
-        L*c17*c40 + c20 + c21 + c22 + c23 + c24*g_k + c25*k1 + c26*gamma_n + c28 + c30*own_y + c31*h_x + c35
-        + c37 + c38*c40 + c42*c43*k1 - C_s*w_y_omega - c16*c39 - c17*c29 - c28*c40 - c32*g_k - c34*c5
-        - c36*c40 - c38
+        L*c19*c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35*c36 + c37*h_x + c42 + c44 + c45*c49
+        + c51*c55 - c19*c35 - c26 - c34*c49 - c39 - c40*c48 - c45 - c47 - c50
     )
-    c44 = J_xy*own_y
-    c45 = c44*k1
-    c46 = 2*J_xz
-    c47 = k1*own_z
-    c48 = J_xy*c11
-    c49 = c48*inv_k3
-    c50 = c11*c39
-    c51 = c3*c39
-    c52 = J_xz*c15
-    c53 = k3*own_z
-    c54 = k1*own_y
-    c55 = c29*h_z
-    c56 = 2*h_x
-    c57 = 2*W_z
-    c58 = c3*k3
-    c59 = c14*theta_dot
-    c61 = 2*J_xx
-    c62 = c40*c61
+    c56 = C_s*w_k_omega
+    c57 = gamma_n*w_y
+    c58 = c41*own_y
+    c59 = c38*gamma_y
+    c60 = 2*own_z
+    c61 = J_xz*k1
+    c62 = J_xy*c12
+    c63 = c62*inv_k3
+    c64 = c12*c46
+    c65 = c3*c46
+    c66 = J_xz*c17
+    c67 = k3*own_z
+    c68 = h_z*k1
+    c69 = 2*h_x
+    c70 = 2*W_z
+    c71 = J_xy*c3
+    c72 = c6*k3
+    c73 = c16*theta_dot
+    c75 = 2*J_xx
+    c76 = c49*c75
+    c77 = W_z*theta_dot
     tau_phi = (
-        C_us*c14 + J_xx*c33 + L_dot*W_z*c56*k3 + c11*c5*k3 + c30*c53 + c32*gamma_y + c45 + c46*c47 + c49
-        + c5*c58 + c50 + c51 + c55*c59 + c6*own_y - C_s*w_k_omega - J_xy*c58 - L_ddot*c7 - L_dot*c57*h_z*k1
-        - W_z*c62*k1*theta_dot - c13*c31 - c14*c52 - c24*gamma_y - c41*c53 - c43*c5 - c47*c55 - c48*k3
-        - c5*c54 - gamma_n*w_y
+        C_us*c16 + J_xx*c40 + L_dot*W_z*c69*k3 + c12*c72 + c3*c72 + c35*c67*h_x + c35*c73*h_z + c58 + c59
+        + c60*c61 + c63 + c64 + c65 + c7*own_y - L_ddot*c8 - L_dot*c68*c70 - c15*c37 - c16*c66 - c27*gamma_y
+        - c35*c68*own_z - c48*own_y - c51*c6 - c53*c67 - c56 - c57 - c62*k3 - c71*k3 - c76*c77*k1
     )
-    c63 = inv_rho*tau_phi
-    c64 = inv_L*tau_theta
-    c65 = tau_L - F
+    c78 = inv_rho*tau_phi
+    c79 = inv_L*tau_theta
+    c80 = tau_L - F
     # force at the tip, less the actuator's
-    R_tip_x = c63*y_x + c65*s_x - c64*z_x
-    R_tip_y = c63*y_y + c65*s_y - c64*z_y
-    R_tip_z = c63*y_z + c65*s_z - c64*z_z
-    c66 = C_s*inv_rho
-    c67 = c66*k1
-    A_3_leg_21 = -c67
-    c68 = c66*k3
-    A_3_leg_23 = -c68
-    c69 = C_s*inv_L
-    A_3_leg_32 = c69
+    R_tip_x = c78*y_x + c80*s_x - c79*z_x
+    R_tip_y = c78*y_y + c80*s_y - c79*z_y
+    R_tip_z = c78*y_z + c80*s_z - c79*z_z
+    c81 = C_s*inv_rho
+    c82 = c81*k1
+    A_3_leg_21 = -c82
+    c83 = c81*k3
+    A_3_leg_23 = -c83
+    c84 = C_s*inv_L
+    A_3_leg_32 = c84
     A_3_T_xs = A_3_leg_21*y_x
     A_3_T_xy = A_3_leg_32*z_x
     A_3_T_xz = A_3_leg_23*y_x
@@ -3406,28 +3420,28 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x
     A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y
     A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z
-    c70 = inv_L*theta_dot
-    G_dot_21 = -c70
-    c71 = k1*phi_dot
-    G_dot_22 = c71*inv_L
-    c72 = L_dot*c9
-    G_dot_23 = c72
-    c73 = inv_rho*k3
-    G_dot_31 = -c73*phi_dot
-    c74 = inv_rho*theta_dot
-    G_dot_32 = -c2*inv_rho - c74*kappa
-    G_dot_33 = c71*inv_rho
-    c75 = C_s*k1
-    f_S_leg_11 = G_dot_31*c75
-    f_S_leg_12 = C_s*(G_dot_32*k1 - c73*theta_dot)
-    f_S_leg_13 = G_dot_33*c75
+    c85 = inv_L*theta_dot
+    G_dot_21 = -c85
+    c86 = k1*phi_dot
+    G_dot_22 = c86*inv_L
+    c87 = L_dot*c10
+    G_dot_23 = c87
+    c88 = inv_rho*k3
+    G_dot_31 = -c88*phi_dot
+    c89 = inv_rho*theta_dot
+    G_dot_32 = -c2*inv_rho - c89*kappa
+    G_dot_33 = c86*inv_rho
+    c90 = C_s*k1
+    f_S_leg_11 = G_dot_31*c90
+    f_S_leg_12 = C_s*(G_dot_32*k1 - c88*theta_dot)
+    f_S_leg_13 = G_dot_33*c90
     f_S_leg_21 = C_s*G_dot_21
     f_S_leg_22 = C_s*G_dot_22
     f_S_leg_23 = C_s*G_dot_23
-    c76 = C_s*k3
-    f_S_leg_31 = G_dot_31*c76
-    f_S_leg_32 = C_s*(G_dot_32*k3 + c74*k1)
-    f_S_leg_33 = G_dot_33*c76
+    c91 = C_s*k3
+    f_S_leg_31 = G_dot_31*c91
+    f_S_leg_32 = C_s*(G_dot_32*k3 + c89*k1)
+    f_S_leg_33 = G_dot_33*c91
     f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x
     f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x
     f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x
@@ -3447,9 +3461,9 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x
     f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y
     f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z
-    f_S_dot_leg_12 = c67
-    f_S_dot_leg_23 = -c69
-    f_S_dot_leg_32 = c68
+    f_S_dot_leg_12 = c82
+    f_S_dot_leg_23 = -c84
+    f_S_dot_leg_32 = c83
     f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x
     f_S_dot_T_xz = f_S_dot_leg_23*y_x
     f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y
@@ -3466,166 +3480,207 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x
     f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y
     f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z
-    c77 = -2*c3*h_x*inv_L
-    c78 = c72*h_z
-    c79 = c15*c78
-    c80 = c11*c8
-    c81 = c13*c70
-    c82 = c8*own_y
-    c83 = 2*h_y
-    c84 = c72*c83
-    c85 = W_z*c84
-    c86 = c82 + c85
-    A_0_leg_11 = 2*c11*h_x*inv_L + c79 + h_y*inv_L*own_z - 4*c14*c81 - 4*c18*c80 - c77 - c86
-    c87 = L_ddot*c9
-    c88 = c87*h_y
-    c89 = h_y*inv_L
-    c90 = c3*c89
-    c91 = c11*c89
-    c92 = inv_L*inv_L*inv_L
-    c93 = L_dot*L_dot
-    c94 = c92*c93
-    c95 = c83*c94
-    c96 = 2*c40
-    c97 = c15*c8
-    c98 = W_z*c97
-    c99 = c40*c91
-    c100 = c89*own_y
-    c101 = 4*W_z
-    c102 = c8*theta_dot
-    c103 = c14*k1
-    c104 = 4*c103
-    c105 = c15*c72
-    c106 = c105*h_y
-    c107 = c9*inv_k3
-    c108 = c56*c72
-    c109 = W_z*c108 - c107*tau_phi
+    c92 = c9*own_y
+    c93 = c87*h_z
+    c94 = -c17*c93
+    c95 = c9*k1
+    c96 = c51*c95
+    c97 = c11*inv_L
+    c98 = 2*h_y
+    c99 = c87*c98
+    c100 = W_z*c99
+    c101 = c100 + 4*c15*c16*c85 - c97
+    A_0_leg_11 = 2*c12*h_x*inv_L + 2*c3*h_x*inv_L - c101 - c92 - c94 - 4*c96
+    c102 = h_x*inv_L
+    c103 = c102*c60
+    c104 = J_yz*c10
+    c105 = c104*own_y
+    c106 = h_y*inv_L
+    c107 = c106*c12
+    c108 = 2*c107
+    c109 = c10*inv_k3
+    c110 = c109*c58
+    c111 = c109*c59
+    c112 = inv_L*inv_L*inv_L
+    c113 = L_dot*L_dot
+    c114 = c112*c113
+    c115 = c114*c98
+    c116 = C_us*c10
+    c117 = W_z*c116*c49
+    c118 = c10*own_z
+    c119 = J_xx*c49
+    c120 = 2*c40
+    c121 = c10*c61
+    c122 = c49*c9
+    c123 = c106*c3
+    c124 = 2*c49
+    c125 = c109*c64
+    c126 = c109*c65
+    c127 = 2*c93
+    c128 = c16*k1
+    c129 = c10*c62
+    c130 = c129*c49
+    c131 = inv_k3*inv_k3*inv_k3
     A_0_leg_12 = (
-        C_p*W_z + c100*c18 + c109 + c34*c8 + c88 + c90 + c98 + 2*c99 - c101*c102*c40 - c104*c78 - c106*c18
-        - c90*c96 - c91 - c95
+        C_p*W_z + C_s*c10*inv_k3*w_k_omega + 2*J_xx*W_z*c10*c131*k1*theta_dot + J_xy*c10*c12 + J_xy*c10*c3
+        + 2*J_xz*W_z*c10*c49*theta_dot + 2*L_ddot*c10*h_y + 2*W_z*h_z*inv_L*theta_dot + c10*c53*own_z
+        + c10*gamma_n*inv_k3*w_y + c10*gamma_y*w_x + 3*c12*c49*h_y*inv_L + 2*h_y*inv_L*inv_k3*k1*own_y
+        + 3*h_z*inv_L*inv_k3*k1*own_z - c103 - c105 - c108 - c110 - c111 - c115 - c117 - c118*c119
+        - c120*c121 - 6*c122*c77 - c123*c124 - c125 - c126 - c127*c128 - c130
     )
-    c110 = 2*c94
-    c111 = c110*h_z
-    c112 = c40*c80
-    c113 = c3*c8
-    c114 = c105*h_x
-    c115 = c70*c83
-    c116 = W_z*c115
-    c117 = c103*c84 + c113 + c116*c40 + c9*tau_theta - c114 - c116 - c80
-    A_0_leg_13 = 2*c112 + c117 + c23*c9 - C_p*theta_dot - c111
-    c118 = c41*c9
-    c119 = J_yz*c9
-    c120 = c48*c9
-    c121 = 2*c120
-    c122 = c3*c9
-    c123 = 2*J_xy
-    c124 = c122*c123
-    c125 = c61 - 2*J_zz
-    c127 = L_dot*c92
-    c128 = W_z*c127
-    c129 = C_us*c9
-    c130 = c9*own_z
-    c131 = J_xx*c40
-    c132 = c127*c15
-    c133 = c46*c9
-    c134 = 2*c107
-    c135 = 4*J_xz
-    c136 = W_z*c9
-    c137 = c136*theta_dot
-    c138 = c137*c40
-    c139 = 2*c78
-    c140 = c127*c27
-    c141 = inv_k3*inv_k3*inv_k3
-    c142 = c141*k1
-    c143 = J_xx*c142
-    c144 = 4*c137
-    c145 = c103*c127
+    c132 = c10*c22
+    c133 = c10*c23
+    c134 = c10*c24
+    c135 = 2*c114
+    c136 = c135*h_z
+    c137 = c10*c44
+    c138 = c10*c25
+    c139 = c10*c50
+    c140 = W_z*c10
+    c141 = c140*c33
+    c142 = c12*c9
+    c143 = 3*c142
+    c144 = c10*c42
+    c145 = c10*c12
+    c146 = c3*c9
+    c147 = c10*c26
+    c148 = 4*W_z
+    c149 = c148*c85
+    c150 = c149*h_y
+    c151 = (
+        c10*c28 + c10*c30 + c10*c32 + c128*c99 + c146 + c150*c49 + 2*c36*inv_L - c10*c39 - c143 - c147
+        - c150 - c20*c97
+    )
+    A_0_leg_13 = (
+        c132 + c133 + c134 + c137 + 2*c138 + c141 + c143*c49 + c144 + c145*c55*inv_k3 + c151 - C_p*theta_dot
+        - c10*c47 - c136 - c139 - c141*c49
+    )
+    c152 = L_ddot*c10
+    c153 = c152*h_y
+    c154 = c10*gamma_y
+    c155 = c106*own_y
+    c156 = L_dot*c112
+    c157 = c156*c17
+    c158 = 3*c129
+    c159 = 4*c121
+    c160 = c148*theta_dot
+    c161 = c41*inv_k3
+    c162 = 4*c61
+    c163 = c156*c16
+    c164 = c17*c87*h_y
+    c165 = W_z*c156
+    c166 = c140*theta_dot
+    c167 = 6*c166
+    c168 = -2*J_zz
+    c169 = c168 + c75
+    c170 = c131*k1
+    c171 = J_xx*c170
     A_0_leg_21 = (
-        J_yz*c132 + c109 + c118*own_z + c121 + c124 + c128*c62 + c135*c138 + c135*c145 + c140*c18
-        + c143*c144 + c99 - W_z*c129*c40 - c103*c139 - c107*c45 - c119*own_y - c121*c40 - c125*c128
-        - c130*c131 - c133*c34 - c134*c50 - c134*c51 - c40*c98
+        J_xz*c167*c49 + J_yz*c157 + 3*c10*c71 + c108*c49 + c109*c56 + c109*c57 + c118*c169 + c120*c95 + c153
+        + c154*w_x + c155*c20 + c157*c161 + c158 + c162*c163 + c164*c20 + c165*c76 + c167*c171 - c103
+        - 2*c105 - c107 - 2*c110 - c111 - 2*c117 - c118*c76 - c122*c160 - c123 - 3*c125 - 3*c126 - 3*c130
+        - c159*c40 - c165*c169
     )
-    c146 = F*inv_L
-    c147 = J_xy*c130
-    c148 = inv_L*inv_L*inv_L*inv_L
-    c149 = c56*c87
-    c150 = C_us*c127
-    c151 = L_ddot*c92
-    c152 = inv_k3*inv_k3*inv_k3*inv_k3
-    c153 = c11*c9
-    c154 = c119*c15
-    c155 = W_z*c154
-    c156 = c20*c9
-    c157 = c151*c18
-    c158 = c107*k1
-    c159 = 2*inv_L
-    c160 = c159*h_x
-    c161 = 2*c142
-    c162 = c9*k1
-    c163 = c14*c162
-    c164 = c163*c27
-    c165 = c136*c142
-    c166 = c123*c128
-    c167 = c141*c162
-    c168 = 2*c14*c39
-    c169 = c10*c40*inv_L + c127*c168 + c166*c40 + c167*c37 - c147*c40 - c161*c80 - c166
+    c173 = L_ddot*c112
+    c174 = c14*inv_L
+    c175 = c113*inv_L*inv_L*inv_L*inv_L
+    c176 = c10*c3
+    c177 = J_yy*c145
+    c178 = c13*inv_L
+    c179 = 2*J_xy
+    c180 = c118*c179
+    c181 = c10*own_y
+    c182 = 2*J_xz
+    c183 = c181*c182
+    c184 = c154*c49
+    c185 = c145*c49
+    c186 = C_us*c156
+    c187 = inv_k3*inv_k3*inv_k3*inv_k3
+    c188 = c187*c75
+    c189 = c49*c97
+    c190 = c165*c179
+    c191 = 2*c92
+    c192 = c10*gamma_n
+    c193 = c192*c38
+    c194 = c109*own_y
+    c195 = c10*c43
+    c196 = c190*c49
+    c197 = 2*c61
+    c198 = c197*inv_k3
+    c199 = c104*c17
+    c200 = W_z*c199
+    c201 = c200*c49
+    c202 = 2*c170
+    c203 = c49*c66
+    c204 = c131*c176
+    c205 = 2*c134
+    c206 = c162*inv_k3
+    c207 = c131*c166
+    c208 = 4*c207*c41
+    c209 = 2*c46
+    c210 = c163*c209
+    c211 = c170*c75
+    c212 = c211*theta_dot
+    c213 = c131*c149*c15
+    c214 = c10*g_k
+    c215 = C_p*c2 + c135*h_x + c193 + c214*c29 + c214*c31 - F*inv_L - c152*c69 - c192*c27
     A_0_leg_22 = (
-        2*J_xx*L_dot*c141*c92*k1*theta_dot + J_xx*c11*c40*c9 + 2*J_xx*c148*c40*c93 + 2*J_xx*c152*c3*c9
-        + 2*J_xz*L_dot*c40*c92*theta_dot + 2*J_xz*c141*c3*c9*k1 + 4*J_xz*c148*c93*inv_k3*k1
-        + 2*J_xz*c3*c9*inv_k3*k1 + 2*J_xz*c9*own_y + J_yz*c9*inv_k3*k1*own_z + L_ddot*c41*c92
-        + 2*L_ddot*c9*h_z*inv_k3*k1 + 2*W_z*c141*h_y*inv_L*k1*theta_dot + c11*c41*c9 + c40*c9*gamma_n*k1*w_z
-        + c40*c9*gamma_y*w_y + 2*c40*h_z*inv_L*own_y + c41*c9*inv_k3*k1*own_y + c9*inv_k3*k1*tau_theta
-        + 2*c92*c93*h_x + inv_L*tau_L - J_xx*c141*c54*c9 - c107*c25 - c111*c18 - c113*c161 - c113*c19
-        - c114*c18 - c122*c131 - c125*c148*c93 - c131*c151 - c133*c40*own_y - c142*c156 - c146 - c147 - c149
-        - c150*c40 - c152*c153*c61 - c155 - c157*c46 - c158*c37 - c160*c54*inv_k3 - c164 - c165*c27 - c169
-        - c3*c41*c9 - c77 - c79 - 2*c82
+        c132*c20 + 3*c138*c20 + c143*c170 + c156*c203 + c156*c212 + c173*c53 + c174 + c175*c206 + c175*c76
+        + c176*c188 + c176*c198 + c180*c49 + c183 + c184*w_y + c185*(J_yy + c75 - J_zz) + c190 + c191*c49
+        + c193*c49 + c194*c55 + c197*c204 + c20*c205 + c213 + c215 + c94 - c109*g_k*w_z - c119*c173
+        - c119*c176 - c132*c170 - c136*c20 - c145*c188 - c146*c202 - c146*c21 - c147*c20 - c169*c175
+        - 3*c170*c195 - c171*c181 - c173*c198 - c176*c53 - c177 - c178 - c180 - c183*c49 - c186*c49 - 2*c189
+        - c196 - c201 - c208 - c210 - c92
     )
-    c170 = c44*c9
-    c171 = c8*own_z
-    c172 = c119*c3
-    c173 = 2*c172
-    c174 = c57*c78
-    c175 = c107*c39
-    c176 = c175*own_y
-    c177 = c142*c91
-    c178 = c158*c3
-    c179 = c132*c39*inv_k3
-    c180 = c148*c93
-    c181 = 2*J_yz
-    c182 = c56*c70
-    c183 = c40*c46
-    c184 = c135*c163
-    c185 = (
-        J_xy*c157 + J_yz*c151 + W_z*c182 + c142*c98 + c158*gamma_y*w_x + c162*c40*tau_phi + c174*c40
-        + c184*theta_dot + c9*gamma_y*w_z - c103*c108 - c123*c18*c180 - c125*c137 - c128*c183 - c160*c34
-        - c165*c52 - c180*c181
+    c216 = c104*c3
+    c217 = c104*c12
+    c218 = J_xy*c49
+    c219 = c217*c49
+    c220 = c216*c49
+    c221 = c155*c49
+    c222 = c156*c33
+    c223 = c10*k1
+    c224 = c223*c63
+    c225 = c116*c170
+    c226 = c17*c9
+    c227 = c157*c46*inv_k3
+    c228 = 2*J_yz
+    c229 = c9*own_z
+    c230 = c118*c182
+    c231 = c69*c85
+    c232 = c223*c49
+    c233 = 2*c161
+    c234 = c182*c49
+    c235 = (
+        J_yz*c173 + W_z*c231 + c159*c73 + c160*c170*c9 + c161*c173 + c184*w_z + c230*c49 - c124*c229
+        - c162*c207 - c165*c234 - c166*c169 - c175*c228 - c175*c233 - c232*c56 - c232*c57
     )
     A_0_leg_23 = (
-        W_z*c129*c142 + c118*c34 + c120*c142 + c123*c178 + c130*c143 + c130*c46 + c131*c144 + c170 + c173
-        + c179 + c185 - J_xx*c144*c152 - c103*c97 - c128*c142*c61 - c140 - 2*c171 - c174 - c176 - c177
+        c107*c20 + c118*c211 + c119*c167 + c123*c20 + c129*c202 + c155 + c161*c176 + c164 + c181*c218 + c216
+        + c219 + c220 + c225*c70 + c227 + c235 - J_xx*c167*c187 - c108*c170 - c128*c226 - c153*c20
+        - c164*c49 - c165*c211 - c217 - c221 - c222 - c224
     )
-    c186 = 4*c9
-    c187 = c40*c9
-    c188 = 2*J_yy
-    c189 = c188*theta_dot
-    c190 = J_xy*c144
-    c191 = c125 + c188
+    c236 = 2*J_yy
+    c237 = c236*theta_dot
+    c238 = 2*c41
     A_0_leg_31 = (
-        c11*c158*c191 + c112 + c117 + c156 + c186*c36 + c190 + c21*c9 + c22*c9 + c35*c9 - c123*c145
-        - c127*c189 - c128*c181 - c186*c39*c59 - c187*c37 - c190*c40
+        J_xy*c167 + c124*c142 + 2*c132 + 2*c133 + c138 + 2*c144 + c145*c20*(3*J_xx + 3*J_yy - 3*J_zz) + c151
+        + 6*c195 + c205 - 6*c10*c46*c73 - 3*c139 - c156*c237 - c163*c238 - c165*c228 - c167*c218
     )
-    c192 = c11*c119
+    c239 = c179*c181
+    c240 = 4*J_xz
+    c242 = c169 + c236
+    c243 = 4*c128*c9
     A_0_leg_32 = (
-        C_s*c107*w_n_omega + J_xy*c178 + c100 + c106*c40 + c121*c142 + c128*c135 + c138*c191 + c140
-        + c145*c191 + c161*c90 + c170*c40 + c172 + c176 + c18*c91 + c18*c95 + c185 + c192*c96 - J_yy*c34*c9
-        - c100*c40 - c101*c78 - c102*c104 - c103*c129 - c106 - c124*c142 - c140*c40 - c162*c49 - c170 - c171
-        - c173*c40 - 2*c177 - c179 - c18*c88 - c18*c90 - c192
+        C_s*c109*w_n_omega + W_z*c225 + c108*c20 + c115*c20 + c118*c171 + c123*c202 + c128*c156*c242
+        + 2*c155 + c158*c170 + c165*c240 + c166*c49*(4*J_xx + c168 + c236) + c194*c209 + 3*c219 + c222
+        + c229 + c235 + c239*c49 - 3*c107*c170 - c116*c128 - 2*c153*c20 - c166*c188 - c204*c238 - 2*c217
+        - c220 - 2*c221 - c222*c49 - c223*c40*c54 - 2*c224 - c227 - c230 - c239 - c243*theta_dot - c70*c93
     )
-    c193 = c9*gamma_n
     A_0_leg_33 = (
-        J_yy*c153 + c103*c115 + c110*h_x + c12*c159 + c142*c190 + c155*c40 + c162*g_k*w_x + c169 + c180*c188
-        + c193*c32 + c26*c9*g_k + c86 + inv_L*tau_L - J_yy*c122 - J_yy*c151 - c101*c141*c81 - c146 - c149
-        - c150 - c153*c40*c42 - c155 - c164 - c193*c24 - c40*c85
+        c101 + c137*c170 + c175*c236 + c177 + c178 + c189 + c191 + c196 + c201 + c208 + c210 + c215 + 2*c96
+        - J_yy*c173 - J_yy*c176 - c10*c18*c41 - c100*c49 - c118*c218 - c142*c202 - c174 - c185*c54 - c186
+        - c190 - c200 - c213
     )
     A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x
     A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x
@@ -3646,31 +3701,36 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x
     A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y
     A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z
-    c194 = c57*c89
-    c195 = c194 - c97
-    A_1_leg_11 = C_p + c195
-    c196 = W_z*c160
-    A_1_leg_12 = 4*c103*c8 + c115*c18 + c84 - c196
-    c197 = c182 - 2*c103*c89
-    A_1_leg_13 = c139 + c197
-    A_1_leg_21 = W_z*c125*c9 + 2*W_z*h_z*inv_L*inv_k3*k1 - c136*c62 - c154 - c158*c27 - c184 - c196
-    c198 = c123*c136
-    c199 = c194*c40
-    c200 = c127*c18
-    c201 = c168*c9
-    c202 = c198*c40
+    c244 = c106*c70
+    c245 = c244 - c226
+    A_1_leg_11 = C_p + c245
+    c246 = c102*c70
+    c247 = c85*c98
+    A_1_leg_12 = c20*c247 + c243 + c99 - c246
+    c248 = c231 - 2*c106*c128
+    A_1_leg_13 = c127 + c248
+    c249 = c109*c17
+    A_1_leg_21 = W_z*c10*c169 + 2*W_z*h_z*inv_L*inv_k3*k1 - c140*c76 - c159*c16 - c199 - c246 - c249*c41
+    c250 = c140*c179
+    c251 = c69*c87
+    c252 = c244*c49
+    c253 = c10*c16
+    c254 = c209*c253
+    c255 = c250*c49
     A_1_leg_22 = (
-        C_us*c40*c9 + L_dot*c125*c92 + 2*L_dot*c9*h_z*inv_k3*k1 + c201 + c202 + 2*c40*h_z*inv_L*theta_dot
-        - c108 - c127*c62 - c135*c200 - c167*c61*theta_dot - c187*c52 - c198 - c199
+        C_us*c10*c49 + 2*L_dot*c10*h_z*inv_k3*k1 + L_dot*c112*c169 + c254 + c255 + 2*c49*h_z*inv_L*theta_dot
+        - c10*c203 - c10*c212 - c156*c206 - c156*c76 - c250 - c251 - c252
     )
-    c203 = c27*c9
-    c204 = c15*c175
-    c205 = c57*c8
-    c206 = c123*c200 + c127*c181 + c136*c183 - c205*c40
-    A_1_leg_23 = c165*c61 + c203 + c206 - c204
-    A_1_leg_31 = c119*c57 + c123*c163 + c189*c9 + c197
-    A_1_leg_32 = c115 + c203*c40 + c204 + c205 + c206 - c115*c40 - c135*c136 - c163*c191 - c18*c84 - c203
-    A_1_leg_33 = C_us*c9 + c198 + c199 - c108 - c127*c188 - c195 - c201 - c202
+    c256 = c10*c33
+    c257 = c249*c46
+    c258 = c70*c9
+    c259 = c140*c234 + c156*c228 + c156*c233 - c258*c49
+    A_1_leg_23 = c140*c211 + c256 + c259 - c257
+    A_1_leg_31 = c10*c237 + c104*c70 + c238*c253 + c248
+    A_1_leg_32 = (
+        c247 + c256*c49 + c257 + c258 + c259 - c140*c240 - c16*c223*c242 - c20*c99 - c247*c49 - c256
+    )
+    A_1_leg_33 = C_us*c10 + c250 + c252 - c156*c236 - c245 - c251 - c254 - c255
     A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x
     A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x
     A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x
@@ -3704,18 +3764,18 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y
     X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z
     X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x
-    c207 = m_xy*omega_z
-    c208 = m_xz*omega_y
-    Y_xx = A_1_xx + c207 - c208
+    c260 = m_xy*omega_z
+    c261 = m_xz*omega_y
+    Y_xx = A_1_xx + c260 - c261
     Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z
     Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x
     Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y
-    c209 = m_yz*omega_x
-    Y_yy = A_1_yy + c209 - c207
+    c262 = m_yz*omega_x
+    Y_yy = A_1_yy + c262 - c260
     Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x
     Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y
     Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z
-    Y_zz = A_1_zz + c208 - c209
+    Y_zz = A_1_zz + c261 - c262
     Z_xx = X_xz*q_y - X_xy*q_z
     Z_xy = X_xx*q_z - X_xz*q_x
     Z_xz = X_xy*q_x - X_xx*q_y
@@ -3725,43 +3785,43 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     Z_zx = X_zz*q_y - X_zy*q_z
     Z_zy = X_zx*q_z - X_zz*q_x
     Z_zz = X_zy*q_x - X_zx*q_y
-    c210 = m_xz*w_q_y
-    c211 = m_xy*w_q_z
-    V_xx = A_3_xx + Y_xz*q_y + c210 - Y_xy*q_z - c211
+    c263 = m_xz*w_q_y
+    c264 = m_xy*w_q_z
+    V_xx = A_3_xx + Y_xz*q_y + c263 - Y_xy*q_z - c264
     V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x
     V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y
     V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z
-    c212 = m_yz*w_q_x
-    V_yy = A_3_yy + Y_yx*q_z + c211 - Y_yz*q_x - c212
+    c265 = m_yz*w_q_x
+    V_yy = A_3_yy + Y_yx*q_z + c264 - Y_yz*q_x - c265
     V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y
     V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z
     V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x
-    V_zz = A_3_zz + Y_zy*q_x + c212 - Y_zx*q_y - c210
-    c213 = m_xy*q_z
-    c214 = m_xz*q_y
-    c215 = -m_yz*q_x
+    V_zz = A_3_zz + Y_zy*q_x + c265 - Y_zx*q_y - c263
+    c266 = m_xy*q_z
+    c267 = m_xz*q_y
+    c268 = -m_yz*q_x
     # m [q]x
-    m_q_xx = c213 - c214
+    m_q_xx = c266 - c267
     m_q_xy = m_xz*q_x - m_xx*q_z
     m_q_xz = m_xx*q_y - m_xy*q_x
     m_q_yx = m_yy*q_z - m_yz*q_y
-    m_q_yy = -c213 - c215
+    m_q_yy = -c266 - c268
     m_q_yz = m_xy*q_y - m_yy*q_x
     m_q_zx = m_yz*q_z - m_zz*q_y
     m_q_zy = m_zz*q_x - m_xz*q_z
-    m_q_zz = c214 + c215
-    c216 = R_tip_y*q_y
-    c217 = R_tip_z*q_z
-    c218 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c219 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c220 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c221 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c222 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c223 = R_tip_x*q_x
-    c224 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c225 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c226 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c227 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    m_q_zz = c267 + c268
+    c269 = R_tip_y*q_y
+    c270 = R_tip_z*q_z
+    c271 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c272 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c273 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c274 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c275 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c276 = R_tip_x*q_x
+    c277 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c278 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c279 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c280 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": m_xx,
         "M_vv_xy": m_xy,
@@ -3811,15 +3871,15 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
         "W_mt_zx": A_0_yx*q_x - A_0_xx*q_y - f_S_zx,
         "W_mt_zy": A_0_yy*q_x - A_0_xy*q_y - f_S_zy,
         "W_mt_zz": A_0_yz*q_x - A_0_xz*q_y - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c219*q_z - Z_yx*q_z - c216 - c217 - c218*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c218*q_x - Z_yy*q_z - c220*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c220*q_y - Z_yz*q_z - c219*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c221*q_z - Z_zx*q_x - c222*q_y,
-        "W_mr_yy": Z_xy*q_z + c222*q_x - Z_zy*q_x - c217 - c223 - c224*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c224*q_y - Z_zz*q_x - c221*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c225*q_z - Z_xx*q_y - c226*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c226*q_x - Z_xy*q_y - c227*q_z,
-        "W_mr_zz": Z_yz*q_x + c227*q_y - Z_xz*q_y - c216 - c223 - c225*q_x,
+        "W_mr_xx": Z_zx*q_y + c272*q_z - Z_yx*q_z - c269 - c270 - c271*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c271*q_x - Z_yy*q_z - c273*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c273*q_y - Z_yz*q_z - c272*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c274*q_z - Z_zx*q_x - c275*q_y,
+        "W_mr_yy": Z_xy*q_z + c275*q_x - Z_zy*q_x - c270 - c276 - c277*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c277*q_y - Z_zz*q_x - c274*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c278*q_z - Z_xx*q_y - c279*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c279*q_x - Z_xy*q_y - c280*q_z,
+        "W_mr_zz": Z_yz*q_x + c280*q_y - Z_xz*q_y - c269 - c276 - c278*q_x,
         "W_fv_xx": A_1_xx,
         "W_fv_xy": A_1_xy,
         "W_fv_xz": A_1_xz,
@@ -4539,7 +4599,7 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives.
 
-    Operations: 1947 (1236 mul, 707 add, 2 div, 2 sqrt).
+    Operations: 1941 (1235 mul, 702 add, 2 div, 2 sqrt).
     """
     p_x = leg["p_x"]
     p_y = leg["p_y"]
@@ -4581,9 +4641,6 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     v_x = motion.v[..., 0, None]
     v_y = motion.v[..., 1, None]
     v_z = motion.v[..., 2, None]
-    a_x = motion.a[..., 0, None]
-    a_y = motion.a[..., 1, None]
-    a_z = motion.a[..., 2, None]
     B_xx = pose["B_xx"][..., None]
     B_xy = pose["B_xy"][..., None]
     B_xz = pose["B_xz"][..., None]
@@ -4596,6 +4653,9 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     net_x = motion.net[..., 0]
     net_y = motion.net[..., 1]
     net_z = motion.net[..., 2]
+    turned_x = motion.turned[..., 0]
+    turned_y = motion.turned[..., 1]
+    turned_z = motion.turned[..., 2]
     g_x = platform["g_x"]
     g_y = platform["g_y"]
     g_z = platform["g_z"]
@@ -4652,36 +4712,42 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    c1 = omega_y*q_z - omega_z*q_y
+    c2 = omega_x*q_z
+    c3 = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = c1 + v_x
+    S_dot_y = omega_z*q_x + v_y - c2
+    S_dot_z = c3 + v_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
-    c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
+    c4 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
-    phi_dot = c1*inv_rho
+    phi_dot = c4*inv_rho
     theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
-    c2 = L_dot*inv_L
+    c5 = L_dot*inv_L
     # L_dot / L
-    L_share = c2
-    c3 = theta_dot*theta_dot
-    theta_dot2 = c3
+    L_share = c5
+    c6 = theta_dot*theta_dot
+    theta_dot2 = c6
     phi_dot2 = phi_dot*phi_dot
-    # (7) acceleration of the platform point
-    S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x
-    S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y
-    S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z
-    k33 = k3*k3
-    # (8) accelerations of the joint coordinates
-    L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
     inv_k3 = L*inv_rho
     # (6) leg's turning about z
-    W_z = c1*inv_L
-    c4 = 2*L_share
+    W_z = c4*inv_L
+    # (4) omega x q
+    w_q_x = c1
+    w_q_y = omega_z*q_x - c2
+    w_q_z = c3
+    # (7) acceleration of the platform point
+    S_ddot_x = omega_y*w_q_z - omega_z*w_q_y
+    S_ddot_y = omega_z*w_q_x - omega_x*w_q_z
+    S_ddot_z = omega_x*w_q_y - omega_y*w_q_x
+    # (8) acceleration of the length
+    L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + turned_x
+    c7 = 2*L_share
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = -c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c4
+    own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z - W_z*c7
     # gravity along k x y and along y
     gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
     gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
@@ -4691,205 +4757,206 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     normal_z = k_x*y_y - k_y*y_x
     # omega along k x y, y and k
     w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z
-    c5 = inv_rho*net_z
-    c6 = inv_L*net_y
+    c8 = inv_rho*net_z
+    c9 = inv_L*net_y
     # force at the tip, less the actuator's
-    R_tip_x = c5*y_x + net_x*s_x - c6*z_x
-    R_tip_y = c5*y_y + net_x*s_y - c6*z_y
-    R_tip_z = c5*y_z + net_x*s_z - c6*z_z
-    c7 = h_z*own_y
-    c8 = W_z*W_z
-    c9 = inv_L*inv_L
-    c10 = L_dot*c9
-    c11 = 2*h_y
-    c12 = W_z*c11
-    c13 = h_y*inv_L
-    c14 = inv_k3*k1
-    c15 = c13*c14
-    c16 = 4*W_z
-    c17 = c16*theta_dot
-    c18 = c8*h_z
-    c19 = c18*inv_L
-    c20 = 4*c14
+    R_tip_x = c8*y_x + net_x*s_x - c9*z_x
+    R_tip_y = c8*y_y + net_x*s_y - c9*z_y
+    R_tip_z = c8*y_z + net_x*s_z - c9*z_z
+    c10 = h_z*own_y
+    c11 = W_z*W_z
+    c12 = inv_L*inv_L
+    c13 = L_dot*c12
+    c14 = 2*h_y
+    c15 = W_z*c14
+    c16 = h_y*inv_L
+    c17 = inv_k3*k1
+    c18 = c16*c17
+    c19 = 4*W_z
+    c20 = c19*theta_dot
+    c21 = c11*h_z
+    c22 = c21*inv_L
+    c23 = 4*c17
     tau_S_leg_11 = (
-        2*L_dot*c9*h_z*theta_dot + 2*c3*h_x*inv_L + 2*c8*h_x*inv_L + h_y*inv_L*own_z - c10*c12 - c15*c17
-        - c19*c20 - c7*inv_L
+        2*L_dot*c12*h_z*theta_dot + 2*c11*h_x*inv_L + 2*c6*h_x*inv_L + h_y*inv_L*own_z - c10*inv_L - c13*c15
+        - c18*c20 - c22*c23
     )
-    c21 = L_ddot*c9
-    c22 = c13*c3
-    c23 = h_z*inv_L
-    c24 = 2*theta_dot
-    c25 = c23*c24
-    c26 = h_y*own_y
-    c27 = inv_L*inv_k3
-    c28 = c27*k1
-    c29 = h_z*own_z
-    c30 = c13*c8
-    c31 = 2*h_x
-    c32 = W_z*c10
-    c33 = L_dot*L_dot
-    c34 = inv_L*inv_L*inv_L
-    c35 = c33*c34
-    c36 = inv_k3*inv_k3
-    c37 = 2*c36
-    c38 = h_y*k1
-    c39 = c38*inv_k3
+    c24 = L_ddot*c12
+    c25 = c16*c6
+    c26 = h_z*inv_L
+    c27 = 2*theta_dot
+    c28 = c26*c27
+    c29 = h_y*own_y
+    c30 = inv_L*inv_k3
+    c31 = c30*k1
+    c32 = h_z*own_z
+    c33 = c11*c16
+    c34 = 2*h_x
+    c35 = W_z*c13
+    c36 = L_dot*L_dot
+    c37 = inv_L*inv_L*inv_L
+    c38 = c36*c37
+    c39 = inv_k3*inv_k3
+    c40 = 2*c39
+    c41 = h_y*k1
+    c42 = c41*inv_k3
     tau_S_leg_12 = (
-        C_p*W_z + W_z*c25 + c21*h_y + c22 + c26*c28 + c28*c29 + c30*c37 + c31*c32 - c10*c24*c39 - c11*c35
-        - c17*c23*c36 - c20*c32*h_z - c22*c37 - c30
+        C_p*W_z + W_z*c28 + c24*h_y + c25 + c29*c31 + c31*c32 + c33*c40 + c34*c35 - c13*c27*c42 - c14*c38
+        - c20*c26*c39 - c23*c35*h_z - c25*c40 - c33
     )
-    c40 = W_z*c24
-    c41 = c31*theta_dot
-    c42 = 2*h_z
+    c43 = W_z*c27
+    c44 = c34*theta_dot
+    c45 = 2*h_z
     tau_S_leg_13 = (
-        L_ddot*c9*h_z + 2*L_dot*W_z*c9*h_y*inv_k3*k1 + 2*W_z*c36*h_y*inv_L*theta_dot + c3*h_z*inv_L
-        + 2*c36*c8*h_z*inv_L - C_p*theta_dot - c10*c41 - c13*c40 - c19 - c35*c42
+        L_ddot*c12*h_z + 2*L_dot*W_z*c12*h_y*inv_k3*k1 + 2*W_z*c39*h_y*inv_L*theta_dot + 2*c11*c39*h_z*inv_L
+        + c6*h_z*inv_L - C_p*theta_dot - c13*c44 - c16*c43 - c22 - c38*c45
     )
-    c43 = C_us*inv_L
-    c44 = c43*theta_dot
-    c45 = J_yy*inv_L
-    c46 = J_yz*inv_L
-    c47 = c3*h_z
-    c48 = inv_L*theta_dot
-    c49 = J_xy*c48
-    c50 = J_xy*inv_L
-    c51 = c50*k1
-    c52 = c51*inv_k3
-    c53 = c8*inv_L
-    c54 = 4*J_xz
-    c55 = c11*theta_dot
-    c56 = 2*W_z
-    c57 = 2*J_yy
-    c58 = 2*J_xx
-    c59 = c58 - 2*J_zz
-    c60 = c57 + c59
+    c46 = C_us*inv_L
+    c47 = c46*theta_dot
+    c48 = J_yy*inv_L
+    c49 = J_yz*inv_L
+    c50 = c6*h_z
+    c51 = inv_L*theta_dot
+    c52 = J_xy*c51
+    c53 = J_xy*inv_L
+    c54 = c53*k1
+    c55 = c54*inv_k3
+    c56 = c11*inv_L
+    c57 = 4*J_xz
+    c58 = c14*theta_dot
+    c59 = 2*W_z
+    c60 = 2*J_yy
+    c61 = 2*J_xx
+    c62 = c61 - 2*J_zz
+    c63 = c60 + c62
     tau_S_leg_21 = (
-        2*J_xy*L_dot*W_z*c9*inv_k3*k1 + 4*J_xy*W_z*c36*inv_L*theta_dot + 2*J_xz*c36*c8*inv_L
-        + 2*J_yy*L_dot*c9*theta_dot + 2*J_yz*L_dot*W_z*c9 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
-        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c8*h_z - W_z*c36*c55 - c16*c49 - c18*c36
-        - c2*c39*c56 - c44 - c45*own_y - c46*own_z - c47 - c52*own_z - c53*c54 - c60*c8*inv_L*inv_k3*k1
+        2*J_xy*L_dot*W_z*c12*inv_k3*k1 + 4*J_xy*W_z*c39*inv_L*theta_dot + 2*J_xz*c11*c39*inv_L
+        + 2*J_yy*L_dot*c12*theta_dot + 2*J_yz*L_dot*W_z*c12 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
+        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c11*h_z - W_z*c39*c58
+        - c11*c63*inv_L*inv_k3*k1 - c19*c52 - c21*c39 - c42*c5*c59 - c47 - c48*own_y - c49*own_z - c50
+        - c55*own_z - c56*c57
     )
-    c62 = c50*own_y
-    c63 = W_z*c41
-    c64 = inv_L*w_z
-    c65 = c64*gamma_y
-    c66 = c46*c8
-    c67 = C_s*inv_L
-    c68 = c16*h_z
-    c69 = k1*own_z
-    c70 = c31*c69
-    c71 = W_z*c43*inv_k3
-    c72 = J_yz*c21
-    c73 = c3*c46
-    c74 = k1*own_y
-    c75 = c46*c74
-    c76 = c14*theta_dot
-    c77 = inv_L*w_x
-    c78 = c77*k1
-    c79 = c78*gamma_y
-    c80 = J_xy*c10
-    c81 = c24*c80
-    c82 = W_z*c54
-    c83 = c10*c82
-    c84 = c8*inv_k3
-    c85 = c48*c82
-    c86 = c2*c31
-    c87 = W_z*c86
-    c88 = 2*J_yz
-    c89 = c35*c88
-    c90 = c21*inv_k3
-    c91 = J_xy*k1
-    c92 = W_z*c42
-    c93 = c36*c92
-    c94 = inv_k3*inv_k3*inv_k3
-    c95 = c92*k1
-    c96 = c95*theta_dot
-    c97 = c38*c8
-    c98 = 2*c94
-    c99 = c3*c98
-    c100 = 2*k1
-    c101 = J_xz*c100
-    c102 = W_z*c48
-    c103 = c10*c88
-    c104 = J_xy*c100*c35
-    c105 = c51*c8
-    c106 = J_xz*c56
-    c107 = c106*c36
-    c108 = c33*c9
-    c109 = W_z*c36
-    c110 = c109*c48
+    c65 = c53*own_y
+    c66 = W_z*c44
+    c67 = inv_L*w_z
+    c68 = c67*gamma_y
+    c69 = c11*c49
+    c70 = C_s*inv_L
+    c71 = c19*h_z
+    c72 = k1*own_z
+    c73 = c34*c72
+    c74 = W_z*c46*inv_k3
+    c75 = J_yz*c24
+    c76 = c49*c6
+    c77 = k1*own_y
+    c78 = c49*c77
+    c79 = c17*theta_dot
+    c80 = inv_L*w_x
+    c81 = c80*k1
+    c82 = c81*gamma_y
+    c83 = J_xy*c13
+    c84 = c27*c83
+    c85 = W_z*c57
+    c86 = c13*c85
+    c87 = c11*inv_k3
+    c88 = c51*c85
+    c89 = c34*c5
+    c90 = W_z*c89
+    c91 = 2*J_yz
+    c92 = c38*c91
+    c93 = c24*inv_k3
+    c94 = J_xy*k1
+    c95 = W_z*c45
+    c96 = c39*c95
+    c97 = inv_k3*inv_k3*inv_k3
+    c98 = c95*k1
+    c99 = c98*theta_dot
+    c100 = c11*c41
+    c101 = 2*c97
+    c102 = c101*c6
+    c103 = 2*k1
+    c104 = J_xz*c103
+    c105 = W_z*c51
+    c106 = c13*c91
+    c107 = J_xy*c103*c38
+    c108 = c11*c54
+    c109 = J_xz*c59
+    c110 = c109*c39
+    c111 = c12*c36
+    c112 = W_z*c39
+    c113 = c112*c51
     tau_S_leg_22 = (
-        L_ddot*c15 + W_z*c48*c59 + c10*c107 + c101*c102*c94 + c103*c76 + c104*inv_k3 + c14*c87 + c2*c55
-        + c2*c68 + c26*c36 + c29 + c3*c39 + c36*c81 + c37*c73 + c45*c69*inv_k3 + c51*c84 + c51*c99 + c62
-        + c66 + c68*c76 + c70*inv_k3 + c71*k1 + c89 + c97*c98 - c105*c98 - 2*c108*c39 - c110*c60 - c14*c85
-        - c2*c36*c55 - c2*c93 - c26 - c3*c52 - c32*c60*inv_k3*k1 - c36*c62 - c37*c66 - c38*c84 - c38*c99
-        - c63 - c65 - c67*inv_k3*w_n_omega - c72 - c73 - c75*inv_k3 - c79*inv_k3 - c81 - c83 - c90*c91
-        - c94*c96
+        L_ddot*c18 + W_z*c51*c62 + c100*c101 + c102*c54 + c104*c105*c97 + c106*c79 + c107*inv_k3 + c110*c13
+        + c17*c90 + c29*c39 + c32 + c39*c84 + c40*c76 + c42*c6 + c48*c72*inv_k3 + c5*c58 + c5*c71 + c54*c87
+        + c65 + c69 + c71*c79 + c73*inv_k3 + c74*k1 + c92 - c101*c108 - c102*c41 - 2*c111*c42 - c113*c63
+        - c17*c88 - c29 - c35*c63*inv_k3*k1 - c39*c5*c58 - c39*c65 - c40*c69 - c41*c87 - c5*c96 - c55*c6
+        - c66 - c68 - c70*inv_k3*w_n_omega - c75 - c76 - c78*inv_k3 - c82*inv_k3 - c84 - c86 - c93*c94
+        - c97*c99
     )
-    c111 = h_y*own_z
-    c112 = c48*c94
-    c113 = W_z*c103
-    c114 = c56*c80
-    c115 = c101*c53
-    c116 = J_xx - J_zz
+    c114 = h_y*own_z
+    c115 = c51*c97
+    c116 = W_z*c106
+    c117 = c59*c83
+    c118 = c104*c56
+    c119 = J_xx - J_zz
     tau_S_leg_23 = (
-        C_us*L_dot*c9 + 2*J_xy*L_dot*W_z*c9 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c36*inv_L*own_z
-        + J_yy*L_ddot*c9 + J_yy*c3*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
-        + 2*L_dot*W_z*c36*h_y*inv_L + 4*W_z*c94*h_y*k1*theta_dot + c36*c8*inv_L*(J_yy + c116)
-        + 2*c8*c94*h_z*k1 + gamma_n*inv_L*k3*w_x - c108*c31 - c111*c36 - c112*c16*c91 - c113*c14 - c114*c36
-        - c115*c94 - c12*c2 - c31*c8 - c35*c57 - c36*c40*c46 - c39*c40 - c45*c8 - c64*g_k*k3
-        - c64*gamma_n*k1 - c7 - c78*g_k
+        C_us*L_dot*c12 + 2*J_xy*L_dot*W_z*c12 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c39*inv_L*own_z
+        + J_yy*L_ddot*c12 + J_yy*c6*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
+        + 2*L_dot*W_z*c39*h_y*inv_L + 4*W_z*c97*h_y*k1*theta_dot + c11*c39*inv_L*(J_yy + c119)
+        + 2*c11*c97*h_z*k1 + gamma_n*inv_L*k3*w_x - c10 - c11*c34 - c11*c48 - c111*c34 - c114*c39
+        - c115*c19*c94 - c116*c17 - c117*c39 - c118*c97 - c15*c5 - c38*c60 - c39*c43*c49 - c42*c43
+        - c67*g_k*k3 - c67*gamma_n*k1 - c81*g_k
     )
-    c117 = J_xx*inv_L
-    c118 = c117*inv_k3
-    c119 = c101*inv_L
-    c120 = c46*k3
-    c121 = c92*inv_k3
-    c122 = c48*inv_k3
-    c123 = c31*k3
-    c124 = W_z*c123
-    c125 = 2*k3
-    c126 = c125*c50
-    c127 = inv_L*k3
-    c128 = c58*inv_k3
-    c129 = c100*c80
-    c130 = c103*k3
-    c131 = J_xx*c16
-    c132 = c36*k1
-    c133 = c132*c48
-    c135 = -c59*k3
+    c120 = J_xx*inv_L
+    c121 = c120*inv_k3
+    c122 = c104*inv_L
+    c123 = c49*k3
+    c124 = c95*inv_k3
+    c125 = c51*inv_k3
+    c126 = c34*k3
+    c127 = W_z*c126
+    c128 = 2*k3
+    c129 = c128*c53
+    c130 = inv_L*k3
+    c131 = c61*inv_k3
+    c132 = c103*c83
+    c133 = c106*k3
+    c134 = J_xx*c19
+    c135 = c39*k1
+    c136 = c135*c51
+    c138 = -c62*k3
     tau_S_leg_31 = (
-        c116*c127*own_z + c122*c82 + c124*c2 + c126*c3 + c126*c8 + c128*c32 + c129*theta_dot
-        + c130*theta_dot + c131*c133 + c135*c32 + c83*k1 + c84*h_y - c100*c66 - c100*c73 - c118*own_z
-        - c119*own_z - c120*own_y - c121*theta_dot - c2*c95 - 2*c50*c84 - c62*k1 - c71
+        c11*c129 + c119*c130*own_z + c125*c85 + c127*c5 + c129*c6 + c131*c35 + c132*theta_dot
+        + c133*theta_dot + c134*c136 + c138*c35 + c86*k1 + c87*h_y - c103*c69 - c103*c76 - c121*own_z
+        - c122*own_z - c123*own_y - c124*theta_dot - c5*c98 - 2*c53*c87 - c65*k1 - c74
     )
-    c136 = 2*J_xz
-    c137 = c100*c47
-    c138 = c100*c49
-    c139 = c42*theta_dot
-    c140 = c2*k3
-    c141 = c117*c36
-    c142 = c42*k1
+    c139 = 2*J_xz
+    c140 = c103*c50
+    c141 = c103*c52
+    c142 = c45*theta_dot
+    c143 = c5*k3
+    c144 = c120*c39
+    c145 = c45*k1
     tau_S_leg_32 = (
-        2*J_xx*L_dot*c36*c9*k1*theta_dot + 2*J_xx*c3*c94*inv_L + 2*J_xx*c33*c34*inv_k3
-        + J_xx*c8*inv_L*inv_k3 + 2*J_xy*L_dot*W_z*c9*k3 + J_xy*inv_L*inv_k3*own_z
-        + 2*J_xz*L_dot*c9*inv_k3*theta_dot + 2*J_xz*c3*c36*inv_L*k1 + 2*J_xz*c3*inv_L*k1 + 4*J_xz*c33*c34*k1
-        + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c116*c9*k3 + 2*L_ddot*h_z*inv_L*k1
-        + 2*W_z*c36*h_y*k1*theta_dot + c116*c8*inv_L*k3 + c116*inv_L*k1*own_y + 2*c3*h_x*k3
-        + 2*c33*c9*h_x*k3 + 2*c36*c8*h_z*k1 + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
-        + 2*h_z*inv_k3*own_y - C_us*c10*inv_k3 - J_xx*c90 - L_ddot*c123*inv_L - W_z*c138 - c101*c21
-        - c101*c36*c53 - c108*c142 - c109*c138 - c111*inv_k3 - c113*k1 - c114*inv_k3 - c115
-        - c116*c3*inv_L*k3 - c118*c3 - c120*c40 - c132*c44 - c136*c27*own_y - c137*c36 - c137 - c139*c140
-        - c141*c74 - c2*c41*k1 - c31*c74 - c33*c34*c59*k3 - c50*k3*own_z - c53*c58*c94 - 2*c7*k3
-        - c77*gamma_n
+        2*J_xx*L_dot*c12*c39*k1*theta_dot + J_xx*c11*inv_L*inv_k3 + 2*J_xx*c36*c37*inv_k3
+        + 2*J_xx*c6*c97*inv_L + 2*J_xy*L_dot*W_z*c12*k3 + J_xy*inv_L*inv_k3*own_z
+        + 2*J_xz*L_dot*c12*inv_k3*theta_dot + 4*J_xz*c36*c37*k1 + 2*J_xz*c39*c6*inv_L*k1
+        + 2*J_xz*c6*inv_L*k1 + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c119*c12*k3
+        + 2*L_ddot*h_z*inv_L*k1 + 2*W_z*c39*h_y*k1*theta_dot + c11*c119*inv_L*k3 + 2*c11*c39*h_z*k1
+        + c119*inv_L*k1*own_y + 2*c12*c36*h_x*k3 + 2*c6*h_x*k3 + gamma_n*inv_L*inv_k3*k1*w_z
+        + gamma_y*inv_L*inv_k3*w_y + 2*h_z*inv_k3*own_y - C_us*c13*inv_k3 - J_xx*c93 - L_ddot*c126*inv_L
+        - W_z*c141 - 2*c10*k3 - c104*c24 - c104*c39*c56 - c111*c145 - c112*c141 - c114*inv_k3 - c116*k1
+        - c117*inv_k3 - c118 - c119*c6*inv_L*k3 - c121*c6 - c123*c43 - c135*c47 - c139*c30*own_y - c140*c39
+        - c140 - c142*c143 - c144*c77 - c34*c77 - c36*c37*c62*k3 - c44*c5*k1 - c53*k3*own_z - c56*c61*c97
+        - c80*gamma_n
     )
-    c144 = c109*k1
-    c145 = k1*theta_dot
+    c147 = c112*k1
+    c148 = k1*theta_dot
     tau_S_leg_33 = (
-        c102*c135 + c103*c145 + c105*c36 + c116*c69*inv_L + c121*c2 + c122*c131 + c125*c73 + c127*c136*own_z
-        + c141*c69 + c144*c43 + c145*c93 + c21*c91 + 2*c3*c51 + c62*k3 + c63*k3 + c65*k3 + c72*k3 + c79
-        + c85*k1 - c10*c106*inv_k3 - c101*c110 - c104 - c112*c131 - c125*c29 - c125*c80*theta_dot
-        - c132*c32*c58 - c140*c92 - c36*c97 - c70 - c75 - c87*k1 - c89*k3 - c96
+        c105*c138 + c106*c148 + c108*c39 + c119*c72*inv_L + c124*c5 + c125*c134 + c128*c76 + c130*c139*own_z
+        + c144*c72 + c147*c46 + c148*c96 + c24*c94 + 2*c54*c6 + c65*k3 + c66*k3 + c68*k3 + c75*k3 + c82
+        + c88*k1 - c100*c39 - c104*c113 - c107 - c109*c13*inv_k3 - c115*c134 - c128*c32 - c128*c83*theta_dot
+        - c135*c35*c61 - c143*c95 - c73 - c78 - c90*k1 - c92*k3 - c99
     )
     # generalised forces by the tip's motion
     tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x
@@ -4901,27 +4968,27 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x
     tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y
     tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z
-    tau_S_dot_leg_11 = C_p + c13*c56 - c25
-    c146 = c100*c13*inv_k3
-    tau_S_dot_leg_12 = c10*c11 + c14*c16*c23 + c146*theta_dot - W_z*c31*inv_L
-    tau_S_dot_leg_13 = c10*c42 + c31*c48 - W_z*c146
-    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c41 - c46*c56 - c48*c57 - c52*c56
-    c147 = c100*c46
-    c148 = c147*theta_dot
+    tau_S_dot_leg_11 = C_p + c16*c59 - c28
+    c149 = c103*c16*inv_k3
+    tau_S_dot_leg_12 = c13*c14 + c149*theta_dot + c17*c19*c26 - W_z*c34*inv_L
+    tau_S_dot_leg_13 = c13*c45 + c34*c51 - W_z*c149
+    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c44 - c49*c59 - c51*c60 - c55*c59
+    c150 = c103*c49
+    c151 = c150*theta_dot
     tau_S_dot_leg_22 = (
-        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c36*h_z
-        + W_z*c60*inv_L*inv_k3*k1 + 2*c36*h_y*theta_dot - c103 - c107*inv_L - c129*inv_k3 - c148*inv_k3
-        - 2*c36*c49 - c55 - c92
+        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c39*h_z
+        + W_z*c63*inv_L*inv_k3*k1 + 2*c39*h_y*theta_dot - c106 - c110*inv_L - c132*inv_k3 - c151*inv_k3
+        - 2*c39*c52 - c58 - c95
     )
-    c149 = c50*c56
-    tau_S_dot_leg_23 = W_z*c147*inv_k3 + c10*c57 + c12 + c149*c36 + c86 - c12*c36 - c139 - c149 - c43
-    tau_S_dot_leg_31 = W_z*c59*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c27*c58 - c120*c24 - c124 - c138 - c82*inv_L*k1
+    c152 = c53*c59
+    tau_S_dot_leg_23 = W_z*c150*inv_k3 + c13*c60 + c15 + c152*c39 + c89 - c142 - c15*c39 - c152 - c46
+    tau_S_dot_leg_31 = W_z*c62*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c30*c61 - c123*c27 - c127 - c141 - c85*inv_L*k1
     tau_S_dot_leg_32 = (
-        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c59*c9*k3
-        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c126 - c10*c128 - c10*c54*k1 - c12*inv_k3
-        - c122*c136 - c123*c2 - c133*c58
+        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c12*c62*k3
+        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c129 - c125*c139 - c126*c5 - c13*c131
+        - c13*c57*k1 - c136*c61 - c15*inv_k3
     )
-    tau_S_dot_leg_33 = c106*c27 + c125*c49 + c129 + c130 + c144*c58*inv_L - c121 - c148
+    tau_S_dot_leg_33 = c109*c30 + c128*c52 + c132 + c133 + c147*c61*inv_L - c124 - c151
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x
     tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y
@@ -4932,13 +4999,13 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x
     tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y
     tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z
-    tau_S_ddot_leg_12 = -c13
-    tau_S_ddot_leg_13 = -c23
-    tau_S_ddot_leg_22 = c46 + c52 - c39
-    tau_S_ddot_leg_23 = -c31 - c45
+    tau_S_ddot_leg_12 = -c16
+    tau_S_ddot_leg_13 = -c26
+    tau_S_ddot_leg_22 = c49 + c55 - c42
+    tau_S_ddot_leg_23 = -c34 - c48
     tau_S_ddot_leg_31 = -h_y*k3
-    tau_S_ddot_leg_32 = c118 + c119 + c123 - c116*c127 - c142
-    tau_S_ddot_leg_33 = h_y*k1 - c120 - c51
+    tau_S_ddot_leg_32 = c121 + c122 + c126 - c119*c130 - c145
+    tau_S_ddot_leg_33 = h_y*k1 - c123 - c54
     # generalised forces by the tip's motion
     tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x
     tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y
@@ -4949,10 +5016,6 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x
     tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y
     tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z
-    # (4) omega x q
-    w_q_x = S_dot_x - v_x
-    w_q_y = S_dot_y - v_y
-    w_q_z = S_dot_z - v_z
     X_xx = (
         B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz + omega_z*tau_S_dot_xy + tau_S_xx
         - omega_y*tau_S_dot_xz
@@ -4998,17 +5061,17 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz
     Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx
     Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy
-    c150 = net_z*inv_rho*inv_rho
-    bent_leg_12 = -c150*k3
-    c151 = c9*net_y
-    bent_leg_13 = c151
-    c152 = c5*inv_L
-    bent_leg_21 = -c152
-    c153 = inv_rho*k3
-    bent_leg_22 = c153*net_x + c6*inv_rho*k1
-    bent_leg_23 = c152*kappa
-    bent_leg_31 = c151
-    bent_leg_32 = c150*k1
+    c153 = net_z*inv_rho*inv_rho
+    bent_leg_12 = -c153*k3
+    c154 = c12*net_y
+    bent_leg_13 = c154
+    c155 = c8*inv_L
+    bent_leg_21 = -c155
+    c156 = inv_rho*k3
+    bent_leg_22 = c156*net_x + c9*inv_rho*k1
+    bent_leg_23 = c155*kappa
+    bent_leg_31 = c154
+    bent_leg_32 = c153*k1
     bent_leg_33 = inv_L*net_x
     bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x
     bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x
@@ -5029,45 +5092,45 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x
     bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y
     bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z
-    c154 = bent_xy*q_z
-    c155 = bent_xz*q_y
-    Z_xx = c155 - c154
+    c157 = bent_xy*q_z
+    c158 = bent_xz*q_y
+    Z_xx = c158 - c157
     Z_xy = bent_xx*q_z - bent_xz*q_x
-    c156 = bent_xx*q_y
-    Z_xz = bent_xy*q_x - c156
-    c157 = bent_yy*q_z
-    Z_yx = bent_yz*q_y - c157
-    c158 = bent_yx*q_z
-    c159 = -bent_yz*q_x
-    Z_yy = c158 + c159
-    c160 = -bent_yy*q_x
-    Z_yz = -bent_yx*q_y - c160
-    c161 = -bent_zz*q_y
-    Z_zx = -bent_zy*q_z - c161
-    c162 = bent_zz*q_x
-    Z_zy = bent_zx*q_z - c162
-    c163 = bent_zx*q_y
-    c164 = bent_zy*q_x
-    Z_zz = c164 - c163
-    G_dot_21 = -c48
-    c165 = k1*phi_dot
-    G_dot_22 = c165*inv_L
-    G_dot_23 = c10
-    G_dot_31 = -c153*phi_dot
-    c166 = inv_rho*theta_dot
-    G_dot_32 = -c166*kappa - c2*inv_rho
-    G_dot_33 = c165*inv_rho
-    c167 = C_s*k1
-    f_S_leg_11 = G_dot_31*c167
-    f_S_leg_12 = C_s*(G_dot_32*k1 - c153*theta_dot)
-    f_S_leg_13 = G_dot_33*c167
+    c159 = bent_xx*q_y
+    Z_xz = bent_xy*q_x - c159
+    c160 = bent_yy*q_z
+    Z_yx = bent_yz*q_y - c160
+    c161 = bent_yx*q_z
+    c162 = -bent_yz*q_x
+    Z_yy = c161 + c162
+    c163 = -bent_yy*q_x
+    Z_yz = -bent_yx*q_y - c163
+    c164 = -bent_zz*q_y
+    Z_zx = -bent_zy*q_z - c164
+    c165 = bent_zz*q_x
+    Z_zy = bent_zx*q_z - c165
+    c166 = bent_zx*q_y
+    c167 = bent_zy*q_x
+    Z_zz = c167 - c166
+    G_dot_21 = -c51
+    c168 = k1*phi_dot
+    G_dot_22 = c168*inv_L
+    G_dot_23 = c13
+    G_dot_31 = -c156*phi_dot
+    c169 = inv_rho*theta_dot
+    G_dot_32 = -c169*kappa - c5*inv_rho
+    G_dot_33 = c168*inv_rho
+    c170 = C_s*k1
+    f_S_leg_11 = G_dot_31*c170
+    f_S_leg_12 = C_s*(G_dot_32*k1 - c156*theta_dot)
+    f_S_leg_13 = G_dot_33*c170
     f_S_leg_21 = C_s*G_dot_21
     f_S_leg_22 = C_s*G_dot_22
     f_S_leg_23 = C_s*G_dot_23
-    c168 = C_s*k3
-    f_S_leg_31 = G_dot_31*c168
-    f_S_leg_32 = C_s*(G_dot_32*k3 + c166*k1)
-    f_S_leg_33 = G_dot_33*c168
+    c171 = C_s*k3
+    f_S_leg_31 = G_dot_31*c171
+    f_S_leg_32 = C_s*(G_dot_32*k3 + c169*k1)
+    f_S_leg_33 = G_dot_33*c171
     f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x
     f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x
     f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x
@@ -5087,9 +5150,9 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x
     f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y
     f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z
-    f_S_dot_leg_12 = c167*inv_rho
-    f_S_dot_leg_23 = -c67
-    f_S_dot_leg_32 = C_s*c153
+    f_S_dot_leg_12 = c170*inv_rho
+    f_S_dot_leg_23 = -c70
+    f_S_dot_leg_32 = C_s*c156
     f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x
     f_S_dot_T_xz = f_S_dot_leg_23*y_x
     f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y
@@ -5106,18 +5169,18 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x
     f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y
     f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z
-    c169 = R_tip_y*q_y
-    c170 = R_tip_z*q_z
-    c171 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c172 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c173 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c174 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c175 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c176 = R_tip_x*q_x
-    c177 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c178 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c179 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c180 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    c172 = R_tip_y*q_y
+    c173 = R_tip_z*q_z
+    c174 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c175 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c176 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c177 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c178 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c179 = R_tip_x*q_x
+    c180 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c181 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c182 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c183 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": 0,
         "M_vv_xy": 0,
@@ -5158,24 +5221,24 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
         "W_fr_zx": Z_zx,
         "W_fr_zy": Z_zy,
         "W_fr_zz": Z_zz,
-        "W_mt_xx": c163 - c158 - f_S_xx,
-        "W_mt_xy": bent_zy*q_y - c157 - f_S_xy,
-        "W_mt_xz": -bent_yz*q_z - c161 - f_S_xz,
+        "W_mt_xx": c166 - c161 - f_S_xx,
+        "W_mt_xy": bent_zy*q_y - c160 - f_S_xy,
+        "W_mt_xz": -bent_yz*q_z - c164 - f_S_xz,
         "W_mt_yx": bent_xx*q_z - bent_zx*q_x - f_S_yx,
-        "W_mt_yy": c154 - c164 - f_S_yy,
-        "W_mt_yz": bent_xz*q_z - c162 - f_S_yz,
-        "W_mt_zx": bent_yx*q_x - c156 - f_S_zx,
-        "W_mt_zy": -bent_xy*q_y - c160 - f_S_zy,
-        "W_mt_zz": -c155 - c159 - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c172*q_z - Z_yx*q_z - c169 - c170 - c171*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c171*q_x - Z_yy*q_z - c173*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c173*q_y - Z_yz*q_z - c172*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c174*q_z - Z_zx*q_x - c175*q_y,
-        "W_mr_yy": Z_xy*q_z + c175*q_x - Z_zy*q_x - c170 - c176 - c177*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c177*q_y - Z_zz*q_x - c174*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c178*q_z - Z_xx*q_y - c179*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c179*q_x - Z_xy*q_y - c180*q_z,
-        "W_mr_zz": Z_yz*q_x + c180*q_y - Z_xz*q_y - c169 - c176 - c178*q_x,
+        "W_mt_yy": c157 - c167 - f_S_yy,
+        "W_mt_yz": bent_xz*q_z - c165 - f_S_yz,
+        "W_mt_zx": bent_yx*q_x - c159 - f_S_zx,
+        "W_mt_zy": -bent_xy*q_y - c163 - f_S_zy,
+        "W_mt_zz": -c158 - c162 - f_S_zz,
+        "W_mr_xx": Z_zx*q_y + c175*q_z - Z_yx*q_z - c172 - c173 - c174*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c174*q_x - Z_yy*q_z - c176*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c176*q_y - Z_yz*q_z - c175*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c177*q_z - Z_zx*q_x - c178*q_y,
+        "W_mr_yy": Z_xy*q_z + c178*q_x - Z_zy*q_x - c173 - c179 - c180*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c180*q_y - Z_zz*q_x - c177*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c181*q_z - Z_xx*q_y - c182*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c182*q_x - Z_xy*q_y - c183*q_z,
+        "W_mr_zz": Z_yz*q_x + c183*q_y - Z_xz*q_y - c172 - c179 - c181*q_x,
         "W_fv_xx": 0,
         "W_fv_xy": 0,
         "W_fv_xz": 0,

@@ -81,6 +81,8 @@ def random_case(rng: np.random.Generator, kind: str, deepest: float = 12.0) -> t
     """A machine near a degenerate leg, its motion and actuator forces of the size that the motion needs."""
     robot = random_robot(rng, friction=bool(rng.integers(2)))
     motion = random_motion(rng, robot)
+    if rng.integers(4) == 0:
+        motion = dataclasses.replace(motion, omega=np.zeros(3), v=np.zeros(3))
     sine = 10 ** -rng.uniform(0.0, deepest)
     legs = rng.permutation(6)[: {"two lean": 2, "all lean": 6}.get(kind, 1)]
     if kind in ("axisymmetric", "slender"):

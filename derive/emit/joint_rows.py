@@ -264,15 +264,44 @@ static void row_back(
     }
 }
 
-/* Forward dynamics where M's factors would lose digits; net: the legs' generalised forces, without the
- * actuators', along L, theta, phi. Returns a status. */
+/* Of each leg the generalised forces and the accelerations by those of the platform, from the coordinates'. */
+static void rows_held(
+    const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
+    stewart_real (*apart)[LANES])
+{
+    stewart_real whole[ROWS];
+    int l, i, j;
+    for (i = 0; i < ROWS; ++i) {
+        whole[i] = REAL(0);
+        for (j = 0; j < 6; ++j) {
+            whole[i] = whole[i] + by->share[i][j] * found[j];
+        }
+    }
+    for (l = 0; l < LANES; ++l) {
+        for (i = 0; i < 3; ++i) {
+            const int row = 3 * (l < 6 ? l : 5) + i;
+            stewart_real force = rest[row], turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                force = force + by->weight[row / 3][3 * i + j] * whole[row - i + j];
+            }
+            for (j = 0; j < 6; ++j) {
+                turned = turned + by->share[row][j] * (found[j] - start[j]);
+            }
+            apart[i][l] = force * by->size[row];
+            apart[i + 3][l] = turned / by->size[row];
+        }
+    }
+}
+
+/* Forward dynamics where M's factors would lose digits; apart: the legs' generalised forces, without the
+ * actuators', and the accelerations that those of the platform give to L, theta, phi. Returns a status. */
 static int forward_apart(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
-    row_factors *by, stewart_real (*net)[LANES], stewart_real acceleration[6])
+    row_factors *by, stewart_real (*apart)[LANES], stewart_real acceleration[6])
 {
     joint_rows_legs legs;
     stewart_real A[48], sum[27], force[ROWS], rest[ROWS], start[6], right[6], found[6];
-    int i, j, status = joint_rows_sums(model, motion, F, &legs, sum);
+    int i, status = joint_rows_sums(model, motion, F, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }
@@ -298,21 +327,7 @@ static int forward_apart(
         return STEWART_NOT_FINITE;
     }
     copy(found, 6, acceleration);
-    for (i = 0; i < ROWS; ++i) {
-        force[i] = REAL(0);
-        for (j = 0; j < 6; ++j) {
-            force[i] = force[i] + by->share[i][j] * right[j];
-        }
-    }
-    for (i = 0; i < 3 * LANES; ++i) {
-        const int row = 3 * (i / 3 < 6 ? i / 3 : 5) + i % 3;
-        const stewart_real *weight = &by->weight[row / 3][row % 3 * 3];
-        stewart_real held = rest[row];
-        for (j = 0; j < 3; ++j) {
-            held = held + weight[j] * force[row / 3 * 3 + j];
-        }
-        net[i % 3][i / 3] = held * by->size[row];
-    }
+    rows_held(by, right, start, rest, apart);
     return STEWART_OK;
 }
 """
@@ -323,11 +338,11 @@ SLOPES_APART = """\
  * Returns a status. */
 static int slopes_apart(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const row_factors *by,
-    stewart_real (*net)[LANES], stewart_real A[144])
+    stewart_real (*apart)[LANES], stewart_real A[144])
 {
     joint_slopes_legs legs;
     stewart_real sum[93], start[18][6];
-    int i, c, status = joint_slopes_sums(model, motion, net, &legs, sum);
+    int i, c, status = joint_slopes_sums(model, motion, apart, &legs, sum);
     if (status != STEWART_OK) {
         return status;
     }

@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 from .. import notation as n
 from ..block import Block, Operations, Quantity
-from ..motion import F_LEG, NET, SumKernel
+from ..motion import F_LEG, NET, TURNED, SumKernel
 from ..prepared import t_1
 from ..regroup import ForceKernel
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
@@ -179,10 +179,13 @@ def _without_empty(text: str, parts: dict[str, list[str]]) -> str:
 
 _LANE_INPUTS: dict[Quantity | None, tuple[str, str, str]] = {
     F_LEG: (", const stewart_real F[6]", ", force", ", const stewart_real *STEWART_RESTRICT force"),
-    NET: (", stewart_real (*net)[LANES]", ", net", ", stewart_real (*STEWART_RESTRICT net)[LANES]"),
+    NET: (", stewart_real (*apart)[LANES]", ", apart", ", stewart_real (*STEWART_RESTRICT apart)[LANES]"),
     None: ("", "", ""),
 }
 """What legs are given besides pose and model: a kernel's parameter, the legs' argument and parameter."""
+
+_APART = (NET, TURNED)
+"""What ``forward_apart`` hands to the derivatives, three numbers each."""
 
 _SPREAD_FORCE = [
     "    for (i = 0; i < LANES; ++i) {",
@@ -219,8 +222,12 @@ def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     for q in block.inputs:
         if q == F_LEG:
             inside.append("        const stewart_real F = force[l];")
-        elif q == NET:
-            inside += [f"        const stewart_real {name} = net[{i}][l];" for i, name in enumerate(q.names)]
+        elif q in _APART:
+            inside += [
+                f"        const stewart_real {name} = apart[{3 * _APART.index(q) + i}][l];"
+                for i, name in enumerate(q.names)
+                if name in used
+            ]
         elif q in model.leg_constants():
             inside += loads(q, "model", "[l]", used, " " * 8)
         else:
@@ -450,7 +457,7 @@ _TOP = """\
 
 _COMMON = """\
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
-#define STEWART_KEPT ((stewart_real)0.00390625)
+#define STEWART_KEPT ((stewart_real)0.015625)
 
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
@@ -760,7 +767,7 @@ int stewart_@NAME@_forward_dynamics(
 {
     forward_dynamics_legs legs;
     row_factors by;
-    stewart_real A[48], sum[27], net[3][LANES];
+    stewart_real A[48], sum[27], apart[6][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -776,7 +783,7 @@ int stewart_@NAME@_forward_dynamics(
     }
     status = solve_definite_8(A, STEWART_KEPT);
     if (status == STEWART_INDEFINITE) {
-        return forward_apart(model, motion, F, &by, net, acceleration);
+        return forward_apart(model, motion, F, &by, apart, acceleration);
     }
     if (status != STEWART_OK) {
         return status;
@@ -907,7 +914,7 @@ int stewart_@NAME@_linearisation(
     row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93], net[3][LANES];
+    stewart_real A[144], sum[93], apart[6][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -929,9 +936,9 @@ int stewart_@NAME@_linearisation(
     column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
     status = solve_definite_24(A, STEWART_KEPT);
     if (status == STEWART_INDEFINITE) {
-        status = forward_apart(model, motion, F, &by, net, found.acceleration);
+        status = forward_apart(model, motion, F, &by, apart, found.acceleration);
         if (status == STEWART_OK) {
-            status = slopes_apart(model, &moving, &by, net, A);
+            status = slopes_apart(model, &moving, &by, apart, A);
         }
     }
     if (status != STEWART_OK) {

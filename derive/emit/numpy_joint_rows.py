@@ -79,8 +79,8 @@ def _eliminated(row: Array) -> tuple[Array, Array, Array, Array]:
     return share, row[:, :6], order[:, :6], column
 
 
-def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, Array]:
-    """x (n, 6, m) of M x = wrench - A^T (force sizes), the rows' own forces at that, and the status (n,).
+def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, Array, Array]:
+    """x (n, 6, m) of M x = wrench - A^T (force sizes), forces and accelerations of rows, and the status (n,).
 
     force: generalised forces (n, 24, m); wrench: (n, 6, m).
     """
@@ -104,13 +104,14 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     found, status = _solve_definite(by.inertia, y - by.share.swapaxes(-1, -2) @ rest)
     held = (rest + _weighted(by.weight, by.share @ found)) * by.size[..., None]
     x = found - start
+    turned = (by.share @ x) / by.size[..., None]
     for k in range(6):
         x[:, k] -= (by.factors[:, None, k, :k] @ x[:, :k])[:, 0]
     for k in range(5, -1, -1):
         x[:, k] = (x[:, k] - (by.factors[:, None, k, k + 1 :] @ x[:, k + 1 :])[:, 0]) / by.factors[:, k, k, None]
     solved = np.empty_like(x)
     solved[at, by.column] = x / unit
-    return solved, held, status
+    return solved, held, turned, status
 
 
 def _weighted(weight: Array, rows: Array) -> Array:
@@ -118,25 +119,26 @@ def _weighted(weight: Array, rows: Array) -> Array:
     return (weight @ rows.reshape(len(rows), 8, 3, -1)).reshape(rows.shape)
 
 
-def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Array, Array]:
-    """The rows, [a; alpha] (n, 6), the legs' net forces (n, 6, 3) and the status (n,)."""
+def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Array]:
+    """The rows, [a; alpha] (n, 6) and the status (n,); ``motion`` gets what the derivatives read of the legs."""
     total, leg, _ = _sums("joint_rows", robot, motion, F)
     by = _factored(total, leg)
     force = np.zeros((len(F), 24, 1))
     force[:, :18, 0] = np.stack([leg[f"tau_{axis}"] for axis in "xyz"], axis=-1).reshape(-1, 18)
-    x, held, status = _rows_solved(by, force, _wrench(total, "right")[..., None])
-    return by, x[..., 0], held[:, :18, 0].reshape(-1, 6, 3), status
+    x, held, turned, status = _rows_solved(by, force, _wrench(total, "right")[..., None])
+    motion.net, motion.turned = (rows[:, :18, 0].reshape(-1, 6, 3) for rows in (held, turned))
+    return by, x[..., 0], status
 
 
 def _slopes_apart(robot: Any, motion: Any, F: Array) -> tuple[Array, Array]:
     """M^-1 times the derivatives of the wrench and H, (n, 6, 18), and the status (n,)."""
-    by, x, motion.net, status = _forward_apart(robot, motion, F)
+    by, x, status = _forward_apart(robot, motion, F)
     motion.a, motion.alpha = x[..., :3], x[..., 3:]
     total, leg, _ = _sums("joint_slopes", robot, motion)
     force = np.zeros((len(F), 24, 18))
     slopes = [_matrix(leg, f"tau_{by}") for by in "trvw"]
     force[:, :18, :12] = -np.concatenate(slopes, axis=-1).reshape(-1, 18, 12)
-    x, _, fault = _rows_solved(by, force, np.concatenate([*_slopes(total), _columns(leg, "H")], axis=-1))
+    x, _, _, fault = _rows_solved(by, force, np.concatenate([*_slopes(total), _columns(leg, "H")], axis=-1))
     return x, np.where(status == OK, fault, status)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from .. import notation as n
 from ..block import Block, Quantity, component_name
-from ..motion import F_LEG, NET, SumKernel
+from ..motion import F_LEG, NET, TURNED, SumKernel
 from ..prepared import ADDED
 from ..regroup import ForceKernel
 from .infix import WIDTH, infix, wrap
@@ -100,8 +100,8 @@ def _in_lanes(kernel: SumKernel, model: ForceKernel) -> Load:
     def load(quantity: Quantity, key: tuple[int, ...], name: str) -> str:
         if quantity == F_LEG:
             return "F"
-        if quantity == NET:
-            return f"motion.net[..., {key[0]}]"
+        if quantity in (NET, TURNED):
+            return f"motion.{quantity.name}[..., {key[0]}]"
         if quantity in n.MOTION:
             return f"motion.{quantity.name}[...{_index(key)}, None]"
         if quantity in given:
@@ -171,7 +171,7 @@ from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHOR
 
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
-KEPT = 2.0**-8
+KEPT = 2.0**-6
 # Below this sine of the angle between a leg and its fixed axis the shorter formulas lose digits.
 NEAR_POLE = 2.0**-6
 
@@ -224,7 +224,7 @@ def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None], KEPT)
     lost = (status == OK) & (fault == INDEFINITE)
     if lost.any():
-        _, x[lost, :, 0], _, fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
+        _, x[lost, :, 0], fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
     return _good({"acceleration": x[..., 0]}, np.where(status == OK, fault, status))
 
 

@@ -14,7 +14,7 @@
  * equations         4655 (2625 mul, 2006 add, 12 div, 12 sqrt)   4310
  * bias              2034 (1197 mul, 813 add, 12 div, 12 sqrt)    1818
  * forward_dynamics  2916 (1677 mul, 1215 add, 12 div, 12 sqrt)   2700
- * derivatives       11249 (6300 mul, 4925 add, 12 div, 12 sqrt)  8952
+ * derivatives       11225 (6288 mul, 4913 add, 12 div, 12 sqrt)  8928
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H
