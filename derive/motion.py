@@ -366,7 +366,7 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
         _LEG_INPUTS,
         [
             *nothing,
-            *zip(RIGHT, (sp.zeros(3, 1), -f), strict=True),
+            *zip(RIGHT, (sp.zeros(3, 1), f), strict=True),
             (M_XI, joint_inertia(build, at).matrix()),
             *zip(ROWS, (rows, -rows * tip.skew(at.q)), strict=True),
             (TAU, sp.Matrix([tau.along - F_LEG.value, tau.about_y, tau.about_k])),

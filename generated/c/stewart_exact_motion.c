@@ -3617,9 +3617,9 @@ STEWART_APART static void joint_rows_of_legs(
         out->sum[21][l] = REAL(0);
         out->sum[22][l] = REAL(0);
         out->sum[23][l] = REAL(0);
-        out->sum[24][l] = -C_s*(k_x*phi_dot + theta_dot*y_x);
-        out->sum[25][l] = -C_s*(k_y*phi_dot + theta_dot*y_y);
-        out->sum[26][l] = -C_s*(k_z*phi_dot + theta_dot*y_z);
+        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
+        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
+        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
         out->M_xi[0][l] = REAL(0);
         out->M_xi[1][l] = h_z;
         out->M_xi[2][l] = -k3_h;
