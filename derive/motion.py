@@ -83,13 +83,17 @@ BY_TWIST = (
 # What the pose hands to the legs.
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
-NET = Quantity("net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi")
+NET = Quantity(
+    "net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi"
+)
 H_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
 )
 
-TURNED = Quantity("turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone")
+TURNED = Quantity(
+    "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
+)
 
 # A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
 # L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
@@ -647,7 +651,9 @@ def _name_finite_rates(build: Builder, leg: _Leg) -> None:
 def _name_joint_motion(build: Builder, leg: _Leg) -> None:
     """Names rates and accelerations of the joint coordinates."""
     rates = joint_rates(build, leg.at, leg.S_dot)
-    S_ddot = build.vector("S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point")
+    S_ddot = build.vector(
+        "S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point"
+    )
     joint_accelerations(build, leg.at, rates, S_ddot)
 
 
@@ -739,7 +745,12 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
     S, S_dot, S_ddot = (
-        _named(build, name, _local(build, f"{name}_leg", tip.gathered(value)) * T.T, "generalised forces by the tip's motion")
+        _named(
+            build,
+            name,
+            _local(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            "generalised forces by the tip's motion",
+        )
         for name, value in (
             ("tau_S", by.S),
             ("tau_S_dot", by.S_dot),
@@ -767,7 +778,11 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             *((quantity, zero) for quantity in INERTIA),
             *zip(BY_POSE, (bend, fr, mt, mr), strict=True),
             *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
-            *zip(TAU_BY, (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega), strict=True),
+            *zip(
+                TAU_BY,
+                (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega),
+                strict=True,
+            ),
             *_columns(leg.at),
             *_judged(leg.at),
         ],

@@ -213,15 +213,22 @@ class ForwardDynamics:
     ) -> tuple[Array, NDArray[np.bool_]]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
         faults = reference.PAPER if self.formulation == "paper" else reference.EXACT
+        near = reference.legs(self.robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
         x, definite = x.copy(), np.array(definite)
-        for i in map(tuple, np.argwhere(good & ~(digits_kept(M) > _KEPT))):
+        for i in map(tuple, np.argwhere(good & (near | ~(digits_kept(M) > _KEPT)))):
             x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
             definite[i] = np.isfinite(x[i]).all()
         return x, definite
 
 
 _KEPT = 2.0**-6
-"""Where elimination leaves less than this share of a diagonal number of M, digits are lost."""
+"""Where elimination leaves less than this share of a diagonal number of M, or a leg and its fixed axis make an
+angle with a smaller sine, digits are lost."""
+
+
+def _at_rest(motion: Motion) -> Motion:
+    none = np.zeros_like(motion.t)
+    return Motion.unchecked(motion.R, motion.t, none, none, none, none)
 
 
 def digits_kept(M: Array) -> Array:

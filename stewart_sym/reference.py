@@ -356,9 +356,7 @@ def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Le
     return leg, H, c, _status(np.where(at_pole, POLE, faults_of_legs), finite)
 
 
-def balance(
-    robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
-) -> tuple[Legs, Array, Array]:
+def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
     """The legs, H and c of (36), unchecked. Arrays may hold numbers of any kind, such as mpmath's."""
     leg = _legs(robot, motion, _known(faults))
     sum_K = np.sum(leg.K, axis=-2)

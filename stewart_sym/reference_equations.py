@@ -73,16 +73,22 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
     return np.swapaxes(columns, -1, -2), bias, status
 
 
-def forward_dynamics(robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = reference.EXACT) -> Array:
+def forward_dynamics(
+    robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = reference.EXACT
+) -> Array:
     """[a; alpha], (6,), of one pose under F, (6,), at 50 digits; NaN where M is not positive definite.
 
     For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
     very short and of very heavy legs.
     """
-    wide = SimpleNamespace(base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS})
+    wide = SimpleNamespace(
+        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
+    )
     if robot.base_joint == "universal":
         wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
-    bare = SimpleNamespace(**{**vars(wide), **{name: 0 * getattr(wide, name) for name in ("g", "C_u", "C_p", "C_s")}})
+    bare = SimpleNamespace(
+        **{**vars(wide), **{name: 0 * getattr(wide, name) for name in ("g", "C_u", "C_p", "C_s")}}
+    )
     none = np.zeros(3)
     R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
     load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))

@@ -108,8 +108,11 @@ class Truth:
     sensitivity: dict[str, Array]
 
 
-def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0) -> Truth:
+def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False) -> Truth:
     """Every output in quadruple precision, and what one rounding unit of each input number does to it.
+
+    plain: without the code paths for lost digits, so that the truth shares nothing with them; it then loses
+    digits itself, of 34, like the square of the sine's inverse and more.
 
     samples: 0 for the sum over all numbers of absolute changes; else that many changes of all at once with
     random signs, the largest of which is taken: never more than the sum, and cheaper.
@@ -119,8 +122,13 @@ def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0) -> Truth:
     size = sum(int(np.prod(shape)) for shape in BLOCKS.values())
     high, low, sensitivity = (np.full(size, np.nan) for _ in range(3))
     status = np.zeros(len(WHOLE), dtype=np.int32)
-    _library().near_joint(
-        address(numbers), ctypes.c_int(samples), address(high), address(low), address(sensitivity), address(status)
+    _library(plain).near_joint(
+        address(numbers),
+        ctypes.c_int(samples),
+        address(high),
+        address(low),
+        address(sensitivity),
+        address(status),
     )
     return Truth(
         dict(zip(WHOLE, status.tolist(), strict=True)),
@@ -171,7 +179,9 @@ def _ratio(error: Array, allowed: float) -> float:
     return float(error.max() / allowed) if allowed > 0 else float(0 if error.max() == 0 else np.inf)
 
 
-def outputs(closed: Any, motion: Motion, F: Array, functions: Sequence[str] = WHOLE) -> tuple[dict[str, Array], dict[str, int]]:
+def outputs(
+    closed: Any, motion: Motion, F: Array, functions: Sequence[str] = WHOLE
+) -> tuple[dict[str, Array], dict[str, int]]:
     """Every output of a closed form's kernels, by the names of ``BLOCKS``, and the status of each function."""
     found, status = {}, {}
     for what in functions:
@@ -182,8 +192,20 @@ def outputs(closed: Any, motion: Motion, F: Array, functions: Sequence[str] = WH
 
 
 @functools.cache
-def _library() -> ctypes.CDLL:
-    return native.load("stewart_near_joint", {**c_sources(), "near_joint.c": _source()}, _FLAGS, _MACROS)
+def _library(plain: bool) -> ctypes.CDLL:
+    sources = {**c_sources(), "near_joint.c": _source()}
+    for name in PLAIN if plain else ():
+        define = f"#define {name} "
+        text = sources["stewart_exact_motion.c"]
+        assert f"{define}((stewart_real)0.015625)" in text
+        sources["stewart_exact_motion.c"] = text.replace(
+            f"{define}((stewart_real)0.015625)", f"{define}REAL(0)"
+        )
+    return native.load("stewart_near_joint", sources, _FLAGS, _MACROS)
+
+
+PLAIN = ("STEWART_NEAR_POLE", "STEWART_KEPT")
+"""Macros of the thresholds at which the code paths for lost digits begin."""
 
 
 def _source() -> str:
@@ -195,8 +217,10 @@ def _source() -> str:
         target = f"(stewart_{what} *)&out[{offset}]" if struct else f"&out[{offset}]"
         calls.append(f"    status[{index}] = stewart_exact_{what}(&model, &at->motion, {argument}{target});")
         offset += size
-    return _SOURCE.replace("@CALLS@", "\n".join(calls)).replace("@SIZE@", str(offset)).replace(
-        "@FUNCTIONS@", str(len(WHOLE))
+    return (
+        _SOURCE.replace("@CALLS@", "\n".join(calls))
+        .replace("@SIZE@", str(offset))
+        .replace("@FUNCTIONS@", str(len(WHOLE)))
     )
 
 

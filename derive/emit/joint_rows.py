@@ -62,7 +62,7 @@ static void leg_rows(
 static void platform_rows(const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
 {
     static const int axis[3] = {15, 18, 20};
-    const stewart_real mass = sum[0], root = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
+    const stewart_real mass = sum[0], heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
     const stewart_real per_mass = mass > REAL(0) ? REAL(1) / mass : REAL(0);
     const stewart_real c[3] = {sum[11] * per_mass, -sum[8] * per_mass, sum[7] * per_mass};
     const stewart_real whole[6] = {mass, REAL(0), REAL(0), mass, REAL(0), mass};
@@ -74,19 +74,19 @@ static void platform_rows(const stewart_real *sum, stewart_real least, stewart_r
             about[place] = sum[15 + place] - mass * (square - c[i] * c[j]);
             ++place;
         }
-        by->size[18 + i] = root;
+        by->size[18 + i] = heft;
     }
     for (i = 0; i < 3; ++i) {
         const stewart_real turned = STEWART_SQRT(STEWART_FABS(about[axis[i] - 15]));
         by->size[21 + i] = STEWART_LARGER(turned, least * by->length);
         for (j = 0; j < 3; ++j) {
-            row[18 + i][j] = i == j ? root : REAL(0);
+            row[18 + i][j] = i == j ? heft : REAL(0);
             row[21 + i][j] = REAL(0);
             row[21 + i][j + 3] = i == j ? by->size[21 + i] / by->length : REAL(0);
         }
         row[18 + i][i + 3] = REAL(0);
-        row[18 + i][(i + 1) % 3 + 3] = root * (c[(i + 2) % 3] / by->length);
-        row[18 + i][(i + 2) % 3 + 3] = -root * (c[(i + 1) % 3] / by->length);
+        row[18 + i][(i + 1) % 3 + 3] = heft * (c[(i + 2) % 3] / by->length);
+        row[18 + i][(i + 2) % 3 + 3] = -heft * (c[(i + 1) % 3] / by->length);
     }
     weigh(whole, &by->size[18], by->weight[6]);
     weigh(about, &by->size[21], by->weight[7]);
@@ -184,7 +184,8 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
         for (j = 0; j < 3; ++j) {
             const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
             for (k = 0; k < 36; ++k) {
-                by->inertia[k / 6][k % 6] += by->share[i][k / 6] * weight * by->share[i / 3 * 3 + j][k % 6];
+                const stewart_real *share = by->share[i / 3 * 3 + j];
+                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + by->share[i][k / 6] * weight * share[k % 6];
             }
         }
     }

@@ -146,7 +146,9 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     text = _SUM_KERNEL.replace("@FORCE@", by_pose)
     text = text.replace("@FORCE_ARGUMENT@", argument)
     legs = {"": kernel.leg} | ({} if kernel.near is None else {"_near": kernel.near})
-    text = text.replace("@LEGS@", "\n".join(_of_legs(suffix, leg, kernel, model) for suffix, leg in legs.items()))
+    text = text.replace(
+        "@LEGS@", "\n".join(_of_legs(suffix, leg, kernel, model) for suffix, leg in legs.items())
+    )
     text = text.replace("@FORCE_LANES@", by_legs)
     parts = {
         "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given],
@@ -154,7 +156,9 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
         "@POSE_BODY@": _pose_body(kernel),
         "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
         "@SPREAD@": _SPREAD_FORCE if forced else [],
-        "@NEAR@": [] if kernel.near is None else [_NEAR.replace("@WHAT@", kernel.name).replace("@FORCE_ARGUMENT@", argument)],
+        "@NEAR@": []
+        if kernel.near is None
+        else [_NEAR.replace("@WHAT@", kernel.name).replace("@FORCE_ARGUMENT@", argument)],
     }
     marks = {"@WHAT@": kernel.name, "@COUNT@": str(sum(size(q) for q in kernel.summed))}
     marks["@POSE_COUNT@"] = str(kernel.pose.operations())
@@ -487,7 +491,7 @@ static int is_near(const leg_judgement *judged)
 {
     int i, found = 0;
     for (i = 0; i < 6; ++i) {
-        found = judged->k3[i] < STEWART_NEAR_POLE ? 1 : found;
+        found = judged->k3[i] > STEWART_NEAR_POLE ? found : 1;
     }
     return found;
 }
