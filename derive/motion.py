@@ -114,8 +114,8 @@ class SumKernel:
     """A pose's part and one leg's part of sums over the machine.
 
     summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
-    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses in
-    which a leg is near its joint singularity, where the other loses digits.
+    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses
+    in which a leg is near its joint singularity, where the other loses digits.
     """
 
     name: str
@@ -587,8 +587,8 @@ def _derivatives_of_leg(friction: bool, near: bool) -> Block:
 class _TorqueSlopes:
     """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
 
-    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi; force:
-    Gamma^T net, base frame.
+    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
+    force: Gamma^T net, base frame.
     """
 
     S: sp.Matrix

@@ -132,16 +132,16 @@ def _rate(expr: sp.Matrix) -> sp.Matrix:
     return by_place + sum((expr.diff(rates[i]) * accelerations[i] for i in range(3)), sp.zeros(*expr.shape))
 
 
-# Rates and accelerations that stay finite where those of theta and phi grow like 1 / k3: the leg's turning about
-# y and z, accelerations without the part that comes from the frame's turning about s.
+# Rates and accelerations that stay finite where those of theta and phi grow like 1 / k3: the leg's turning
+# about y and z, accelerations without the part that comes from the frame's turning about s.
 inv_k3, W_z, OWN_Y, OWN_Z = sp.symbols("inv_k3 W_z own_y own_z", real=True)
 
 
 def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
     """The same in ``W_z``, ``OWN_Y``, ``OWN_Z`` and powers of 1 / L and 1 / k3, inertial constants collected.
 
-    What cancels for all legs is gone, and for legs that are the same all round their axis the constants of each
-    power of 1 / k3 cancel among themselves: nothing large is left whose digits a small result would need.
+    What cancels for all legs is gone, and for axisymmetric legs the constants of each power of 1 / k3 cancel
+    among themselves: nothing large is left whose digits a small result would need.
     """
     if isinstance(expr, sp.MatrixBase):
         return expr.applyfunc(gathered)

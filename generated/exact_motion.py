@@ -240,7 +240,7 @@ def _columns(leg: dict[str, Array], name: str) -> Array:
 
 
 def _solve_definite(M: Array, right: Array, least: float = ROUNDING) -> tuple[Array, Array]:
-    """x of M x = right by L D L^T, a pivot more than ``least`` of its diagonal number, and the status (...)."""
+    """x of M x = right by L D L^T, pivots more than ``least`` of their diagonal numbers; status (...)."""
     A = np.concatenate([M, right], axis=-1)
     scale = np.diagonal(M, axis1=-2, axis2=-1)
     status = np.zeros(M.shape[:-2], dtype=np.int32)
@@ -291,14 +291,15 @@ def _factored(total: dict[str, Array], leg: dict[str, Array]) -> _Rows:
     along = np.maximum(along, least[..., None])
     c = np.stack([total["M_vw_yz"], -total["M_vw_xz"], total["M_vw_xy"]], axis=-1)
     c = c * np.where(mass > 0, 1 / mass, 0.0)[..., None]
-    about = mass[..., None, None] * (np.sum(c * c, axis=-1)[..., None, None] * np.eye(3) - c[..., None] * c[..., None, :])
-    about = _matrix(total, "M_ww", symmetric=True) - about
+    square = np.sum(c * c, axis=-1)[..., None, None] * np.eye(3) - c[..., None] * c[..., None, :]
+    about = _matrix(total, "M_ww", symmetric=True) - mass[..., None, None] * square
     root = np.maximum(np.sqrt(np.abs(mass)), least)[..., None]
     turned = np.sqrt(np.abs(np.diagonal(about, axis1=-2, axis2=-1)))
     turned = np.maximum(turned, (least * length)[..., None])
-    inertia = np.concatenate([M_xi, (mass[..., None, None] * np.eye(3))[..., None, :, :], about[..., None, :, :]], axis=-3)
-    size = np.stack([along, theta, phi], axis=-1)
-    size = np.concatenate([size, np.broadcast_to(root, turned.shape)[..., None, :], turned[..., None, :]], axis=-2)
+    masses = mass[..., None, None] * np.eye(3)
+    inertia = np.concatenate([M_xi, masses[..., None, :, :], about[..., None, :, :]], axis=-3)
+    of_platform = np.stack([np.broadcast_to(root, turned.shape), turned], axis=-2)
+    size = np.concatenate([np.stack([along, theta, phi], axis=-1), of_platform], axis=-2)
     row = np.zeros((*mass.shape, 8, 3, 6))
     row[..., :6, :, :3], row[..., :6, :, 3:] = row_v, row_w / length[..., None, None, None]
     row[..., 6, :, :3], row[..., 7, :, 3:] = np.eye(3), np.eye(3) / length[..., None, None]
@@ -361,7 +362,8 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     for k in range(6):
         x[:, k] -= (by.factors[:, None, k, :k] @ x[:, :k])[:, 0]
     for k in range(5, -1, -1):
-        x[:, k] = (x[:, k] - (by.factors[:, None, k, k + 1 :] @ x[:, k + 1 :])[:, 0]) / by.factors[:, k, k, None]
+        x[:, k] -= (by.factors[:, None, k, k + 1 :] @ x[:, k + 1 :])[:, 0]
+        x[:, k] /= by.factors[:, k, k, None]
     solved = np.empty_like(x)
     solved[at, by.column] = x / unit
     return solved, held, turned, status
@@ -373,7 +375,7 @@ def _weighted(weight: Array, rows: Array) -> Array:
 
 
 def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Array]:
-    """The rows, [a; alpha] (n, 6) and the status (n,); ``motion`` gets what the derivatives read of the legs."""
+    """The rows, [a; alpha] (n, 6) and the status (n,); ``motion`` gets what derivatives read of the legs."""
     total, leg, _ = _sums("joint_rows", robot, motion, F)
     by = _factored(total, leg)
     force = np.zeros((len(F), 24, 1))

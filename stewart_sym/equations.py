@@ -222,8 +222,8 @@ class ForwardDynamics:
 
 
 _KEPT = 2.0**-6
-"""Where elimination leaves less than this share of a diagonal number of M, or a leg and its fixed axis make an
-angle with a smaller sine, digits are lost."""
+"""Digits are lost where elimination leaves less than this share of a diagonal number of M, or where a leg and
+its fixed axis make an angle with a smaller sine."""
 
 
 def _at_rest(motion: Motion) -> Motion:

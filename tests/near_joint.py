@@ -1,4 +1,4 @@
-"""Machines near the joint singularity of a leg, and what one rounding unit of every number does to each answer.
+"""Machines near the joint singularity of a leg, and what a rounding unit of every number does to each answer.
 
 The generated closed form is compiled for ``__float128`` as truth, and run once more for each input number
 (robot, motion, actuator forces) with that number changed by a share of itself: the sum of the absolute
@@ -70,7 +70,7 @@ def heavier(robot: Robot, leg: int, times: float) -> Robot:
 def axisymmetric(robot: Robot, axial_inertia: float) -> Robot:
     """The machine with legs that are the same all round their axis, their axial inertias times a number."""
     I_d0, I_u0 = (
-        np.array([np.diag([axial_inertia * I[0, 0], I[1, 1], I[1, 1]]) for I in each])
+        np.array([np.diag([axial_inertia * own[0, 0], own[1, 1], own[1, 1]]) for own in each])
         for each in (robot.I_d0, robot.I_u0)
     )
     axial = np.array([1.0, 0.0, 0.0])
@@ -144,19 +144,13 @@ def _apart(flat: Array) -> dict[str, Array]:
 
 
 def blocks(name: str, value: Array) -> list[Array]:
-    """Parts of an output that have one unit: blocks of force, moment, v and omega."""
+    """Parts of an output that have one unit: threes of rows and of columns, but where these are legs."""
     value = value.reshape(BLOCKS[name])
-    if value.shape[-1] == 6 and name.split(".")[1] in ("F",) or name.startswith("joint_inertia"):
-        return [value]
-    columns = np.split(value, range(3, value.shape[-1], 3), axis=-1)
-    if value.ndim == 1:
-        return columns
-    if name.startswith("derivatives") or name.endswith(".B") or name.split(".")[1] in ("H", "H_dot"):
-        # Rows or columns are legs there, all of one unit.
-        columns = columns if name.startswith("derivatives") else [value]
-        if name.startswith("derivatives"):
-            return columns
-    return [part for column in columns for part in np.split(column, range(3, value.shape[0], 3), axis=0)]
+    what, _, output = name.partition(".")
+    rows = [value] if what in ("derivatives", "joint_inertia") else np.split(value, len(value) // 3)
+    if value.ndim == 1 or what == "joint_inertia" or output in ("B", "H", "H_dot"):
+        return rows
+    return [part for row in rows for part in np.split(row, value.shape[1] // 3, axis=1)]
 
 
 def excess(true: Truth, found: dict[str, Array]) -> dict[str, float]:
@@ -182,7 +176,7 @@ def _ratio(error: Array, allowed: float) -> float:
 def outputs(
     closed: Any, motion: Motion, F: Array, functions: Sequence[str] = WHOLE
 ) -> tuple[dict[str, Array], dict[str, int]]:
-    """Every output of a closed form's kernels, by the names of ``BLOCKS``, and the status of each function."""
+    """Every output of a closed form's kernels by the names of ``BLOCKS``, and each function's status."""
     found, status = {}, {}
     for what in functions:
         result = closed.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)

@@ -1,10 +1,10 @@
 """C of forward dynamics where M's factors lose digits: the legs' inertia stays in their joint coordinates.
 
-Near a joint singularity, of a very short leg and of a very heavy one M is the sum of large parts that act in a
-few directions and of small ones; added up, the small ones are rounded away. Here M = A^T W A with three rows
-of A for each leg and six of the platform, weights W of about one in blocks of three. Elimination with complete
-pivoting picks the six rows that are stiffest, and their accelerations become the unknowns: no large number is
-added to a small one. Texts alone, used by ``motion``.
+Near a joint singularity, with a very short or a very heavy leg, M is the sum of large parts that act in a few
+directions and of small ones, which are rounded away. Here M = A^T W A with three rows of A for each leg and
+six of the platform, and weights W of about one in blocks of three. Elimination with complete pivoting picks
+the six stiffest rows, and their accelerations become the unknowns: no large number is added to a small one.
+Texts alone, used by ``motion``.
 """
 
 FORWARD_APART = """\
@@ -59,7 +59,8 @@ static void leg_rows(
 }
 
 /* Rows and weights of the platform from its part of M: its centre of mass, and rotation about it. */
-static void platform_rows(const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
+static void platform_rows(
+    const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
 {
     static const int axis[3] = {15, 18, 20};
     const stewart_real mass = sum[0], heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
@@ -184,8 +185,8 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
         for (j = 0; j < 3; ++j) {
             const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
             for (k = 0; k < 36; ++k) {
-                const stewart_real *share = by->share[i / 3 * 3 + j];
-                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + by->share[i][k / 6] * weight * share[k % 6];
+                const stewart_real one = by->share[i][k / 6], other = by->share[i / 3 * 3 + j][k % 6];
+                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + one * weight * other;
             }
         }
     }
@@ -193,9 +194,9 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
 
 /* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
  *
- * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of the
- * coordinates that balance their own large forces, from which the unknown ones are measured; rest: the rows'
- * forces there. */
+ * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
+ * the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
+ * rows' forces there. */
 static void row_right(
     const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
     stewart_real *rest, stewart_real *right)
@@ -265,7 +266,7 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces and the accelerations by those of the platform, from the coordinates'. */
+/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
 static void rows_held(
     const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
     stewart_real (*apart)[LANES])

@@ -13,8 +13,8 @@ from ..regroup import ForceKernel
 from .infix import WIDTH, infix, wrap
 from .lane_text import names_used
 from .motion import sum_operations
-from .numpy_joint_rows import JOINT_ROWS
 from .numpy import step_lines
+from .numpy_joint_rows import JOINT_ROWS
 
 Load = Callable[[Quantity, tuple[int, ...], str], str]
 
@@ -346,7 +346,7 @@ def _columns(leg: dict[str, Array], name: str) -> Array:
 
 
 def _solve_definite(M: Array, right: Array, least: float = ROUNDING) -> tuple[Array, Array]:
-    """x of M x = right by L D L^T, a pivot more than ``least`` of its diagonal number, and the status (...)."""
+    """x of M x = right by L D L^T, pivots more than ``least`` of their diagonal numbers; status (...)."""
     A = np.concatenate([M, right], axis=-1)
     scale = np.diagonal(M, axis1=-2, axis2=-1)
     status = np.zeros(M.shape[:-2], dtype=np.int32)

@@ -4876,7 +4876,8 @@ static void leg_rows(
 }
 
 /* Rows and weights of the platform from its part of M: its centre of mass, and rotation about it. */
-static void platform_rows(const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
+static void platform_rows(
+    const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
 {
     static const int axis[3] = {15, 18, 20};
     const stewart_real mass = sum[0], heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
@@ -5001,8 +5002,8 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
         for (j = 0; j < 3; ++j) {
             const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
             for (k = 0; k < 36; ++k) {
-                const stewart_real *share = by->share[i / 3 * 3 + j];
-                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + by->share[i][k / 6] * weight * share[k % 6];
+                const stewart_real one = by->share[i][k / 6], other = by->share[i / 3 * 3 + j][k % 6];
+                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + one * weight * other;
             }
         }
     }
@@ -5010,9 +5011,9 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
 
 /* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
  *
- * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of the
- * coordinates that balance their own large forces, from which the unknown ones are measured; rest: the rows'
- * forces there. */
+ * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
+ * the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
+ * rows' forces there. */
 static void row_right(
     const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
     stewart_real *rest, stewart_real *right)
@@ -5082,7 +5083,7 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces and the accelerations by those of the platform, from the coordinates'. */
+/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
 static void rows_held(
     const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
     stewart_real (*apart)[LANES])
