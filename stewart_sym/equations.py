@@ -214,11 +214,11 @@ class ForwardDynamics:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
         faults = reference.PAPER if self.formulation == "paper" else reference.EXACT
         near = reference.legs(self.robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
-        x, definite = x.copy(), np.array(definite)
+        x, known = x.copy(), np.array(definite, dtype=np.bool_)
         for i in map(tuple, np.argwhere(good & (near | ~(digits_kept(M) > _KEPT)))):
             x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
-            definite[i] = np.isfinite(x[i]).all()
-        return x, definite
+            known[i] = np.isfinite(x[i]).all()
+        return x, known
 
 
 _KEPT = 2.0**-6

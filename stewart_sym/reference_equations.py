@@ -12,7 +12,6 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
@@ -81,12 +80,12 @@ def forward_dynamics(
     For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
     very short and of very heavy legs.
     """
-    wide = SimpleNamespace(
+    wide: Any = SimpleNamespace(
         base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
     )
     if robot.base_joint == "universal":
         wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
-    bare = SimpleNamespace(
+    bare: Any = SimpleNamespace(
         **{**vars(wide), **{name: 0 * getattr(wide, name) for name in ("g", "C_u", "C_p", "C_s")}}
     )
     none = np.zeros(3)
@@ -99,20 +98,28 @@ def forward_dynamics(
     for unit in np.eye(6):
         leg, H, c = reference.balance(bare, Motion.unchecked(R, t, none, none, unit[3:], unit[:3]), faults)
         columns.append(H @ leg.D[..., 0] - c)
-    M = _DIGITS.matrix(np.transpose(columns).tolist())
+    M = _digits().matrix(np.transpose(columns).tolist())
     try:
-        return np.array([float(x) for x in _DIGITS.cholesky_solve(M, _DIGITS.matrix(rest.tolist()))])
+        return np.array([float(x) for x in _digits().cholesky_solve(M, _digits().matrix(rest.tolist()))])
     except ValueError:
         return np.full(6, np.nan)
 
 
+@functools.cache
+def _digits() -> Any:
+    """Arithmetic at 50 digits; SymPy brings it, and it is loaded only where it is needed."""
+    import mpmath
+
+    context = mpmath.MPContext()
+    context.dps = 50
+    return context
+
+
 def _wide(values: Any) -> Any:
     """The same numbers at 50 digits."""
-    return np.vectorize(_DIGITS.mpf, otypes=[object])(values)
+    return np.vectorize(_digits().mpf, otypes=[object])(values)
 
 
-_DIGITS = mpmath.MPContext()
-_DIGITS.dps = 50
 _NUMBERS = (
     *("g", "M", "R_0", "I_p", "b", "p", "k"),
     *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s"),
