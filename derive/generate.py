@@ -127,9 +127,7 @@ def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]
 
 def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
     """The kernels of the closed form as they are emitted."""
-    return tuple(
-        replace(each, pose=share(each.pose), leg=share(each.leg)) for each in motion.kernels(friction)
-    )
+    return tuple(replace(each, pose=share(each.pose)).changed(share) for each in motion.kernels(friction))
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:

@@ -7,6 +7,7 @@ derivatives of the wrench by pose, twist and acceleration. Poses move by [dt; dp
 exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of sharing or printing.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -16,6 +17,7 @@ from . import prepared as p
 from . import tip
 from .block import Block, Builder, Quantity
 from .joint_leg import (
+    JointForces,
     JointFrame,
     friction_moment,
     gravity_torques,
@@ -81,9 +83,29 @@ BY_TWIST = (
 # What the pose hands to the legs.
 B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
 F_LEG = Quantity("F", (), "N", "actuator force of the leg")
+NET = Quantity(
+    "net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi"
+)
 H_DOT = (
     _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
     _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
+)
+
+TURNED = Quantity(
+    "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
+)
+
+# A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
+# L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
+M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
+ROWS = (
+    _matrix("row_v", "1, 1/m", "gradients of L, theta, phi by position"),
+    _matrix("row_w", "m, 1", "gradients of L, theta, phi by rotation"),
+)
+TAU = _vector("tau", "N, N m", "generalised forces less the actuator's without accelerations of the platform")
+TAU_BY = tuple(
+    _matrix(f"tau_{by}", "N, N m per unit", f"generalised forces by {meaning}, row for row")
+    for by, meaning in (("t", "dt"), ("r", "dphi"), ("v", "v"), ("w", "omega"))
 )
 
 
@@ -92,13 +114,19 @@ class SumKernel:
     """A pose's part and one leg's part of sums over the machine.
 
     summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
-    column of H where it is needed, and q, L, k3 by which the leg is judged.
+    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses
+    in which a leg is near its joint singularity, where the other loses digits.
     """
 
     name: str
     summed: tuple[Quantity, ...]
     pose: Block
     leg: Block
+    near: Block | None = None
+
+    def changed(self, change: Callable[[Block], Block]) -> "SumKernel":
+        """The kernel with the blocks of a leg changed."""
+        return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
@@ -108,8 +136,10 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
         bias_kernel(friction),
         forward_kernel(friction),
         derivatives_kernel(friction),
+        joint_rows_kernel(friction),
+        joint_slopes_kernel(friction),
     )
-    return tuple(replace(each, leg=from_difference(each.leg)) for each in derived)
+    return tuple(each.changed(from_difference) for each in derived)
 
 
 # ---------------------------------------------------------------- the platform's own part
@@ -196,7 +226,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
@@ -259,7 +289,8 @@ def bias_kernel(friction: bool) -> SumKernel:
     )
     build = Builder()
     leg = _leg(build)
-    D, K, f = _tip_bias(build, leg, friction)
+    tau, f = _tip_bias(build, leg, friction)
+    D, K = tip_force(build, leg.at, tau)
     R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
     block = build.block(
         "bias_of_leg",
@@ -270,36 +301,24 @@ def bias_kernel(friction: bool) -> SumKernel:
     return SumKernel("bias", BIAS, pose, block)
 
 
-def _tip_bias(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Expr, sp.Matrix, sp.Matrix]:
-    """D, K and f of the leg without accelerations of the platform."""
+def _tip_bias(build: Builder, leg: _Leg, friction: bool) -> tuple[JointForces, sp.Matrix]:
+    """Generalised forces and f of the leg without accelerations of the platform."""
     at = leg.at
     rates = joint_rates(build, at, leg.S_dot)
     S_ddot = build.vector(
         "S_ddot", B_0.value * at.q, "(7)", "acceleration of the platform point, a = alpha = 0"
     )
     accelerations = joint_accelerations(build, at, rates, S_ddot)
-    D, K = tip_force(build, at, joint_forces(build, at, rates, accelerations, friction))
-    return D, K, friction_moment(at, rates, friction)
+    return joint_forces(build, at, rates, accelerations, friction), friction_moment(at, rates, friction)
 
 
 def forward_kernel(friction: bool) -> SumKernel:
     """M, and the right side H F + external wrench - bias."""
-    build = Builder()
-    at = _platform(build)
-    bias, load = _platform_bias(at, friction), _external()
-    pose = build.block(
-        "forward_of_platform",
-        "the platform's part of M and of the right side",
-        _POSE_INPUTS,
-        [
-            (B_0, _centripetal(build)),
-            *_platform_inertia(at),
-            *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
-        ],
-    )
+    pose = _forward_of_platform("forward_of_platform", friction)
     build = Builder()
     leg = _leg(build)
-    D, K, f = _tip_bias(build, leg, friction)
+    tau, f = _tip_bias(build, leg, friction)
+    D, K = tip_force(build, leg.at, tau)
     push = build.vector("push", (F_LEG.value - D) * leg.at.s - K, "", "force on the platform at the tip")
     m, _ = _tip_inertia(build, leg)
     block = build.block(
@@ -315,10 +334,56 @@ def forward_kernel(friction: bool) -> SumKernel:
     return SumKernel("forward_dynamics", (*INERTIA, *RIGHT), pose, block)
 
 
+def _forward_of_platform(name: str, friction: bool) -> Block:
+    build = Builder()
+    at = _platform(build)
+    bias, load = _platform_bias(at, friction), _external()
+    return build.block(
+        name,
+        "the platform's part of M and of the right side",
+        _POSE_INPUTS,
+        [
+            (B_0, _centripetal(build)),
+            *_platform_inertia(at),
+            *((q, outer - inner) for q, outer, inner in zip(RIGHT, load, bias, strict=True)),
+        ],
+    )
+
+
+def joint_rows_kernel(friction: bool) -> SumKernel:
+    """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
+
+    M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau.
+    """
+    build = Builder()
+    leg = _leg(build)
+    at = leg.at
+    tau, f = _tip_bias(build, leg, friction)
+    rows = sp.Matrix.vstack(at.s.T, -at.inv_L * leg.z.T, at.inv_rho * at.y.T)
+    rows = _named(build, "row_v", rows)
+    nothing = [(q, sp.zeros(*q.shape)) for q in INERTIA]
+    block = build.block(
+        "joint_rows_of_leg",
+        "one leg's inertia and generalised forces in its joint coordinates, and their gradients",
+        _LEG_INPUTS,
+        [
+            *nothing,
+            *zip(RIGHT, (sp.zeros(3, 1), f), strict=True),
+            (M_XI, joint_inertia(build, at).matrix()),
+            *zip(ROWS, (rows, -rows * tip.skew(at.q)), strict=True),
+            (TAU, sp.Matrix([tau.along - F_LEG.value, tau.about_y, tau.about_k])),
+            *_judged(at),
+        ],
+    )
+    pose = _forward_of_platform("joint_rows_of_platform", friction)
+    return SumKernel("joint_rows", (*INERTIA, *RIGHT), pose, block)
+
+
 def equations_kernel(friction: bool) -> SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*INERTIA, *CORIOLIS, *GRAVITY, *FRICTION)
-    return SumKernel("equations", summed, _equations_of_platform(friction), _equations_of_leg(friction))
+    legs = (_equations_of_leg(friction, near) for near in (False, True))
+    return SumKernel("equations", summed, _equations_of_platform(friction), *legs)
 
 
 def _equations_of_platform(friction: bool) -> Block:
@@ -343,20 +408,17 @@ def _equations_of_platform(friction: bool) -> Block:
     )
 
 
-def _equations_of_leg(friction: bool) -> Block:
+def _equations_of_leg(friction: bool, near: bool) -> Block:
     build = Builder()
     leg = _leg(build)
     at, q = leg.at, leg.at.q
     rates = joint_rates(build, at, leg.S_dot)
     m, M = _tip_inertia(build, leg)
-    inner = tip.gradients()
-    C = _local(build, "C_xi", tip.christoffel(tip.inertia()))
-    rate = _local(build, "G_dot", inner.rate)
     C_tip = _turned(
         build,
         "C_tip",
         leg.T,
-        _local(build, "C_leg", inner.value.T * (C * inner.value + M * rate)),
+        _local(build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M)),
         "Coriolis matrix at the tip, base frame",
     )
     w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
@@ -381,7 +443,7 @@ def _equations_of_leg(friction: bool) -> Block:
         )
     s_dot = build.vector("s_dot", at.inv_L * (leg.S_dot - rates.L * at.s), "(3)", "rate of s")
     return build.block(
-        "equations_of_leg",
+        "equations_of_leg_near" if near else "equations_of_leg",
         "one leg's part of M, C, g and friction, its column of H and the column's rate",
         _LEG_INPUTS,
         [
@@ -394,6 +456,21 @@ def _equations_of_leg(friction: bool) -> Block:
             *_judged(at),
         ],
     )
+
+
+def _coriolis(build: Builder, M: sp.Matrix) -> sp.Matrix:
+    """Coriolis matrix at the tip, leg frame, from the named M of the joint coordinates."""
+    inner = tip.gradients()
+    C = _local(build, "C_xi", tip.christoffel(tip.inertia()))
+    rate = _local(build, "G_dot", inner.rate)
+    return inner.value.T * (C * inner.value + M * rate)
+
+
+def _coriolis_near(build: Builder, leg: _Leg) -> sp.Matrix:
+    """The same without large parts that cancel near the joint singularity."""
+    inner, M = tip.gradients(), tip.inertia()
+    _name_finite_rates(build, leg)
+    return tip.gathered(inner.value.T * (tip.christoffel(M) * inner.value + M * inner.rate))
 
 
 def _from_torques(build: Builder, leg: _Leg, axial: sp.Expr, about_y: sp.Expr, about_k: sp.Expr) -> sp.Matrix:
@@ -415,7 +492,8 @@ def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
 def derivatives_kernel(friction: bool) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
-    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), _derivatives_of_leg(friction))
+    legs = (_derivatives_of_leg(friction, near) for near in (False, True))
+    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), *legs)
 
 
 def _derivatives_of_platform(friction: bool) -> Block:
@@ -471,11 +549,11 @@ class _Slopes:
     force: sp.Matrix
 
 
-def _derivatives_of_leg(friction: bool) -> Block:
+def _derivatives_of_leg(friction: bool, near: bool) -> Block:
     build = Builder()
     leg = _leg(build)
     q, turn = leg.at.q, tip.skew(leg.at.q)
-    by = _tip_slopes(build, leg, friction)
+    by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
     w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
     reach = _named(build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip")
@@ -488,7 +566,7 @@ def _derivatives_of_leg(friction: bool) -> Block:
         mt, mr = mt - by.f_S, mr + (by.f_S + by.f_S_dot * W) * turn
         mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
-        "derivatives_of_leg",
+        "derivatives_of_leg_near" if near else "derivatives_of_leg",
         "one leg's part of the derivatives of the wrench",
         _LEG_INPUTS,
         [
@@ -501,53 +579,146 @@ def _derivatives_of_leg(friction: bool) -> Block:
     )
 
 
-def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
-    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
-    at = leg.at
-    rates = joint_rates(build, at, leg.S_dot)
-    S_ddot = build.vector("S_ddot", p.B.value * at.q + n.a.value, "(7)", "acceleration of the platform point")
-    joint_accelerations(build, at, rates, S_ddot)
-    m, M = _tip_inertia(build, leg)
-    gravity_torques(build, at)
+@dataclass(frozen=True)
+class _TorqueSlopes:
+    """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
+
+    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
+    force: Gamma^T net, base frame.
+    """
+
+    S: sp.Matrix
+    S_dot: sp.Matrix
+    bend: sp.Matrix
+    inertia: sp.Matrix
+    force: sp.Matrix
+
+
+def _torque_slopes(
+    build: Builder, leg: _Leg, friction: bool, near: bool, net: sp.Matrix | None = None
+) -> _TorqueSlopes:
+    """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
+
+    net: generalised forces less the actuator's, where they are given.
+    """
+    inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
+    gravity_torques(build, leg.at)
     if friction:
-        name_omega(build, at)
+        name_omega(build, leg.at)
+    named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
+    if net is None:
+        tau = [build.scalar(name, value) for name, value in named]
+        net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
+        bent = sp.Matrix([raw[0] - F_LEG.value, raw[1], raw[2]]) if near else net
+    else:
+        bent = net
+    rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
+    if not near:
+        M = joint_inertia(build, leg.at).matrix()
+        rate, second = _local(build, "G_dot", rate), _local(build, "G_ddot", second)
+        by_rate, by_place = _local(build, "tau_rate", by_rate), _local(build, "tau_place", by_place)
+    return _TorqueSlopes(
+        S=M * second + by_rate * rate + by_place * inner.value,
+        S_dot=2 * M * rate + by_rate * inner.value,
+        bend=_bend(bent),
+        inertia=M,
+        force=build.vector(
+            "R_tip",
+            _from_torques(build, leg, net[0], net[1], net[2]),
+            "",
+            "force at the tip, less the actuator's",
+        ),
+    )
+
+
+def _bend(net: sp.Matrix) -> sp.Matrix:
+    """Sum of the net forces times the Hessians of L, theta, phi, whatever the forces are made of."""
+    names = sp.Matrix(sp.symbols("net_L net_theta net_phi", real=True))
+    return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
+
+
+def _name_finite_rates(build: Builder, leg: _Leg) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg and its rates."""
+    joint_rates(build, leg.at, leg.S_dot)
+    build.scalar(tip.inv_k3.name, leg.at.L * leg.at.inv_rho)
+    build.scalar(tip.W_z.name, leg.at.inv_L * leg.at.y.dot(leg.S_dot), "(6)", "leg's turning about z")
+
+
+def _name_joint_motion(build: Builder, leg: _Leg) -> None:
+    """Names rates and accelerations of the joint coordinates."""
+    rates = joint_rates(build, leg.at, leg.S_dot)
+    S_ddot = build.vector(
+        "S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point"
+    )
+    joint_accelerations(build, leg.at, rates, S_ddot)
+
+
+def _name_finite_motion(build: Builder, leg: _Leg, turned: bool) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
+
+    turned: what the platform's accelerations add is given by the joint coordinates, where rounding of the
+    platform's would be large beside it.
+    """
+    at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
+    _name_finite_rates(build, leg)
+    if turned:
+        S_ddot, (along, about_y, about_k) = _centripetal_acceleration(build, at), TURNED.value
+    else:
+        S_ddot = p.B.value * at.q + n.a.value
+        along = about_y = about_k = sp.S.Zero
+    S_ddot = build.vector("S_ddot", S_ddot, "(7)", "acceleration of the platform point")
+    along += at.s.dot(S_ddot) + at.L * (rates.theta2 + at.k3**2 * rates.phi2)
+    build.scalar(tip.accelerations[0].name, along, "(8)", "acceleration of the length")
+    meaning = "turning accelerations of the leg about y and z but for the turning of the frame about s"
+    about_y += -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
+    about_z = at.k3 * about_k + at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share
+    build.scalar(tip.OWN_Y.name, about_y, "(9)", meaning)
+    build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
+
+
+def _centripetal_acceleration(build: Builder, at: JointFrame) -> sp.Matrix:
+    omega = n.omega.value
+    return cross(omega, build.vector("w_q", cross(omega, at.q), "(4)", "omega x q"))
+
+
+def _friction_slopes(build: Builder, leg: _Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """Derivatives of f by S and S_dot, base frame."""
+    if not friction:
+        return sp.zeros(3, 3), sp.zeros(3, 3)
     inner = tip.gradients()
-    tau = sp.Matrix(
-        [
-            build.scalar(name, value)
-            for name, value in zip(("tau_L", "tau_theta", "tau_phi"), tip.torques(friction), strict=True)
-        ]
-    )
-    rate, second = _local(build, "G_dot", inner.rate), _local(build, "G_ddot", inner.second)
-    raw = tip.torques(friction)
-    by_rate = _local(build, "tau_rate", raw.jacobian(tip.rates))
-    by_place = _local(build, "tau_place", tip.place(raw))
-    net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
-    bend = tip.hessian(net)
-    A_0 = inner.value.T * (M * second + by_rate * rate + by_place * inner.value) + bend
-    A_1 = inner.value.T * (2 * M * rate + by_rate * inner.value)
-    T, value = leg.T, inner.value
-    force = build.vector(
-        "R_tip",
-        _from_torques(build, leg, net[0], net[1], net[2]),
-        "",
-        "force at the tip, less the actuator's",
-    )
-    f_S = f_S_dot = by_omega = sp.zeros(3, 3)
-    if friction:
-        k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
-        C_s = n.C_s.value
-        by_omega = C_s * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
-        f_S_dot = C_s * (k * value[2, :] + y * value[1, :])
-        f_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * value[2, :])
-        by_omega, f_S, f_S_dot = (
-            _turned(build, name, T, _local(build, f"{name}_leg", local), meaning)
-            for name, local, meaning in (
-                ("A_3", by_omega, "force at the tip by omega"),
-                ("f_S", f_S, "friction moment by S"),
-                ("f_S_dot", f_S_dot, "friction moment by S_dot"),
-            )
+    rate = _local(build, "G_dot", inner.rate)
+    k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
+    C_s = n.C_s.value
+    by_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * inner.value[2, :])
+    by_S_dot = C_s * (k * inner.value[2, :] + y * inner.value[1, :])
+    f_S, f_S_dot = (
+        _turned(build, name, leg.T, _local(build, f"{name}_leg", local), meaning)
+        for name, local, meaning in (
+            ("f_S", by_S, "friction moment by S"),
+            ("f_S_dot", by_S_dot, "friction moment by S_dot"),
         )
+    )
+    return f_S, f_S_dot
+
+
+def _tip_slopes(build: Builder, leg: _Leg, friction: bool, near: bool) -> _Slopes:
+    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+    if near:
+        _name_finite_motion(build, leg, turned=False)
+    else:
+        _name_joint_motion(build, leg)
+    m, _ = _tip_inertia(build, leg)
+    by = _torque_slopes(build, leg, friction, near)
+    T, value = leg.T, tip.gradients().value
+    by_omega = sp.zeros(3, 3)
+    if friction:
+        y, k = sp.Matrix([0, 1, 0]), sp.Matrix([tip.k1, 0, tip.k3])
+        by_omega = n.C_s.value * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
+        by_omega = _turned(build, "A_3", T, _local(build, "A_3_leg", by_omega), "force at the tip by omega")
+    f_S, f_S_dot = _friction_slopes(build, leg, friction)
+    A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
+    if near:
+        A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
     return _Slopes(
         S=_turned(build, "A_0", T, _local(build, "A_0_leg", A_0), "force at the tip by S"),
         S_dot=_turned(build, "A_1", T, _local(build, "A_1_leg", A_1), "force at the tip by S_dot"),
@@ -555,8 +726,65 @@ def _tip_slopes(build: Builder, leg: _Leg, friction: bool) -> _Slopes:
         omega=by_omega,
         f_S=f_S,
         f_S_dot=f_S_dot,
-        force=force,
+        force=by.force,
     )
+
+
+def joint_slopes_kernel(friction: bool) -> SumKernel:
+    """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
+
+    The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
+    """
+    build = Builder()
+    leg = _leg(build)
+    q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
+    _name_finite_motion(build, leg, turned=True)
+    by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
+    S, S_dot, S_ddot = (
+        _named(
+            build,
+            name,
+            _local(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            "generalised forces by the tip's motion",
+        )
+        for name, value in (
+            ("tau_S", by.S),
+            ("tau_S_dot", by.S_dot),
+            ("tau_S_ddot", by.inertia * tip.gradients().value),
+        )
+    )
+    W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
+    reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
+    pace = _named(build, "Y", S_dot + S_ddot * W)
+    bend = _turned(build, "bent", T, _local(build, "bent_leg", by.bend), "force by S as the rows turn")
+    fr = _named(build, "Z", -bend * turn)
+    mt, mr = turn * bend, turn * fr + tip.skew(by.force) * turn
+    mv = mw = by_omega = sp.zeros(3, 3)
+    if friction:
+        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
+        by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
+        mt, mr = mt - f_S, mr + (f_S + f_S_dot * W) * turn
+        mv, mw = -f_S_dot, f_S_dot * turn
+    zero = sp.zeros(3, 3)
+    block = build.block(
+        "joint_slopes_of_leg",
+        "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
+        _LEG_INPUTS,
+        [
+            *((quantity, zero) for quantity in INERTIA),
+            *zip(BY_POSE, (bend, fr, mt, mr), strict=True),
+            *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
+            *zip(
+                TAU_BY,
+                (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega),
+                strict=True,
+            ),
+            *_columns(leg.at),
+            *_judged(leg.at),
+        ],
+    )
+    pose = replace(_derivatives_of_platform(friction), name="joint_slopes_of_platform")
+    return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 
 def name_omega(build: Builder, at: JointFrame) -> None:

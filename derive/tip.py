@@ -132,6 +132,60 @@ def _rate(expr: sp.Matrix) -> sp.Matrix:
     return by_place + sum((expr.diff(rates[i]) * accelerations[i] for i in range(3)), sp.zeros(*expr.shape))
 
 
+# Rates and accelerations that stay finite where those of theta and phi grow like 1 / k3: the leg's turning
+# about y and z, accelerations without the part that comes from the frame's turning about s.
+inv_k3, W_z, OWN_Y, OWN_Z = sp.symbols("inv_k3 W_z own_y own_z", real=True)
+
+
+def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+    """The same in ``W_z``, ``OWN_Y``, ``OWN_Z`` and powers of 1 / L and 1 / k3, inertial constants collected.
+
+    What cancels for all legs is gone, and for axisymmetric legs the constants of each power of 1 / k3 cancel
+    among themselves: nothing large is left whose digits a small result would need.
+    """
+    if isinstance(expr, sp.MatrixBase):
+        return expr.applyfunc(gathered)
+    spin = W_z * inv_k3
+    finite = {
+        accelerations[1]: OWN_Y + k1 * W_z * spin,
+        accelerations[2]: OWN_Z * inv_k3 - 2 * k1 * inv_k3 * spin * rates[1],
+        inv_rho: inv_L * inv_k3,
+        kappa: k1 * inv_k3,
+        rates[2]: spin,
+    }
+    expr = sp.expand(sp.sympify(expr).xreplace(finite).xreplace({rates[2]: spin}))
+    constants = {symbol for quantity in _CONSTANTS for symbol in quantity.symbols}
+    others = [s for s in sorted(expr.free_symbols, key=str) if s not in {*constants, *_GEOMETRY}]
+    total: dict[tuple[int, ...], sp.Expr] = {}
+    for powers, factor in sp.Poly(expr, *_GEOMETRY, *others).terms():
+        for reduced, sign in _reduced(powers):
+            total[reduced] = total.get(reduced, 0) + sign * factor
+    symbols = (*_GEOMETRY, *others)
+    return sp.Add(
+        *(
+            sp.Mul(*(s**power for s, power in zip(symbols, powers, strict=True))) * sp.expand(factor)
+            for powers, factor in total.items()
+        )
+    )
+
+
+_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p)
+_GEOMETRY = (L, inv_L, k1, k3, inv_k3)
+
+
+def _reduced(powers: tuple[int, ...]) -> list[tuple[tuple[int, ...], int]]:
+    """A monomial of the geometry without L / L, k3 / k3 and k1^2 = 1 - k3^2: monomials and their signs."""
+    length, per_length, cosine, sine, per_sine, *rest = powers
+    if cosine >= 2:
+        return [
+            (found, sign * factor)
+            for more, factor in ((0, 1), (2, -1))
+            for found, sign in _reduced((length, per_length, cosine - 2, sine + more, per_sine, *rest))
+        ]
+    a, b = min(length, per_length), min(sine, per_sine)
+    return [((length - a, per_length - a, cosine, sine - b, per_sine - b, *rest), 1)]
+
+
 def hessian(tau: sp.Matrix) -> sp.Matrix:
     """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot.
 

@@ -350,19 +350,23 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
     """The legs, then H and c of (36) and a status that does not judge H."""
-    leg = _legs(robot, motion, _known(faults))
+    leg, H, c = balance(robot, motion, faults)
     D, K = leg.D[..., 0], leg.K
-    sum_K = np.sum(K, axis=-2)
-    sum_qK_f = np.sum(_cross(leg.q, K) - leg.f, axis=-2)
-
-    H = _H(leg)
-    force_rows = sum_K if SIGN in faults else -sum_K  # (33) as printed, else (35)
-    c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
-
     faults_of_legs = _leg_faults(robot, motion, leg)
     at_pole = (faults_of_legs == OK) & ~(leg.sin_pole[..., 0] > ROUNDING)
     finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
     return leg, H, c, _status(np.where(at_pole, POLE, faults_of_legs), finite)
+
+
+def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
+    """The legs, H and c of (36), unchecked. Arrays may hold numbers of any kind, such as mpmath's."""
+    leg = _legs(robot, motion, _known(faults))
+    sum_K = np.sum(leg.K, axis=-2)
+    sum_qK_f = np.sum(_cross(leg.q, leg.K) - leg.f, axis=-2)
+
+    force_rows = sum_K if SIGN in faults else -sum_K  # (33) as printed, else (35)
+    c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
+    return leg, _H(leg), c
 
 
 def _H(leg: _Positions) -> Array:

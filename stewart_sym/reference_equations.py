@@ -9,6 +9,8 @@ motions; must know nothing of the derivation or of the generated kernels.
 import dataclasses
 import functools
 from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +70,60 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
     bias, status = wrench(robot, _with(motion, motion.v, motion.omega, zero, zero))
     status = np.where(status == OK, of_columns.max(axis=-1), status).astype(np.int32)
     return np.swapaxes(columns, -1, -2), bias, status
+
+
+def forward_dynamics(
+    robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = reference.EXACT
+) -> Array:
+    """[a; alpha], (6,), of one pose under F, (6,), at 50 digits; NaN where M is not positive definite.
+
+    For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
+    very short and of very heavy legs.
+    """
+    wide: Any = SimpleNamespace(
+        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
+    )
+    if robot.base_joint == "universal":
+        wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
+    bare: Any = SimpleNamespace(
+        **{**vars(wide), **{name: 0 * getattr(wide, name) for name in ("g", "C_u", "C_p", "C_s")}}
+    )
+    none = np.zeros(3)
+    R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
+    load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
+    moving = Motion.unchecked(R, t, omega, v, none, none, *load)
+    leg, H, c = reference.balance(wide, moving, faults)
+    rest = H @ (_wide(F) - leg.D[..., 0]) + c
+    columns = []
+    for unit in np.eye(6):
+        leg, H, c = reference.balance(bare, Motion.unchecked(R, t, none, none, unit[3:], unit[:3]), faults)
+        columns.append(H @ leg.D[..., 0] - c)
+    M = _digits().matrix(np.transpose(columns).tolist())
+    try:
+        return np.array([float(x) for x in _digits().cholesky_solve(M, _digits().matrix(rest.tolist()))])
+    except ValueError:
+        return np.full(6, np.nan)
+
+
+@functools.cache
+def _digits() -> Any:
+    """Arithmetic at 50 digits; SymPy brings it, and it is loaded only where it is needed."""
+    import mpmath
+
+    context = mpmath.MPContext()
+    context.dps = 50
+    return context
+
+
+def _wide(values: Any) -> Any:
+    """The same numbers at 50 digits."""
+    return np.vectorize(_digits().mpf, otypes=[object])(values)
+
+
+_NUMBERS = (
+    *("g", "M", "R_0", "I_p", "b", "p", "k"),
+    *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s"),
+)
 
 
 def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) -> Array:

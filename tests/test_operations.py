@@ -12,7 +12,7 @@ from stewart_sym.derive.emit import c, lanes
 from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
-from stewart_sym.derive.motion import F_LEG, SumKernel
+from stewart_sym.derive.motion import F_LEG, NET, SumKernel
 from stewart_sym.derive.operations import elimination, kernel_operations
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
@@ -82,7 +82,9 @@ SUMS = """static stewart_exact_model model;
     static @WHAT@_legs legs;
     static Real sum[100];
     static const Real F[6] = {1, 2, 3, 4, 5, 6};
+    static Real apart[6][8];
     (void)F;
+    (void)apart;
     counts = Counts();
     int status = @WHAT@_sums(&model, &motion@FORCE@, &legs, sum);"""
 """Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
@@ -141,7 +143,8 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(kernel: SumKernel, tm
     rng = np.random.default_rng(7)
     robot = random_robot(rng)
     sources = closed_form.c_sources()
-    call = SUMS.replace("@WHAT@", kernel.name).replace("@FORCE@", ", F" if F_LEG in kernel.leg.inputs else "")
+    given = next((text for q, text in ((F_LEG, ", F"), (NET, ", apart")) if q in kernel.leg.inputs), "")
+    call = SUMS.replace("@WHAT@", kernel.name).replace("@FORCE@", given)
     motion = random_motion(rng, robot)
     counted = executed("exact", "exact_motion", call, robot, motion, tmp_path, sources)
     claimed = sum_operations(kernel) + 2 * kernel.leg.operations()

@@ -8,12 +8,13 @@ import re
 from collections.abc import Collection
 
 from .. import notation as n
-from ..block import Block, Operations
-from ..motion import F_LEG, SumKernel
+from ..block import Block, Operations, Quantity
+from ..motion import F_LEG, NET, TURNED, SumKernel
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
 from .infix import infix, wrap
+from .joint_rows import FORWARD_APART, SLOPES_APART
 from .lane_text import (
     EMPTY,
     JUDGED,
@@ -88,6 +89,8 @@ def source(
         *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
+        ("forward_apart", FORWARD_APART),
+        ("slopes_apart", SLOPES_APART),
         *((f"stewart_@NAME@_{what}", text) for what, text in _PUBLIC.items()),
         *_LOAD_POSE.items(),
         *((f"stewart_@NAME@_{what}_batch", _batch(what)) for what in MEMBERS),
@@ -142,22 +145,36 @@ def _kernel(kernel: SumKernel, model: ForceKernel) -> str:
     given = [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
     stored = [out.quantity for out in kernel.leg.outputs if out.quantity not in (*kernel.summed, *JUDGED)]
     forced = F_LEG in kernel.leg.inputs
-    text = _SUM_KERNEL.replace("@FORCE@", ", const stewart_real F[6]" if forced else "")
-    text = text.replace("@FORCE_ARGUMENT@", ", force" if forced else "")
-    text = text.replace("@FORCE_LANES@", ", const stewart_real *STEWART_RESTRICT force" if forced else "")
+    by_pose, argument, by_legs = _LANE_INPUTS[next((q for q in _LANE_INPUTS if q in kernel.leg.inputs), None)]
+    text = _SUM_KERNEL.replace("@FORCE@", by_pose)
+    text = text.replace("@FORCE_ARGUMENT@", argument)
+    legs = {"": kernel.leg} | ({} if kernel.near is None else {"_near": kernel.near})
+    text = text.replace(
+        "@LEGS@", "\n".join(_of_legs(suffix, leg, kernel, model) for suffix, leg in legs.items())
+    )
+    text = text.replace("@FORCE_LANES@", by_legs)
     parts = {
         "@GIVEN@": [f"    stewart_real {q.name}[{size(q)}];" for q in given] or [EMPTY],
         "@STORED@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in stored],
         "@POSE_BODY@": [*([] if given else ["    (void)out;"]), *_pose_body(kernel)],
-        "@OUTSIDE@": [*([] if given else ["    (void)pose;"]), *_leg_loads(kernel.leg, model)[0]],
-        "@LEG_BODY@": _leg_body(kernel, model),
         "@DECLARED@": ["    stewart_real force[LANES];", "    int i;"] if forced else [],
         "@SPREAD@": _SPREAD_FORCE if forced else [],
+        "@NEAR@": []
+        if kernel.near is None
+        else [_NEAR.replace("@WHAT@", kernel.name).replace("@FORCE_ARGUMENT@", argument)],
     }
     marks = {"@WHAT@": kernel.name, "@COUNT@": str(sum(size(q) for q in kernel.summed))}
-    marks["@POSE_COUNT@"], marks["@LEG_COUNT@"] = str(kernel.pose.operations()), str(kernel.leg.operations())
+    marks["@POSE_COUNT@"] = str(kernel.pose.operations())
     for mark, value in marks.items():
         text = text.replace(mark, value)
+    return filled(_without_empty(text, parts), parts)
+
+
+def _of_legs(suffix: str, leg: Block, kernel: SumKernel, model: ForceKernel) -> str:
+    outside, body = _leg_loads(leg, model)[0], _leg_body(leg, kernel, model)
+    unused = [] if any("pose->" in line for line in (*outside, *body)) else ["    (void)pose;"]
+    parts = {"@OUTSIDE@": [*unused, *outside], "@LEG_BODY@": body}
+    text = _OF_LEGS.replace("@NEAR@", suffix).replace("@LEG_COUNT@", str(leg.operations()))
     return filled(_without_empty(text, parts), parts)
 
 
@@ -168,6 +185,16 @@ def _without_empty(text: str, parts: dict[str, list[str]]) -> str:
             text = text.replace(f"{mark}\n", "")
     return text
 
+
+_LANE_INPUTS: dict[Quantity | None, tuple[str, str, str]] = {
+    F_LEG: (", const stewart_real F[6]", ", force", ", const stewart_real *STEWART_RESTRICT force"),
+    NET: (", stewart_real (*apart)[LANES]", ", apart", ", stewart_real (*STEWART_RESTRICT apart)[LANES]"),
+    None: ("", "", ""),
+}
+"""What legs are given besides pose and model: a kernel's parameter, the legs' argument and parameter."""
+
+_APART = (NET, TURNED)
+"""What ``forward_apart`` hands to the derivatives, three numbers each."""
 
 _SPREAD_FORCE = [
     "    for (i = 0; i < LANES; ++i) {",
@@ -204,6 +231,12 @@ def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     for q in block.inputs:
         if q == F_LEG:
             inside.append("        const stewart_real F = force[l];")
+        elif q in _APART:
+            inside += [
+                f"        const stewart_real {name} = apart[{3 * _APART.index(q) + i}][l];"
+                for i, name in enumerate(q.names)
+                if name in used
+            ]
         elif q in model.leg_constants():
             inside += loads(q, "model", "[l]", used, " " * 8)
         else:
@@ -212,8 +245,7 @@ def _leg_loads(block: Block, model: ForceKernel) -> tuple[list[str], list[str]]:
     return outside, inside
 
 
-def _leg_body(kernel: SumKernel, model: ForceKernel) -> list[str]:
-    block = kernel.leg
+def _leg_body(block: Block, kernel: SumKernel, model: ForceKernel) -> list[str]:
     kept = tuple(o for o in block.outputs if o.quantity not in (*kernel.summed, *JUDGED))
     length, sine = judged(block)
     terms = [f"STEWART_FABS({name})" for q in (n.q, n.t, n.b) for name in q.names]
@@ -432,6 +464,9 @@ _TOP = """\
 """
 
 _COMMON = """\
+/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+#define STEWART_KEPT ((stewart_real)0.015625)
+
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
     stewart_real L[LANES], reach[LANES], k3[LANES];
@@ -454,6 +489,17 @@ static int legs_status(const leg_judgement *judged)
 """
 
 _SHARED = {
+    "is_near": """\
+/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+static int is_near(const leg_judgement *judged)
+{
+    int i, found = 0;
+    for (i = 0; i < 6; ++i) {
+        found = judged->k3[i] > STEWART_NEAR_POLE ? found : 1;
+    }
+    return found;
+}
+""",
     "add_legs": """\
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
@@ -564,18 +610,7 @@ static void @WHAT@_of_pose(
 @POSE_BODY@
 }
 
-/* The legs side by side: @LEG_COUNT@ operations each. */
-STEWART_APART static void @WHAT@_of_legs(
-    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const @WHAT@_pose *STEWART_RESTRICT pose@FORCE_LANES@, @WHAT@_legs *STEWART_RESTRICT out)
-{
-    int l;
-@OUTSIDE@
-    for (l = 0; l < LANES; ++l) {
-@LEG_BODY@
-    }
-}
-
+@LEGS@
 /* Platform and legs together; returns a status. */
 static int @WHAT@_sums(
     const stewart_@NAME@_model *model, const stewart_motion *motion@FORCE@, @WHAT@_legs *legs,
@@ -587,6 +622,7 @@ static int @WHAT@_sums(
     @WHAT@_of_pose(model, motion, &pose, sum);
 @SPREAD@
     @WHAT@_of_legs(model, motion, &pose@FORCE_ARGUMENT@, legs);
+@NEAR@
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, @COUNT@, sum);
@@ -595,10 +631,30 @@ static int @WHAT@_sums(
 }
 """
 
+_OF_LEGS = """\
+/* The legs side by side: @LEG_COUNT@ operations each. */
+STEWART_APART static void @WHAT@_of_legs@NEAR@(
+    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const @WHAT@_pose *STEWART_RESTRICT pose@FORCE_LANES@, @WHAT@_legs *STEWART_RESTRICT out)
+{
+    int l;
+@OUTSIDE@
+    for (l = 0; l < LANES; ++l) {
+@LEG_BODY@
+    }
+}
+"""
+
+_NEAR = """\
+    if (is_near(&legs->judged) != 0) {
+        @WHAT@_of_legs_near(model, motion, &pose@FORCE_ARGUMENT@, legs);
+    }"""
+"""Where a kernel has a code path near the joint singularity."""
+
 _SOLVE = """\
 /* Solves for X the rows [@MATRIX@ | Y] of @WIDTH@ numbers @METHOD@, leaving X in place of Y.
  * Returns @RETURNS@. */
-static @TYPE@ solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@])
+static @TYPE@ solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@]@LEAST@)
 {
     stewart_real @SCALE@, inverse[6];
     int i, j, k;
@@ -635,13 +691,14 @@ _DEFINITE = {
     "@RESULT@": "STEWART_OK",
     "@KIND@": "definite",
     "@MATRIX@": "M",
-    "@METHOD@": "by L D L^T, M positive definite",
+    "@METHOD@": "by L D L^T, M positive definite, a pivot more than `least` of its diagonal number",
+    "@LEAST@": ", stewart_real least",
     "@SCALES@": """\
     for (k = 0; k < 6; ++k) {
         scale[k] = A[k * @WIDTH@ + k];
     }""",
     "@PIVOT@": """\
-        if (!(A[k * @WIDTH@ + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * @WIDTH@ + k] > least * scale[k])) {
             return STEWART_FABS(A[k * @WIDTH@ + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }""",
 }
@@ -654,6 +711,7 @@ _PIVOTED = {
     "@KIND@": "pivoted",
     "@MATRIX@": "H",
     "@METHOD@": "by elimination with partial pivoting",
+    "@LEAST@": "",
     "@SCALES@": "    pivots = REAL(1);",
     "@PIVOT@": """\
         int pivot = k;
@@ -733,7 +791,8 @@ int stewart_@NAME@_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[48], sum[27];
+    row_factors by;
+    stewart_real A[48], sum[27], apart[6][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -747,7 +806,10 @@ int stewart_@NAME@_forward_dynamics(
         A[8 * i + 6] = sum[21 + i];
         A[8 * i + 7] = REAL(0);
     }
-    status = solve_definite_8(A);
+    status = solve_definite_8(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        return forward_apart(model, motion, F, &by, apart, acceleration);
+    }
     if (status != STEWART_OK) {
         return status;
     }
@@ -868,9 +930,10 @@ int stewart_@NAME@_linearisation(
     stewart_linearisation *out)
 {
     derivatives_legs legs;
+    row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93];
+    stewart_real A[144], sum[93], apart[6][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -890,7 +953,13 @@ int stewart_@NAME@_linearisation(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    status = solve_definite_24(A);
+    status = solve_definite_24(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        status = forward_apart(model, motion, F, &by, apart, found.acceleration);
+        if (status == STEWART_OK) {
+            status = slopes_apart(model, &moving, &by, apart, A);
+        }
+    }
     if (status != STEWART_OK) {
         return status;
     }

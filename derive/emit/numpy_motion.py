@@ -7,13 +7,14 @@ from collections.abc import Callable
 
 from .. import notation as n
 from ..block import Block, Quantity, component_name
-from ..motion import F_LEG, SumKernel
+from ..motion import F_LEG, NET, TURNED, SumKernel
 from ..prepared import ADDED
 from ..regroup import ForceKernel
 from .infix import WIDTH, infix, wrap
 from .lane_text import names_used
 from .motion import sum_operations
 from .numpy import step_lines
+from .numpy_joint_rows import JOINT_ROWS
 
 Load = Callable[[Quantity, tuple[int, ...], str], str]
 
@@ -28,7 +29,11 @@ def module(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
     for kernel in kernels:
         blocks += [
             _function(kernel.pose, "platform, motion", _of_pose),
-            _function(kernel.leg, "leg, platform, pose, motion, F", _in_lanes(kernel, model)),
+            *(
+                _function(leg, "leg, platform, pose, motion, F", _in_lanes(kernel, model))
+                for leg in (kernel.leg, kernel.near)
+                if leg is not None
+            ),
         ]
     parts = {
         "@NAME@": name,
@@ -36,6 +41,8 @@ def module(kernels: tuple[SumKernel, ...], model: ForceKernel, version: str) -> 
         "@ADDED@": wrap_names("_ADDED = (" + ", ".join(f'"{c}"' for q in ADDED for c in q.names) + ")"),
         "@SUMMED@": "\n".join(_summed(kernel) for kernel in kernels),
         "@OPERATIONS@": "\n".join(f'    "{k.name}": {sum_operations(k).total},' for k in kernels),
+        "@JOINT_ROWS@": JOINT_ROWS,
+        "@NEAR@": "\n".join(f'    "{k.name}": {k.near.name},' for k in kernels if k.near is not None),
         "@BLOCKS@": "\n\n\n".join(blocks),
     }
     text = _MODULE
@@ -89,6 +96,8 @@ def _in_lanes(kernel: SumKernel, model: ForceKernel) -> Load:
     def load(quantity: Quantity, key: tuple[int, ...], name: str) -> str:
         if quantity == F_LEG:
             return "F"
+        if quantity in (NET, TURNED):
+            return f"motion.{quantity.name}[..., {key[0]}]"
         if quantity in n.MOTION:
             return f"motion.{quantity.name}[...{_index(key)}, None]"
         if quantity in given:
@@ -148,6 +157,8 @@ Written by stewart-sym @VERSION@; do not edit.
 (..., 3). Wrenches and twists in base axes about the reference point. Units as in stewart.h.
 """
 
+from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -156,6 +167,10 @@ from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHOR
 from .assembly import Array, eliminate_many, singular_status
 
 INDEFINITE = 6
+# Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
+KEPT = 2.0**-6
+# Below this sine of the angle between a leg and its fixed axis the shorter formulas lose digits.
+NEAR_POLE = 2.0**-6
 
 _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
 
@@ -203,7 +218,10 @@ def bias(robot: Any, motion: Any) -> dict[str, Array]:
 def forward_dynamics(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     """acceleration [a; alpha] (..., 6) under F (..., 6), and status (...)."""
     total, _, status = _sums("forward_dynamics", robot, motion, F)
-    x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None])
+    x, fault = _solve_definite(_inertia(total), _wrench(total, "right")[..., None], KEPT)
+    lost = (status == OK) & (fault == INDEFINITE)
+    if lost.any():
+        _, x[lost, :, 0], fault[lost] = _forward_apart(robot, _chosen(motion, lost), F[lost])
     return _good({"acceleration": x[..., 0]}, np.where(status == OK, fault, status))
 
 
@@ -236,7 +254,10 @@ def linearisation(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     total, leg, status = _sums("derivatives", robot, motion, F)
     pose, twist = _slopes(total)
     right = np.concatenate([pose, twist, _columns(leg, "H")], axis=-1)
-    x, fault = _solve_definite(_inertia(total), right)
+    x, fault = _solve_definite(_inertia(total), right, KEPT)
+    lost = (status == OK) & (fault == INDEFINITE)
+    if lost.any():
+        x[lost], fault[lost] = _slopes_apart(robot, _chosen(motion, lost), F[lost])
     A = np.zeros((*status.shape, 12, 12))
     A[..., :6, 6:] = np.eye(6)
     A[..., 3, 4], A[..., 4, 3] = -motion.omega[..., 2], motion.omega[..., 2]
@@ -267,6 +288,9 @@ def _sums(
             name: np.broadcast_to(value, shape)
             for name, value in of_leg(leg, platform, pose, motion, F).items()
         }
+        if what in _NEAR and np.any(near := parts["k3"].min(axis=-1, keepdims=True) < NEAR_POLE):
+            exact = _NEAR[what](leg, platform, pose, motion, F)
+            parts = {name: np.where(near, exact[name], value) for name, value in parts.items()}
         total = {name: np.broadcast_to(pose[name], shape[:-1]) + _six(parts[name]) for name in _SUMMED[what]}
         return total, parts, _leg_status(leg, motion, parts)
 
@@ -332,8 +356,8 @@ def _columns(leg: dict[str, Array], name: str) -> Array:
     return np.stack([leg[f"{name}_{row}"] for row in _ROWS], axis=-2)
 
 
-def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
-    """x of M x = right by L D L^T, and the status (...)."""
+def _solve_definite(M: Array, right: Array, least: float = ROUNDING) -> tuple[Array, Array]:
+    """x of M x = right by L D L^T, pivots more than ``least`` of their diagonal numbers; status (...)."""
     A = np.concatenate([M, right], axis=-1)
     scale = np.diagonal(M, axis1=-2, axis2=-1)
     status = np.zeros(M.shape[:-2], dtype=np.int32)
@@ -341,7 +365,7 @@ def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
         for k in range(6):
             pivot = A[..., k, k]
             fault = np.where(np.isfinite(pivot), INDEFINITE, NOT_FINITE)
-            status = np.where((status == OK) & ~(pivot > ROUNDING * scale[..., k]), fault, status)
+            status = np.where((status == OK) & ~(pivot > least * scale[..., k]), fault, status)
             factor = A[..., k + 1 :, k] * (1 / pivot)[..., None]
             A[..., k + 1 :, :] -= factor[..., None] * A[..., k, None, :]
         for k in range(5, -1, -1):
@@ -350,7 +374,7 @@ def _solve_definite(M: Array, right: Array) -> tuple[Array, Array]:
     return A[..., 6:], status
 
 
-def _good(found: dict[str, Array], status: Array) -> dict[str, Array]:
+@JOINT_ROWS@def _good(found: dict[str, Array], status: Array) -> dict[str, Array]:
     """Results with NaN where the status is not 0, and the status."""
     finite = np.ones(status.shape, dtype=bool)
     for value in found.values():
@@ -371,5 +395,11 @@ _PARTS = {
     "bias": (bias_of_platform, bias_of_leg),
     "forward_dynamics": (forward_of_platform, forward_of_leg),
     "derivatives": (derivatives_of_platform, derivatives_of_leg),
+    "joint_rows": (joint_rows_of_platform, joint_rows_of_leg),
+    "joint_slopes": (joint_slopes_of_platform, joint_slopes_of_leg),
+}
+# Legs' blocks for poses in which a leg is near its joint singularity.
+_NEAR = {
+@NEAR@
 }
 '''

@@ -69,6 +69,9 @@
 #define STEWART_CUBE(value) ((value) * (value) * (value))
 #endif
 
+/* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
+#define STEWART_KEPT ((stewart_real)0.015625)
+
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
     stewart_real L[LANES], reach[LANES], k3[LANES];
@@ -87,6 +90,16 @@ static int legs_status(const leg_judgement *judged)
         }
     }
     return STEWART_OK;
+}
+
+/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+static int is_near(const leg_judgement *judged)
+{
+    int i, found = 0;
+    for (i = 0; i < 6; ++i) {
+        found = judged->k3[i] > STEWART_NEAR_POLE ? found : 1;
+    }
+    return found;
 }
 
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
@@ -733,6 +746,360 @@ STEWART_APART static void equations_of_legs(
     }
 }
 
+/* The legs side by side: 701 (426 mul, 271 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void equations_of_legs_near(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
+{
+    int l;
+    (void)pose;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = c1*inv_rho;
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real k33 = k3*k3;
+        const stewart_real k13 = k1*k3;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real a3 = J_xy - L*h_y;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real k3_h = h_y*k3;
+        const stewart_real c2 = h_z*inv_L;
+        const stewart_real c3 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -c2;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
+        const stewart_real m_leg_zz = M_theta*c3;
+        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
+        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
+        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
+        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
+        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
+        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
+        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
+        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
+        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
+        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
+        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
+        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
+        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
+        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c1*inv_L;
+        const stewart_real c4 = W_z*inv_L;
+        const stewart_real c5 = c4*h_y;
+        const stewart_real c6 = c5 - c2*theta_dot;
+        const stewart_real C_leg_11 = c6;
+        const stewart_real c7 = c4*h_x;
+        const stewart_real c8 = L_dot*c3;
+        const stewart_real c9 = c8*h_y;
+        const stewart_real c10 = inv_L*theta_dot;
+        const stewart_real c11 = c10*h_y;
+        const stewart_real c12 = inv_k3*k1;
+        const stewart_real c13 = W_z*c2;
+        const stewart_real C_leg_12 = c11*c12 + REAL(2)*c12*c13 + c9 - c7;
+        const stewart_real c14 = c10*h_x - c12*c5;
+        const stewart_real C_leg_13 = c14 + c8*h_z;
+        const stewart_real c15 = c3*theta_dot;
+        const stewart_real c16 = J_yz*c15;
+        const stewart_real c17 = J_xy*c15;
+        const stewart_real c18 = W_z*c3;
+        const stewart_real c19 = inv_k3*inv_k3;
+        const stewart_real c20 = J_xx*c19;
+        const stewart_real c21 = REAL(2)*J_xz;
+        const stewart_real c22 = c18*c21;
+        const stewart_real c23 = J_xx - J_zz;
+        const stewart_real C_leg_21 = W_z*c23*c3 + W_z*h_z*inv_L*inv_k3*k1 - c12*c17 - c12*c22 - c16
+            - c18*c20 - c7;
+        const stewart_real c24 = J_xy*c18;
+        const stewart_real c25 = c8*h_x;
+        const stewart_real c26 = c19*c5;
+        const stewart_real c27 = inv_L*inv_L*inv_L;
+        const stewart_real c28 = L_dot*c27;
+        const stewart_real c29 = J_xz*c19;
+        const stewart_real c30 = c12*c28;
+        const stewart_real c31 = J_yz*c18;
+        const stewart_real c32 = c12*c31;
+        const stewart_real c33 = c19*c24;
+        const stewart_real c34 = J_xx*k1*inv_k3*inv_k3*inv_k3;
+        const stewart_real C_leg_22 = L_dot*c23*c27 + L_dot*c3*h_z*inv_k3*k1 + c19*h_z*inv_L*theta_dot + c32
+            + c33 - c15*c29 - c15*c34 - c20*c28 - c21*c30 - c24 - c25 - c26;
+        const stewart_real c35 = c12*c16;
+        const stewart_real c36 = J_xy*c30 + J_yz*c28 + c18*c29 - c13*c19;
+        const stewart_real C_leg_23 = c17 + c18*c34 + c36 - c35;
+        const stewart_real C_leg_31 = J_yy*c15 + c12*c24 + c14 + c31;
+        const stewart_real C_leg_32 = c11 + c12*c18*(-J_yy - c23) + c13 + c17*c19 + c35 + c36 - c11*c19
+            - c12*c9 - c17 - c22;
+        const stewart_real C_leg_33 = c24 + c26 - J_yy*c28 - c25 - c32 - c33 - c6;
+        const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
+        const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
+        const stewart_real C_tip_T_xz = C_leg_13*s_x + C_leg_23*y_x + C_leg_33*z_x;
+        const stewart_real C_tip_T_ys = C_leg_11*s_y + C_leg_21*y_y + C_leg_31*z_y;
+        const stewart_real C_tip_T_yy = C_leg_12*s_y + C_leg_22*y_y + C_leg_32*z_y;
+        const stewart_real C_tip_T_yz = C_leg_13*s_y + C_leg_23*y_y + C_leg_33*z_y;
+        const stewart_real C_tip_T_zs = C_leg_11*s_z + C_leg_21*y_z + C_leg_31*z_z;
+        const stewart_real C_tip_T_zy = C_leg_12*s_z + C_leg_22*y_z + C_leg_32*z_z;
+        const stewart_real C_tip_T_zz = C_leg_13*s_z + C_leg_23*y_z + C_leg_33*z_z;
+        /* Coriolis matrix at the tip, base frame */
+        const stewart_real C_tip_xx = C_tip_T_xs*s_x + C_tip_T_xy*y_x + C_tip_T_xz*z_x;
+        const stewart_real C_tip_xy = C_tip_T_xs*s_y + C_tip_T_xy*y_y + C_tip_T_xz*z_y;
+        const stewart_real C_tip_xz = C_tip_T_xs*s_z + C_tip_T_xy*y_z + C_tip_T_xz*z_z;
+        const stewart_real C_tip_yx = C_tip_T_ys*s_x + C_tip_T_yy*y_x + C_tip_T_yz*z_x;
+        const stewart_real C_tip_yy = C_tip_T_ys*s_y + C_tip_T_yy*y_y + C_tip_T_yz*z_y;
+        const stewart_real C_tip_yz = C_tip_T_ys*s_z + C_tip_T_yy*y_z + C_tip_T_yz*z_z;
+        const stewart_real C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x;
+        const stewart_real C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y;
+        const stewart_real C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z;
+        /* (4) omega x q */
+        const stewart_real w_q_x = S_dot_x - v_x;
+        const stewart_real w_q_y = S_dot_y - v_y;
+        const stewart_real w_q_z = S_dot_z - v_z;
+        const stewart_real c37 = C_tip_xy*q_z;
+        const stewart_real c38 = m_xy*w_q_z;
+        const stewart_real c39 = C_tip_xz*q_y;
+        const stewart_real c40 = m_xz*w_q_y;
+        const stewart_real C_q_xx = c39 + c40 - c37 - c38;
+        const stewart_real c41 = C_tip_xx*q_z;
+        const stewart_real C_q_xy = c41 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
+        const stewart_real c42 = C_tip_xx*q_y;
+        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c42 - m_xx*w_q_y;
+        const stewart_real c43 = C_tip_yy*q_z;
+        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c43 - m_yy*w_q_z;
+        const stewart_real c44 = C_tip_yx*q_z;
+        const stewart_real c45 = -C_tip_yz*q_x;
+        const stewart_real c46 = -m_yz*w_q_x;
+        const stewart_real C_q_yy = c38 + c44 + c45 + c46;
+        const stewart_real c47 = -C_tip_yy*q_x;
+        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c47 - m_xy*w_q_y;
+        const stewart_real c48 = -C_tip_zz*q_y;
+        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c48 - m_yz*w_q_z;
+        const stewart_real c49 = -C_tip_zz*q_x;
+        const stewart_real C_q_zy = C_tip_zx*q_z + c49 + m_xz*w_q_z - m_zz*w_q_x;
+        const stewart_real c50 = C_tip_zx*q_y;
+        const stewart_real c51 = -C_tip_zy*q_x;
+        const stewart_real C_q_zz = -c40 - c46 - c50 - c51;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_x + k3*w_z;
+        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real c52 = inv_L*(g_k*w_n + gamma_n*w_k);
+        const stewart_real c53 = -gamma_n*w_y - gamma_y*w_n;
+        /* against gravity */
+        const stewart_real held_x = c53*inv_rho*y_x - c52*z_x;
+        const stewart_real held_y = c53*inv_rho*y_y - c52*z_y;
+        const stewart_real held_z = c53*inv_rho*y_z - c52*z_z;
+        const stewart_real c54 = L_dot*s_x;
+        const stewart_real c55 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
+        const stewart_real c56 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
+        const stewart_real c57 = L_dot*s_y;
+        const stewart_real c58 = L_dot*s_z;
+        /* against friction */
+        const stewart_real rubbed_x = C_p*c54 + c55*y_x - c56*z_x;
+        const stewart_real rubbed_y = C_p*c57 + c55*y_y - c56*z_y;
+        const stewart_real rubbed_z = C_p*c58 + c55*y_z - c56*z_z;
+        /* (3) rate of s */
+        const stewart_real s_dot_x = inv_L*(S_dot_x - c54);
+        const stewart_real s_dot_y = inv_L*(S_dot_y - c57);
+        const stewart_real s_dot_z = inv_L*(S_dot_z - c58);
+        const stewart_real c59 = m_xy*q_z;
+        const stewart_real c60 = m_xz*q_y;
+        const stewart_real c61 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c59 - c60;
+        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
+        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
+        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_yy = -c59 - c61;
+        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
+        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
+        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_zz = c60 + c61;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
+        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
+        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
+        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
+        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
+        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[21][l] = C_tip_xx;
+        out->sum[22][l] = C_tip_xy;
+        out->sum[23][l] = C_tip_xz;
+        out->sum[24][l] = C_tip_yx;
+        out->sum[25][l] = C_tip_yy;
+        out->sum[26][l] = C_tip_yz;
+        out->sum[27][l] = C_tip_zx;
+        out->sum[28][l] = C_tip_zy;
+        out->sum[29][l] = C_tip_zz;
+        out->sum[30][l] = C_q_xx;
+        out->sum[31][l] = C_q_xy;
+        out->sum[32][l] = C_q_xz;
+        out->sum[33][l] = C_q_yx;
+        out->sum[34][l] = C_q_yy;
+        out->sum[35][l] = C_q_yz;
+        out->sum[36][l] = C_q_zx;
+        out->sum[37][l] = C_q_zy;
+        out->sum[38][l] = C_q_zz;
+        out->sum[39][l] = c50 - c44;
+        out->sum[40][l] = C_tip_zy*q_y - c43;
+        out->sum[41][l] = -C_tip_yz*q_z - c48;
+        out->sum[42][l] = c41 - C_tip_zx*q_x;
+        out->sum[43][l] = c37 + c51;
+        out->sum[44][l] = C_tip_xz*q_z + c49;
+        out->sum[45][l] = C_tip_yx*q_x - c42;
+        out->sum[46][l] = -C_tip_xy*q_y - c47;
+        out->sum[47][l] = -c39 - c45;
+        out->sum[48][l] = C_q_zx*q_y - C_q_yx*q_z;
+        out->sum[49][l] = C_q_zy*q_y - C_q_yy*q_z;
+        out->sum[50][l] = C_q_zz*q_y - C_q_yz*q_z;
+        out->sum[51][l] = C_q_xx*q_z - C_q_zx*q_x;
+        out->sum[52][l] = C_q_xy*q_z - C_q_zy*q_x;
+        out->sum[53][l] = C_q_xz*q_z - C_q_zz*q_x;
+        out->sum[54][l] = C_q_yx*q_x - C_q_xx*q_y;
+        out->sum[55][l] = C_q_yy*q_x - C_q_xy*q_y;
+        out->sum[56][l] = C_q_yz*q_x - C_q_xz*q_y;
+        out->sum[57][l] = held_x;
+        out->sum[58][l] = held_y;
+        out->sum[59][l] = held_z;
+        out->sum[60][l] = held_z*q_y - held_y*q_z;
+        out->sum[61][l] = held_x*q_z - held_z*q_x;
+        out->sum[62][l] = held_y*q_x - held_x*q_y;
+        out->sum[63][l] = rubbed_x;
+        out->sum[64][l] = rubbed_y;
+        out->sum[65][l] = rubbed_z;
+        out->sum[66][l] = q_y*rubbed_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*rubbed_y;
+        out->sum[67][l] = q_z*rubbed_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*rubbed_z;
+        out->sum[68][l] = q_x*rubbed_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*rubbed_x;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_dot_force[0][l] = s_dot_x;
+        out->H_dot_force[1][l] = s_dot_y;
+        out->H_dot_force[2][l] = s_dot_z;
+        out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
+        out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
+        out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
 /* Platform and legs together; returns a status. */
 static int equations_sums(
     const stewart_exact_model *model, const stewart_motion *motion, equations_legs *legs,
@@ -742,6 +1109,9 @@ static int equations_sums(
     int status;
     equations_of_pose(model, motion, &pose, sum);
     equations_of_legs(model, motion, &pose, legs);
+    if (is_near(&legs->judged) != 0) {
+        equations_of_legs_near(model, motion, &pose, legs);
+    }
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, 69, sum);
@@ -1627,7 +1997,7 @@ static void derivatives_of_pose(
     sum[92] = C_P + c31 - c26;
 }
 
-/* The legs side by side: 1725 (1022 mul, 699 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 1721 (1020 mul, 697 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void derivatives_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
@@ -1979,10 +2349,9 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real c75 = c13*tau_phi;
         const stewart_real A_0_leg_21 = inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
             + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h) - c75;
-        const stewart_real c76 = inv_rho*k3;
-        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c76*tau_L + inv_rho*(G_ddot_22*M_mixed
+        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c67*inv_rho*k3 + inv_rho*(G_ddot_22*M_mixed
             + G_ddot_32*M_phi + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33
-            + inv_rho*tau_place_33 - G_ddot_12*k3_h) - F*c76;
+            + inv_rho*tau_place_33 - G_ddot_12*k3_h);
         const stewart_real A_0_leg_23 = c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi
             + G_dot_23*tau_rate_32 + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32
             - tau_rate_31*theta_dot);
@@ -1991,7 +2360,7 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_0_leg_32 = c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta
             + G_ddot_32*M_mixed + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23
             + inv_rho*tau_place_23);
-        const stewart_real A_0_leg_33 = inv_L*tau_L - F*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta
+        const stewart_real A_0_leg_33 = c67*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta
             + G_ddot_33*M_mixed + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22
             - tau_rate_21*theta_dot);
         const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
@@ -2013,22 +2382,22 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
         const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
         const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
-        const stewart_real c77 = REAL(2)*h_z;
-        const stewart_real c78 = REAL(2)*k3_h;
-        const stewart_real A_1_leg_11 = C_p + G_dot_21*c77 - G_dot_31*c78;
-        const stewart_real A_1_leg_12 = G_dot_22*c77 + inv_rho*tau_rate_13 - G_dot_32*c78;
-        const stewart_real A_1_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c78 - inv_L*tau_rate_12;
-        const stewart_real c79 = REAL(2)*M_mixed;
-        const stewart_real c80 = REAL(2)*M_phi;
-        const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c79 + G_dot_31*c80 + tau_rate_31);
-        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c79 + G_dot_32*c80 + inv_rho*tau_rate_33
-            - G_dot_12*c78);
-        const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c79 + G_dot_33*c80 + c7*k3_h - inv_L*tau_rate_32);
-        const stewart_real c81 = REAL(2)*M_theta;
-        const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c81 + G_dot_31*c79 + tau_rate_21);
-        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c77 + G_dot_22*c81 + G_dot_32*c79
+        const stewart_real c76 = REAL(2)*h_z;
+        const stewart_real c77 = REAL(2)*k3_h;
+        const stewart_real A_1_leg_11 = C_p + G_dot_21*c76 - G_dot_31*c77;
+        const stewart_real A_1_leg_12 = G_dot_22*c76 + inv_rho*tau_rate_13 - G_dot_32*c77;
+        const stewart_real A_1_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c77 - inv_L*tau_rate_12;
+        const stewart_real c78 = REAL(2)*M_mixed;
+        const stewart_real c79 = REAL(2)*M_phi;
+        const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c78 + G_dot_31*c79 + tau_rate_31);
+        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c78 + G_dot_32*c79 + inv_rho*tau_rate_33
+            - G_dot_12*c77);
+        const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c78 + G_dot_33*c79 + c7*k3_h - inv_L*tau_rate_32);
+        const stewart_real c80 = REAL(2)*M_theta;
+        const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c80 + G_dot_31*c78 + tau_rate_21);
+        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c76 + G_dot_22*c80 + G_dot_32*c78
             + inv_rho*tau_rate_23);
-        const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c81 + G_dot_33*c79 - c7*h_z - inv_L*tau_rate_22);
+        const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c80 + G_dot_33*c78 - c7*h_z - inv_L*tau_rate_22);
         const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
         const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
         const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
@@ -2071,18 +2440,18 @@ STEWART_APART static void derivatives_of_legs(
             - A_1_zx*omega_z;
         const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
             - A_1_zy*omega_x;
-        const stewart_real c82 = m_xy*omega_z;
-        const stewart_real c83 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c82 - c83;
+        const stewart_real c81 = m_xy*omega_z;
+        const stewart_real c82 = m_xz*omega_y;
+        const stewart_real Y_xx = A_1_xx + c81 - c82;
         const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
         const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
         const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
-        const stewart_real c84 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c84 - c82;
+        const stewart_real c83 = m_yz*omega_x;
+        const stewart_real Y_yy = A_1_yy + c83 - c81;
         const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
         const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
         const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
-        const stewart_real Y_zz = A_1_zz + c83 - c84;
+        const stewart_real Y_zz = A_1_zz + c82 - c83;
         const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
         const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
         const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
@@ -2092,43 +2461,43 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
         const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
         const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
-        const stewart_real c85 = m_xz*w_q_y;
-        const stewart_real c86 = m_xy*w_q_z;
-        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c85 - Y_xy*q_z - c86;
+        const stewart_real c84 = m_xz*w_q_y;
+        const stewart_real c85 = m_xy*w_q_z;
+        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c84 - Y_xy*q_z - c85;
         const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
         const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
         const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
-        const stewart_real c87 = m_yz*w_q_x;
-        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c86 - Y_yz*q_x - c87;
+        const stewart_real c86 = m_yz*w_q_x;
+        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c85 - Y_yz*q_x - c86;
         const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
         const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
         const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
-        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c87 - Y_zx*q_y - c85;
-        const stewart_real c88 = m_xy*q_z;
-        const stewart_real c89 = m_xz*q_y;
-        const stewart_real c90 = -m_yz*q_x;
+        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c86 - Y_zx*q_y - c84;
+        const stewart_real c87 = m_xy*q_z;
+        const stewart_real c88 = m_xz*q_y;
+        const stewart_real c89 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c88 - c89;
+        const stewart_real m_q_xx = c87 - c88;
         const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
         const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
         const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
-        const stewart_real m_q_yy = -c88 - c90;
+        const stewart_real m_q_yy = -c87 - c89;
         const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
         const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
         const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
-        const stewart_real m_q_zz = c89 + c90;
-        const stewart_real c91 = R_tip_y*q_y;
-        const stewart_real c92 = R_tip_z*q_z;
-        const stewart_real c93 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c94 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c95 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c96 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c97 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c98 = R_tip_x*q_x;
-        const stewart_real c99 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c100 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c101 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c102 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real m_q_zz = c88 + c89;
+        const stewart_real c90 = R_tip_y*q_y;
+        const stewart_real c91 = R_tip_z*q_z;
+        const stewart_real c92 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c93 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c94 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c95 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c96 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c97 = R_tip_x*q_x;
+        const stewart_real c98 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c99 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c100 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c101 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -2177,15 +2546,799 @@ STEWART_APART static void derivatives_of_legs(
         out->sum[45][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
         out->sum[46][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
         out->sum[47][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c94*q_z - Z_yx*q_z - c91 - c92 - c93*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c93*q_x - Z_yy*q_z - c95*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c95*q_y - Z_yz*q_z - c94*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c96*q_z - Z_zx*q_x - c97*q_y;
-        out->sum[52][l] = Z_xy*q_z + c97*q_x - Z_zy*q_x - c92 - c98 - c99*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c99*q_y - Z_zz*q_x - c96*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c100*q_z - Z_xx*q_y - c101*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c101*q_x - Z_xy*q_y - c102*q_z;
-        out->sum[56][l] = Z_yz*q_x + c102*q_y - Z_xz*q_y - c100*q_x - c91 - c98;
+        out->sum[48][l] = Z_zx*q_y + c93*q_z - Z_yx*q_z - c90 - c91 - c92*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c92*q_x - Z_yy*q_z - c94*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c94*q_y - Z_yz*q_z - c93*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c95*q_z - Z_zx*q_x - c96*q_y;
+        out->sum[52][l] = Z_xy*q_z + c96*q_x - Z_zy*q_x - c91 - c97 - c98*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c98*q_y - Z_zz*q_x - c95*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c99*q_z - Z_xx*q_y - c100*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c100*q_x - Z_xy*q_y - c101*q_z;
+        out->sum[56][l] = Z_yz*q_x + c101*q_y - Z_xz*q_y - c90 - c97 - c99*q_x;
+        out->sum[57][l] = A_1_xx;
+        out->sum[58][l] = A_1_xy;
+        out->sum[59][l] = A_1_xz;
+        out->sum[60][l] = A_1_yx;
+        out->sum[61][l] = A_1_yy;
+        out->sum[62][l] = A_1_yz;
+        out->sum[63][l] = A_1_zx;
+        out->sum[64][l] = A_1_zy;
+        out->sum[65][l] = A_1_zz;
+        out->sum[66][l] = V_xx;
+        out->sum[67][l] = V_xy;
+        out->sum[68][l] = V_xz;
+        out->sum[69][l] = V_yx;
+        out->sum[70][l] = V_yy;
+        out->sum[71][l] = V_yz;
+        out->sum[72][l] = V_zx;
+        out->sum[73][l] = V_zy;
+        out->sum[74][l] = V_zz;
+        out->sum[75][l] = A_1_zx*q_y - A_1_yx*q_z - f_S_dot_xx;
+        out->sum[76][l] = A_1_zy*q_y - A_1_yy*q_z - f_S_dot_xy;
+        out->sum[77][l] = A_1_zz*q_y - A_1_yz*q_z - f_S_dot_xz;
+        out->sum[78][l] = A_1_xx*q_z - A_1_zx*q_x - f_S_dot_yx;
+        out->sum[79][l] = A_1_xy*q_z - A_1_zy*q_x - f_S_dot_yy;
+        out->sum[80][l] = A_1_xz*q_z - A_1_zz*q_x - f_S_dot_yz;
+        out->sum[81][l] = A_1_yx*q_x - A_1_xx*q_y - f_S_dot_zx;
+        out->sum[82][l] = A_1_yy*q_x - A_1_xy*q_y - f_S_dot_zy;
+        out->sum[83][l] = A_1_yz*q_x - A_1_xz*q_y - f_S_dot_zz;
+        out->sum[84][l] = V_zx*q_y + f_S_dot_xy*q_z - V_yx*q_z - f_S_dot_xz*q_y;
+        out->sum[85][l] = V_zy*q_y + f_S_dot_xz*q_x - V_yy*q_z - f_S_dot_xx*q_z;
+        out->sum[86][l] = V_zz*q_y + f_S_dot_xx*q_y - V_yz*q_z - f_S_dot_xy*q_x;
+        out->sum[87][l] = V_xx*q_z + f_S_dot_yy*q_z - V_zx*q_x - f_S_dot_yz*q_y;
+        out->sum[88][l] = V_xy*q_z + f_S_dot_yz*q_x - V_zy*q_x - f_S_dot_yx*q_z;
+        out->sum[89][l] = V_xz*q_z + f_S_dot_yx*q_y - V_zz*q_x - f_S_dot_yy*q_x;
+        out->sum[90][l] = V_yx*q_x + f_S_dot_zy*q_z - V_xx*q_y - f_S_dot_zz*q_y;
+        out->sum[91][l] = V_yy*q_x + f_S_dot_zz*q_x - V_xy*q_y - f_S_dot_zx*q_z;
+        out->sum[92][l] = V_yz*q_x + f_S_dot_zx*q_y - V_xz*q_y - f_S_dot_zy*q_x;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
+/* The legs side by side: 2158 (1283 mul, 871 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void derivatives_of_legs_near(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
+        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real F = force[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = c1*inv_rho;
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real c2 = L_dot*inv_L;
+        /* L_dot / L */
+        const stewart_real L_share = c2;
+        const stewart_real c3 = theta_dot*theta_dot;
+        const stewart_real theta_dot2 = c3;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c1*inv_L;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
+        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
+        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real c4 = k3*k3;
+        /* (8) acceleration of the length */
+        const stewart_real L_ddot = L*(c4*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z;
+        const stewart_real c5 = REAL(2)*L_share;
+        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        const stewart_real own_y = -c5*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c5;
+        const stewart_real k33 = c4;
+        const stewart_real k13 = k1*k3;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real c6 = L*h_y;
+        const stewart_real a3 = J_xy - c6;
+        const stewart_real c7 = J_yz*k3;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = a3*k1 + c7;
+        const stewart_real c8 = h_y*k3;
+        const stewart_real k3_h = c8;
+        const stewart_real c9 = h_z*inv_L;
+        const stewart_real c10 = inv_L*inv_L;
+        /* inertia at the tip, leg frame */
+        const stewart_real m_leg_sy = -inv_rho*k3_h;
+        const stewart_real m_leg_sz = -c9;
+        const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
+        const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
+        const stewart_real m_leg_zz = M_theta*c10;
+        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
+        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
+        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
+        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
+        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
+        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
+        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
+        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
+        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        /* inertia at the tip, base frame */
+        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
+        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
+        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
+        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
+        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
+        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* k x y */
+        const stewart_real normal_x = k_y*y_z - k_z*y_y;
+        const stewart_real normal_y = k_z*y_x - k_x*y_z;
+        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        /* omega along k x y, y and k */
+        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
+        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real c11 = h_y*own_z;
+        const stewart_real c12 = W_z*W_z;
+        const stewart_real c13 = c12*h_x;
+        const stewart_real c14 = c3*h_x;
+        const stewart_real c15 = h_y*k1;
+        const stewart_real c16 = W_z*inv_k3;
+        const stewart_real c17 = REAL(2)*theta_dot;
+        const stewart_real c18 = c16*c17;
+        const stewart_real c19 = c12*h_z;
+        const stewart_real c20 = inv_k3*k1;
+        const stewart_real c21 = REAL(2)*c20;
+        const stewart_real tau_L = C_p*L_dot + c15*c18 + c19*c21 + h_z*own_y - c11 - c13 - c14;
+        const stewart_real c22 = C_us*theta_dot;
+        const stewart_real c23 = J_yy*own_y;
+        const stewart_real c24 = J_yz*own_z;
+        const stewart_real c25 = L_ddot*h_z;
+        const stewart_real c26 = C_s*w_y_omega;
+        const stewart_real c27 = k3*w_x;
+        const stewart_real c28 = c27*g_k;
+        const stewart_real c29 = k1*w_x;
+        const stewart_real c30 = c29*gamma_n;
+        const stewart_real c31 = k3*w_z;
+        const stewart_real c32 = c31*gamma_n;
+        const stewart_real c33 = J_xy*c17;
+        const stewart_real c34 = W_z*c33;
+        const stewart_real c35 = REAL(2)*L;
+        const stewart_real c36 = h_x*own_y;
+        const stewart_real c37 = L_dot*c17;
+        const stewart_real c38 = k1*w_z;
+        const stewart_real c39 = c38*g_k;
+        const stewart_real c40 = inv_k3*own_z;
+        const stewart_real c41 = J_xy*k1;
+        const stewart_real c42 = c40*c41;
+        const stewart_real c43 = J_xz*c12;
+        const stewart_real c44 = REAL(2)*c43;
+        const stewart_real c45 = W_z*c17*c6;
+        const stewart_real c46 = J_yz*k1;
+        const stewart_real c47 = c18*c46;
+        const stewart_real c48 = c6*k1;
+        const stewart_real c49 = inv_k3*inv_k3;
+        const stewart_real c50 = c43*c49;
+        const stewart_real c51 = c12*inv_k3;
+        const stewart_real c53 = J_xx - J_zz;
+        const stewart_real c54 = J_yy + c53;
+        const stewart_real c55 = c54*k1;
+        const stewart_real tau_theta = L*c19*c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35*c36
+            + c37*h_x + c42 + c44 + c45*c49 + c51*c55 - c19*c35 - c26 - c34*c49 - c39 - c40*c48 - c45 - c47
+            - c50;
+        const stewart_real c56 = C_s*w_k_omega;
+        const stewart_real c57 = gamma_n*w_y;
+        const stewart_real c58 = c41*own_y;
+        const stewart_real c59 = c38*gamma_y;
+        const stewart_real c60 = REAL(2)*own_z;
+        const stewart_real c61 = J_xz*k1;
+        const stewart_real c62 = J_xy*c12;
+        const stewart_real c63 = c62*inv_k3;
+        const stewart_real c64 = c12*c46;
+        const stewart_real c65 = c3*c46;
+        const stewart_real c66 = J_xz*c17;
+        const stewart_real c67 = k3*own_z;
+        const stewart_real c68 = h_z*k1;
+        const stewart_real c69 = REAL(2)*h_x;
+        const stewart_real c70 = REAL(2)*W_z;
+        const stewart_real c71 = J_xy*c3;
+        const stewart_real c72 = c6*k3;
+        const stewart_real c73 = c16*theta_dot;
+        const stewart_real c75 = REAL(2)*J_xx;
+        const stewart_real c76 = c49*c75;
+        const stewart_real c77 = W_z*theta_dot;
+        const stewart_real tau_phi = C_us*c16 + J_xx*c40 + L_dot*W_z*c69*k3 + c12*c72 + c3*c72 + c35*c67*h_x
+            + c35*c73*h_z + c58 + c59 + c60*c61 + c63 + c64 + c65 + c7*own_y - L_ddot*c8 - L_dot*c68*c70
+            - c15*c37 - c16*c66 - c27*gamma_y - c35*c68*own_z - c48*own_y - c51*c6 - c53*c67 - c56 - c57
+            - c62*k3 - c71*k3 - c76*c77*k1;
+        const stewart_real c78 = inv_rho*tau_phi;
+        const stewart_real c79 = inv_L*tau_theta;
+        const stewart_real c80 = tau_L - F;
+        /* force at the tip, less the actuator's */
+        const stewart_real R_tip_x = c78*y_x + c80*s_x - c79*z_x;
+        const stewart_real R_tip_y = c78*y_y + c80*s_y - c79*z_y;
+        const stewart_real R_tip_z = c78*y_z + c80*s_z - c79*z_z;
+        const stewart_real c81 = C_s*inv_rho;
+        const stewart_real c82 = c81*k1;
+        const stewart_real A_3_leg_21 = -c82;
+        const stewart_real c83 = c81*k3;
+        const stewart_real A_3_leg_23 = -c83;
+        const stewart_real c84 = C_s*inv_L;
+        const stewart_real A_3_leg_32 = c84;
+        const stewart_real A_3_T_xs = A_3_leg_21*y_x;
+        const stewart_real A_3_T_xy = A_3_leg_32*z_x;
+        const stewart_real A_3_T_xz = A_3_leg_23*y_x;
+        const stewart_real A_3_T_ys = A_3_leg_21*y_y;
+        const stewart_real A_3_T_yy = A_3_leg_32*z_y;
+        const stewart_real A_3_T_yz = A_3_leg_23*y_y;
+        const stewart_real A_3_T_zs = A_3_leg_21*y_z;
+        const stewart_real A_3_T_zy = A_3_leg_32*z_z;
+        const stewart_real A_3_T_zz = A_3_leg_23*y_z;
+        /* force at the tip by omega */
+        const stewart_real A_3_xx = A_3_T_xs*s_x + A_3_T_xy*y_x + A_3_T_xz*z_x;
+        const stewart_real A_3_xy = A_3_T_xs*s_y + A_3_T_xy*y_y + A_3_T_xz*z_y;
+        const stewart_real A_3_xz = A_3_T_xs*s_z + A_3_T_xy*y_z + A_3_T_xz*z_z;
+        const stewart_real A_3_yx = A_3_T_ys*s_x + A_3_T_yy*y_x + A_3_T_yz*z_x;
+        const stewart_real A_3_yy = A_3_T_ys*s_y + A_3_T_yy*y_y + A_3_T_yz*z_y;
+        const stewart_real A_3_yz = A_3_T_ys*s_z + A_3_T_yy*y_z + A_3_T_yz*z_z;
+        const stewart_real A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x;
+        const stewart_real A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y;
+        const stewart_real A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z;
+        const stewart_real c85 = inv_L*theta_dot;
+        const stewart_real G_dot_21 = -c85;
+        const stewart_real c86 = k1*phi_dot;
+        const stewart_real G_dot_22 = c86*inv_L;
+        const stewart_real c87 = L_dot*c10;
+        const stewart_real G_dot_23 = c87;
+        const stewart_real c88 = inv_rho*k3;
+        const stewart_real G_dot_31 = -c88*phi_dot;
+        const stewart_real c89 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c89*kappa;
+        const stewart_real G_dot_33 = c86*inv_rho;
+        const stewart_real c90 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c90;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c88*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c90;
+        const stewart_real f_S_leg_21 = C_s*G_dot_21;
+        const stewart_real f_S_leg_22 = C_s*G_dot_22;
+        const stewart_real f_S_leg_23 = C_s*G_dot_23;
+        const stewart_real c91 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c91;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c89*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c91;
+        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
+        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
+        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
+        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
+        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
+        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
+        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
+        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
+        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        /* friction moment by S */
+        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
+        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
+        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
+        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
+        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
+        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
+        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
+        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
+        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_dot_leg_12 = c82;
+        const stewart_real f_S_dot_leg_23 = -c84;
+        const stewart_real f_S_dot_leg_32 = c83;
+        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
+        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
+        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        /* friction moment by S_dot */
+        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
+        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
+        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
+        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
+        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
+        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
+        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
+        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
+        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real c92 = c9*own_y;
+        const stewart_real c93 = c87*h_z;
+        const stewart_real c94 = -c17*c93;
+        const stewart_real c95 = c9*k1;
+        const stewart_real c96 = c51*c95;
+        const stewart_real c97 = c11*inv_L;
+        const stewart_real c98 = REAL(2)*h_y;
+        const stewart_real c99 = c87*c98;
+        const stewart_real c100 = W_z*c99;
+        const stewart_real c101 = c100 + REAL(4)*c15*c16*c85 - c97;
+        const stewart_real A_0_leg_11 = REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L - c101 - c92 - c94
+            - REAL(4)*c96;
+        const stewart_real c102 = h_x*inv_L;
+        const stewart_real c103 = c102*c60;
+        const stewart_real c104 = J_yz*c10;
+        const stewart_real c105 = c104*own_y;
+        const stewart_real c106 = h_y*inv_L;
+        const stewart_real c107 = c106*c12;
+        const stewart_real c108 = REAL(2)*c107;
+        const stewart_real c109 = c10*inv_k3;
+        const stewart_real c110 = c109*c58;
+        const stewart_real c111 = c109*c59;
+        const stewart_real c112 = inv_L*inv_L*inv_L;
+        const stewart_real c113 = L_dot*L_dot;
+        const stewart_real c114 = c112*c113;
+        const stewart_real c115 = c114*c98;
+        const stewart_real c116 = C_us*c10;
+        const stewart_real c117 = W_z*c116*c49;
+        const stewart_real c118 = c10*own_z;
+        const stewart_real c119 = J_xx*c49;
+        const stewart_real c120 = REAL(2)*c40;
+        const stewart_real c121 = c10*c61;
+        const stewart_real c122 = c49*c9;
+        const stewart_real c123 = c106*c3;
+        const stewart_real c124 = REAL(2)*c49;
+        const stewart_real c125 = c109*c64;
+        const stewart_real c126 = c109*c65;
+        const stewart_real c127 = REAL(2)*c93;
+        const stewart_real c128 = c16*k1;
+        const stewart_real c129 = c10*c62;
+        const stewart_real c130 = c129*c49;
+        const stewart_real c131 = inv_k3*inv_k3*inv_k3;
+        const stewart_real A_0_leg_12 = C_p*W_z + C_s*c10*inv_k3*w_k_omega
+            + REAL(2)*J_xx*W_z*c10*c131*k1*theta_dot + J_xy*c10*c12 + J_xy*c10*c3
+            + REAL(2)*J_xz*W_z*c10*c49*theta_dot + REAL(2)*L_ddot*c10*h_y + REAL(2)*W_z*h_z*inv_L*theta_dot
+            + c10*c53*own_z + c10*gamma_n*inv_k3*w_y + c10*gamma_y*w_x + REAL(3)*c12*c49*h_y*inv_L
+            + REAL(2)*h_y*inv_L*inv_k3*k1*own_y + REAL(3)*h_z*inv_L*inv_k3*k1*own_z - c103 - c105 - c108
+            - c110 - c111 - c115 - c117 - c118*c119 - c120*c121 - REAL(6)*c122*c77 - c123*c124 - c125 - c126
+            - c127*c128 - c130;
+        const stewart_real c132 = c10*c22;
+        const stewart_real c133 = c10*c23;
+        const stewart_real c134 = c10*c24;
+        const stewart_real c135 = REAL(2)*c114;
+        const stewart_real c136 = c135*h_z;
+        const stewart_real c137 = c10*c44;
+        const stewart_real c138 = c10*c25;
+        const stewart_real c139 = c10*c50;
+        const stewart_real c140 = W_z*c10;
+        const stewart_real c141 = c140*c33;
+        const stewart_real c142 = c12*c9;
+        const stewart_real c143 = REAL(3)*c142;
+        const stewart_real c144 = c10*c42;
+        const stewart_real c145 = c10*c12;
+        const stewart_real c146 = c3*c9;
+        const stewart_real c147 = c10*c26;
+        const stewart_real c148 = REAL(4)*W_z;
+        const stewart_real c149 = c148*c85;
+        const stewart_real c150 = c149*h_y;
+        const stewart_real c151 = c10*c28 + c10*c30 + c10*c32 + c128*c99 + c146 + c150*c49
+            + REAL(2)*c36*inv_L - c10*c39 - c143 - c147 - c150 - c20*c97;
+        const stewart_real A_0_leg_13 = c132 + c133 + c134 + c137 + REAL(2)*c138 + c141 + c143*c49 + c144
+            + c145*c55*inv_k3 + c151 - C_p*theta_dot - c10*c47 - c136 - c139 - c141*c49;
+        const stewart_real c152 = L_ddot*c10;
+        const stewart_real c153 = c152*h_y;
+        const stewart_real c154 = c10*gamma_y;
+        const stewart_real c155 = c106*own_y;
+        const stewart_real c156 = L_dot*c112;
+        const stewart_real c157 = c156*c17;
+        const stewart_real c158 = REAL(3)*c129;
+        const stewart_real c159 = REAL(4)*c121;
+        const stewart_real c160 = c148*theta_dot;
+        const stewart_real c161 = c41*inv_k3;
+        const stewart_real c162 = REAL(4)*c61;
+        const stewart_real c163 = c156*c16;
+        const stewart_real c164 = c17*c87*h_y;
+        const stewart_real c165 = W_z*c156;
+        const stewart_real c166 = c140*theta_dot;
+        const stewart_real c167 = REAL(6)*c166;
+        const stewart_real c168 = -REAL(2)*J_zz;
+        const stewart_real c169 = c168 + c75;
+        const stewart_real c170 = c131*k1;
+        const stewart_real c171 = J_xx*c170;
+        const stewart_real A_0_leg_21 = J_xz*c167*c49 + J_yz*c157 + REAL(3)*c10*c71 + c108*c49 + c109*c56
+            + c109*c57 + c118*c169 + c120*c95 + c153 + c154*w_x + c155*c20 + c157*c161 + c158 + c162*c163
+            + c164*c20 + c165*c76 + c167*c171 - c103 - REAL(2)*c105 - c107 - REAL(2)*c110 - c111
+            - REAL(2)*c117 - c118*c76 - c122*c160 - c123 - REAL(3)*c125 - REAL(3)*c126 - REAL(3)*c130
+            - c159*c40 - c165*c169;
+        const stewart_real c173 = L_ddot*c112;
+        const stewart_real c174 = c14*inv_L;
+        const stewart_real c175 = c113*inv_L*inv_L*inv_L*inv_L;
+        const stewart_real c176 = c10*c3;
+        const stewart_real c177 = J_yy*c145;
+        const stewart_real c178 = c13*inv_L;
+        const stewart_real c179 = REAL(2)*J_xy;
+        const stewart_real c180 = c118*c179;
+        const stewart_real c181 = c10*own_y;
+        const stewart_real c182 = REAL(2)*J_xz;
+        const stewart_real c183 = c181*c182;
+        const stewart_real c184 = c154*c49;
+        const stewart_real c185 = c145*c49;
+        const stewart_real c186 = C_us*c156;
+        const stewart_real c187 = inv_k3*inv_k3*inv_k3*inv_k3;
+        const stewart_real c188 = c187*c75;
+        const stewart_real c189 = c49*c97;
+        const stewart_real c190 = c165*c179;
+        const stewart_real c191 = REAL(2)*c92;
+        const stewart_real c192 = c10*gamma_n;
+        const stewart_real c193 = c192*c38;
+        const stewart_real c194 = c109*own_y;
+        const stewart_real c195 = c10*c43;
+        const stewart_real c196 = c190*c49;
+        const stewart_real c197 = REAL(2)*c61;
+        const stewart_real c198 = c197*inv_k3;
+        const stewart_real c199 = c104*c17;
+        const stewart_real c200 = W_z*c199;
+        const stewart_real c201 = c200*c49;
+        const stewart_real c202 = REAL(2)*c170;
+        const stewart_real c203 = c49*c66;
+        const stewart_real c204 = c131*c176;
+        const stewart_real c205 = REAL(2)*c134;
+        const stewart_real c206 = c162*inv_k3;
+        const stewart_real c207 = c131*c166;
+        const stewart_real c208 = REAL(4)*c207*c41;
+        const stewart_real c209 = REAL(2)*c46;
+        const stewart_real c210 = c163*c209;
+        const stewart_real c211 = c170*c75;
+        const stewart_real c212 = c211*theta_dot;
+        const stewart_real c213 = c131*c149*c15;
+        const stewart_real c214 = c10*g_k;
+        const stewart_real c215 = C_p*c2 + c135*h_x + c193 + c214*c29 + c214*c31 - F*inv_L - c152*c69
+            - c192*c27;
+        const stewart_real A_0_leg_22 = c132*c20 + REAL(3)*c138*c20 + c143*c170 + c156*c203 + c156*c212
+            + c173*c53 + c174 + c175*c206 + c175*c76 + c176*c188 + c176*c198 + c180*c49 + c183 + c184*w_y
+            + c185*(J_yy + c75 - J_zz) + c190 + c191*c49 + c193*c49 + c194*c55 + c197*c204 + c20*c205 + c213
+            + c215 + c94 - c109*g_k*w_z - c119*c173 - c119*c176 - c132*c170 - c136*c20 - c145*c188
+            - c146*c202 - c146*c21 - c147*c20 - c169*c175 - REAL(3)*c170*c195 - c171*c181 - c173*c198
+            - c176*c53 - c177 - c178 - c180 - c183*c49 - c186*c49 - REAL(2)*c189 - c196 - c201 - c208 - c210
+            - c92;
+        const stewart_real c216 = c104*c3;
+        const stewart_real c217 = c104*c12;
+        const stewart_real c218 = J_xy*c49;
+        const stewart_real c219 = c217*c49;
+        const stewart_real c220 = c216*c49;
+        const stewart_real c221 = c155*c49;
+        const stewart_real c222 = c156*c33;
+        const stewart_real c223 = c10*k1;
+        const stewart_real c224 = c223*c63;
+        const stewart_real c225 = c116*c170;
+        const stewart_real c226 = c17*c9;
+        const stewart_real c227 = c157*c46*inv_k3;
+        const stewart_real c228 = REAL(2)*J_yz;
+        const stewart_real c229 = c9*own_z;
+        const stewart_real c230 = c118*c182;
+        const stewart_real c231 = c69*c85;
+        const stewart_real c232 = c223*c49;
+        const stewart_real c233 = REAL(2)*c161;
+        const stewart_real c234 = c182*c49;
+        const stewart_real c235 = J_yz*c173 + W_z*c231 + c159*c73 + c160*c170*c9 + c161*c173 + c184*w_z
+            + c230*c49 - c124*c229 - c162*c207 - c165*c234 - c166*c169 - c175*c228 - c175*c233 - c232*c56
+            - c232*c57;
+        const stewart_real A_0_leg_23 = c107*c20 + c118*c211 + c119*c167 + c123*c20 + c129*c202 + c155
+            + c161*c176 + c164 + c181*c218 + c216 + c219 + c220 + c225*c70 + c227 + c235 - J_xx*c167*c187
+            - c108*c170 - c128*c226 - c153*c20 - c164*c49 - c165*c211 - c217 - c221 - c222 - c224;
+        const stewart_real c236 = REAL(2)*J_yy;
+        const stewart_real c237 = c236*theta_dot;
+        const stewart_real c238 = REAL(2)*c41;
+        const stewart_real A_0_leg_31 = J_xy*c167 + c124*c142 + REAL(2)*c132 + REAL(2)*c133 + c138
+            + REAL(2)*c144 + c145*c20*(REAL(3)*J_xx + REAL(3)*J_yy - REAL(3)*J_zz) + c151 + REAL(6)*c195
+            + c205 - REAL(6)*c10*c46*c73 - REAL(3)*c139 - c156*c237 - c163*c238 - c165*c228 - c167*c218;
+        const stewart_real c239 = c179*c181;
+        const stewart_real c240 = REAL(4)*J_xz;
+        const stewart_real c242 = c169 + c236;
+        const stewart_real c243 = REAL(4)*c128*c9;
+        const stewart_real A_0_leg_32 = C_s*c109*w_n_omega + W_z*c225 + c108*c20 + c115*c20 + c118*c171
+            + c123*c202 + c128*c156*c242 + REAL(2)*c155 + c158*c170 + c165*c240 + c166*c49*(REAL(4)*J_xx
+            + c168 + c236) + c194*c209 + REAL(3)*c219 + c222 + c229 + c235 + c239*c49 - REAL(3)*c107*c170
+            - c116*c128 - REAL(2)*c153*c20 - c166*c188 - c204*c238 - REAL(2)*c217 - c220 - REAL(2)*c221
+            - c222*c49 - c223*c40*c54 - REAL(2)*c224 - c227 - c230 - c239 - c243*theta_dot - c70*c93;
+        const stewart_real A_0_leg_33 = c101 + c137*c170 + c175*c236 + c177 + c178 + c189 + c191 + c196
+            + c201 + c208 + c210 + c215 + REAL(2)*c96 - J_yy*c173 - J_yy*c176 - c10*c18*c41 - c100*c49
+            - c118*c218 - c142*c202 - c174 - c185*c54 - c186 - c190 - c200 - c213;
+        const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
+        const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
+        const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
+        const stewart_real A_0_T_ys = A_0_leg_11*s_y + A_0_leg_21*y_y + A_0_leg_31*z_y;
+        const stewart_real A_0_T_yy = A_0_leg_12*s_y + A_0_leg_22*y_y + A_0_leg_32*z_y;
+        const stewart_real A_0_T_yz = A_0_leg_13*s_y + A_0_leg_23*y_y + A_0_leg_33*z_y;
+        const stewart_real A_0_T_zs = A_0_leg_11*s_z + A_0_leg_21*y_z + A_0_leg_31*z_z;
+        const stewart_real A_0_T_zy = A_0_leg_12*s_z + A_0_leg_22*y_z + A_0_leg_32*z_z;
+        const stewart_real A_0_T_zz = A_0_leg_13*s_z + A_0_leg_23*y_z + A_0_leg_33*z_z;
+        /* force at the tip by S */
+        const stewart_real A_0_xx = A_0_T_xs*s_x + A_0_T_xy*y_x + A_0_T_xz*z_x;
+        const stewart_real A_0_xy = A_0_T_xs*s_y + A_0_T_xy*y_y + A_0_T_xz*z_y;
+        const stewart_real A_0_xz = A_0_T_xs*s_z + A_0_T_xy*y_z + A_0_T_xz*z_z;
+        const stewart_real A_0_yx = A_0_T_ys*s_x + A_0_T_yy*y_x + A_0_T_yz*z_x;
+        const stewart_real A_0_yy = A_0_T_ys*s_y + A_0_T_yy*y_y + A_0_T_yz*z_y;
+        const stewart_real A_0_yz = A_0_T_ys*s_z + A_0_T_yy*y_z + A_0_T_yz*z_z;
+        const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
+        const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
+        const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
+        const stewart_real c244 = c106*c70;
+        const stewart_real c245 = c244 - c226;
+        const stewart_real A_1_leg_11 = C_p + c245;
+        const stewart_real c246 = c102*c70;
+        const stewart_real c247 = c85*c98;
+        const stewart_real A_1_leg_12 = c20*c247 + c243 + c99 - c246;
+        const stewart_real c248 = c231 - REAL(2)*c106*c128;
+        const stewart_real A_1_leg_13 = c127 + c248;
+        const stewart_real c249 = c109*c17;
+        const stewart_real A_1_leg_21 = W_z*c10*c169 + REAL(2)*W_z*h_z*inv_L*inv_k3*k1 - c140*c76 - c159*c16
+            - c199 - c246 - c249*c41;
+        const stewart_real c250 = c140*c179;
+        const stewart_real c251 = c69*c87;
+        const stewart_real c252 = c244*c49;
+        const stewart_real c253 = c10*c16;
+        const stewart_real c254 = c209*c253;
+        const stewart_real c255 = c250*c49;
+        const stewart_real A_1_leg_22 = C_us*c10*c49 + REAL(2)*L_dot*c10*h_z*inv_k3*k1 + L_dot*c112*c169
+            + c254 + c255 + REAL(2)*c49*h_z*inv_L*theta_dot - c10*c203 - c10*c212 - c156*c206 - c156*c76
+            - c250 - c251 - c252;
+        const stewart_real c256 = c10*c33;
+        const stewart_real c257 = c249*c46;
+        const stewart_real c258 = c70*c9;
+        const stewart_real c259 = c140*c234 + c156*c228 + c156*c233 - c258*c49;
+        const stewart_real A_1_leg_23 = c140*c211 + c256 + c259 - c257;
+        const stewart_real A_1_leg_31 = c10*c237 + c104*c70 + c238*c253 + c248;
+        const stewart_real A_1_leg_32 = c247 + c256*c49 + c257 + c258 + c259 - c140*c240 - c16*c223*c242
+            - c20*c99 - c247*c49 - c256;
+        const stewart_real A_1_leg_33 = C_us*c10 + c250 + c252 - c156*c236 - c245 - c251 - c254 - c255;
+        const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
+        const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
+        const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
+        const stewart_real A_1_T_ys = A_1_leg_11*s_y + A_1_leg_21*y_y + A_1_leg_31*z_y;
+        const stewart_real A_1_T_yy = A_1_leg_12*s_y + A_1_leg_22*y_y + A_1_leg_32*z_y;
+        const stewart_real A_1_T_yz = A_1_leg_13*s_y + A_1_leg_23*y_y + A_1_leg_33*z_y;
+        const stewart_real A_1_T_zs = A_1_leg_11*s_z + A_1_leg_21*y_z + A_1_leg_31*z_z;
+        const stewart_real A_1_T_zy = A_1_leg_12*s_z + A_1_leg_22*y_z + A_1_leg_32*z_z;
+        const stewart_real A_1_T_zz = A_1_leg_13*s_z + A_1_leg_23*y_z + A_1_leg_33*z_z;
+        /* force at the tip by S_dot */
+        const stewart_real A_1_xx = A_1_T_xs*s_x + A_1_T_xy*y_x + A_1_T_xz*z_x;
+        const stewart_real A_1_xy = A_1_T_xs*s_y + A_1_T_xy*y_y + A_1_T_xz*z_y;
+        const stewart_real A_1_xz = A_1_T_xs*s_z + A_1_T_xy*y_z + A_1_T_xz*z_z;
+        const stewart_real A_1_yx = A_1_T_ys*s_x + A_1_T_yy*y_x + A_1_T_yz*z_x;
+        const stewart_real A_1_yy = A_1_T_ys*s_y + A_1_T_yy*y_y + A_1_T_yz*z_y;
+        const stewart_real A_1_yz = A_1_T_ys*s_z + A_1_T_yy*y_z + A_1_T_yz*z_z;
+        const stewart_real A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x;
+        const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
+        const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
+        /* (4) omega x q */
+        const stewart_real w_q_x = S_dot_x - v_x;
+        const stewart_real w_q_y = S_dot_y - v_y;
+        const stewart_real w_q_z = S_dot_z - v_z;
+        /* force by rotation about the tip */
+        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz
+            - A_1_xz*omega_y;
+        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz
+            - A_1_xx*omega_z;
+        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz
+            - A_1_xy*omega_x;
+        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz
+            - A_1_yz*omega_y;
+        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz
+            - A_1_yx*omega_z;
+        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz
+            - A_1_yy*omega_x;
+        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz
+            - A_1_zz*omega_y;
+        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz
+            - A_1_zx*omega_z;
+        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
+            - A_1_zy*omega_x;
+        const stewart_real c260 = m_xy*omega_z;
+        const stewart_real c261 = m_xz*omega_y;
+        const stewart_real Y_xx = A_1_xx + c260 - c261;
+        const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
+        const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
+        const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
+        const stewart_real c262 = m_yz*omega_x;
+        const stewart_real Y_yy = A_1_yy + c262 - c260;
+        const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
+        const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
+        const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
+        const stewart_real Y_zz = A_1_zz + c261 - c262;
+        const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
+        const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
+        const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
+        const stewart_real Z_yx = X_yz*q_y - X_yy*q_z;
+        const stewart_real Z_yy = X_yx*q_z - X_yz*q_x;
+        const stewart_real Z_yz = X_yy*q_x - X_yx*q_y;
+        const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
+        const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
+        const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
+        const stewart_real c263 = m_xz*w_q_y;
+        const stewart_real c264 = m_xy*w_q_z;
+        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c263 - Y_xy*q_z - c264;
+        const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
+        const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
+        const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
+        const stewart_real c265 = m_yz*w_q_x;
+        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c264 - Y_yz*q_x - c265;
+        const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
+        const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
+        const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
+        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c265 - Y_zx*q_y - c263;
+        const stewart_real c266 = m_xy*q_z;
+        const stewart_real c267 = m_xz*q_y;
+        const stewart_real c268 = -m_yz*q_x;
+        /* m [q]x */
+        const stewart_real m_q_xx = c266 - c267;
+        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
+        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
+        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_yy = -c266 - c268;
+        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
+        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
+        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_zz = c267 + c268;
+        const stewart_real c269 = R_tip_y*q_y;
+        const stewart_real c270 = R_tip_z*q_z;
+        const stewart_real c271 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c272 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c273 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c274 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c275 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c276 = R_tip_x*q_x;
+        const stewart_real c277 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c278 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c279 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c280 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        out->sum[0][l] = m_xx;
+        out->sum[1][l] = m_xy;
+        out->sum[2][l] = m_xz;
+        out->sum[3][l] = m_yy;
+        out->sum[4][l] = m_yz;
+        out->sum[5][l] = m_zz;
+        out->sum[6][l] = -m_q_xx;
+        out->sum[7][l] = -m_q_xy;
+        out->sum[8][l] = -m_q_xz;
+        out->sum[9][l] = -m_q_yx;
+        out->sum[10][l] = -m_q_yy;
+        out->sum[11][l] = -m_q_yz;
+        out->sum[12][l] = -m_q_zx;
+        out->sum[13][l] = -m_q_zy;
+        out->sum[14][l] = -m_q_zz;
+        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
+        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
+        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
+        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
+        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
+        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[21][l] = A_0_xx;
+        out->sum[22][l] = A_0_xy;
+        out->sum[23][l] = A_0_xz;
+        out->sum[24][l] = A_0_yx;
+        out->sum[25][l] = A_0_yy;
+        out->sum[26][l] = A_0_yz;
+        out->sum[27][l] = A_0_zx;
+        out->sum[28][l] = A_0_zy;
+        out->sum[29][l] = A_0_zz;
+        out->sum[30][l] = Z_xx;
+        out->sum[31][l] = Z_xy;
+        out->sum[32][l] = Z_xz;
+        out->sum[33][l] = Z_yx;
+        out->sum[34][l] = Z_yy;
+        out->sum[35][l] = Z_yz;
+        out->sum[36][l] = Z_zx;
+        out->sum[37][l] = Z_zy;
+        out->sum[38][l] = Z_zz;
+        out->sum[39][l] = A_0_zx*q_y - A_0_yx*q_z - f_S_xx;
+        out->sum[40][l] = A_0_zy*q_y - A_0_yy*q_z - f_S_xy;
+        out->sum[41][l] = A_0_zz*q_y - A_0_yz*q_z - f_S_xz;
+        out->sum[42][l] = A_0_xx*q_z - A_0_zx*q_x - f_S_yx;
+        out->sum[43][l] = A_0_xy*q_z - A_0_zy*q_x - f_S_yy;
+        out->sum[44][l] = A_0_xz*q_z - A_0_zz*q_x - f_S_yz;
+        out->sum[45][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
+        out->sum[46][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
+        out->sum[47][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c272*q_z - Z_yx*q_z - c269 - c270 - c271*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c271*q_x - Z_yy*q_z - c273*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c273*q_y - Z_yz*q_z - c272*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c274*q_z - Z_zx*q_x - c275*q_y;
+        out->sum[52][l] = Z_xy*q_z + c275*q_x - Z_zy*q_x - c270 - c276 - c277*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c277*q_y - Z_zz*q_x - c274*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c278*q_z - Z_xx*q_y - c279*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c279*q_x - Z_xy*q_y - c280*q_z;
+        out->sum[56][l] = Z_yz*q_x + c280*q_y - Z_xz*q_y - c269 - c276 - c278*q_x;
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -2263,6 +3416,9 @@ static int derivatives_sums(
         force[i] = F[i < 6 ? i : 5];
     }
     derivatives_of_legs(model, motion, &pose, force, legs);
+    if (is_near(&legs->judged) != 0) {
+        derivatives_of_legs_near(model, motion, &pose, force, legs);
+    }
     status = legs_status(&legs->judged);
     if (status == STEWART_OK) {
         add_legs(legs->sum, 93, sum);
@@ -2270,9 +3426,1307 @@ static int derivatives_sums(
     return status;
 }
 
-/* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, leaving X in place of Y.
+/* ---- joint_rows ---- */
+
+typedef struct {
+    stewart_real B_0[9];
+} joint_rows_pose;
+
+typedef struct {
+    stewart_real sum[27][LANES];
+    stewart_real M_xi[6][8];
+    stewart_real row_v[9][8];
+    stewart_real row_w[9][8];
+    stewart_real tau[3][8];
+    leg_judgement judged;
+} joint_rows_legs;
+
+/* The platform's part: 201 (117 mul, 84 add, 0 div, 0 sqrt) operations. */
+static void joint_rows_of_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
+    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
+    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
+    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
+    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
+    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
+    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
+    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
+    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
+        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    /* (31) omega x h */
+    const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
+    const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
+    const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+    /* (34) I omega */
+    const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
+    const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
+    const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    out->B_0[0] = B_xx;
+    out->B_0[1] = omega_xy;
+    out->B_0[2] = omega_xz;
+    out->B_0[3] = omega_xy;
+    out->B_0[4] = B_yy;
+    out->B_0[5] = omega_yz;
+    out->B_0[6] = omega_xz;
+    out->B_0[7] = omega_yz;
+    out->B_0[8] = B_zz;
+    sum[0] = M_P;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
+    sum[3] = M_P;
+    sum[4] = REAL(0);
+    sum[5] = M_P;
+    sum[6] = REAL(0);
+    sum[7] = h_base_z;
+    sum[8] = -h_base_y;
+    sum[9] = -h_base_z;
+    sum[10] = REAL(0);
+    sum[11] = h_base_x;
+    sum[12] = h_base_y;
+    sum[13] = -h_base_x;
+    sum[14] = REAL(0);
+    sum[15] = J_base_xx;
+    sum[16] = J_base_xy;
+    sum[17] = J_base_xz;
+    sum[18] = J_base_yy;
+    sum[19] = J_base_yz;
+    sum[20] = J_base_zz;
+    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
+    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
+    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
+    sum[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y - g_y*h_base_z;
+    sum[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z - g_z*h_base_x;
+    sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
+}
+
+/* The legs side by side: 310 (190 mul, 116 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void joint_rows_of_legs(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const joint_rows_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, joint_rows_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
+        B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
+        B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_y = model->h2_y[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real F = force[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
+        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        /* (7) acceleration of the platform point, a = alpha = 0 */
+        const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
+        const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
+        const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            - L_share*two_phi_dot;
+        const stewart_real c1 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c1;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real c2 = L*h2_z;
+        const stewart_real c3 = J2_xz - c2;
+        const stewart_real a2 = c3;
+        const stewart_real a3 = J_xy - L*h_y;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real k3_h = h_y*k3;
+        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
+        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real bend = L_dot*theta_dot;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_x + k3*w_z;
+        const stewart_real w_n = k3*w_x - k1*w_z;
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
+            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
+            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
+            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real row_v_yx = -inv_L*z_x;
+        const stewart_real row_v_yy = -inv_L*z_y;
+        const stewart_real row_v_yz = -inv_L*z_z;
+        const stewart_real row_v_zx = inv_rho*y_x;
+        const stewart_real row_v_zy = inv_rho*y_y;
+        const stewart_real row_v_zz = inv_rho*y_z;
+        out->sum[0][l] = REAL(0);
+        out->sum[1][l] = REAL(0);
+        out->sum[2][l] = REAL(0);
+        out->sum[3][l] = REAL(0);
+        out->sum[4][l] = REAL(0);
+        out->sum[5][l] = REAL(0);
+        out->sum[6][l] = REAL(0);
+        out->sum[7][l] = REAL(0);
+        out->sum[8][l] = REAL(0);
+        out->sum[9][l] = REAL(0);
+        out->sum[10][l] = REAL(0);
+        out->sum[11][l] = REAL(0);
+        out->sum[12][l] = REAL(0);
+        out->sum[13][l] = REAL(0);
+        out->sum[14][l] = REAL(0);
+        out->sum[15][l] = REAL(0);
+        out->sum[16][l] = REAL(0);
+        out->sum[17][l] = REAL(0);
+        out->sum[18][l] = REAL(0);
+        out->sum[19][l] = REAL(0);
+        out->sum[20][l] = REAL(0);
+        out->sum[21][l] = REAL(0);
+        out->sum[22][l] = REAL(0);
+        out->sum[23][l] = REAL(0);
+        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
+        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
+        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
+        out->M_xi[0][l] = REAL(0);
+        out->M_xi[1][l] = h_z;
+        out->M_xi[2][l] = -k3_h;
+        out->M_xi[3][l] = M_theta;
+        out->M_xi[4][l] = M_mixed;
+        out->M_xi[5][l] = M_phi;
+        out->row_v[0][l] = s_x;
+        out->row_v[1][l] = s_y;
+        out->row_v[2][l] = s_z;
+        out->row_v[3][l] = row_v_yx;
+        out->row_v[4][l] = row_v_yy;
+        out->row_v[5][l] = row_v_yz;
+        out->row_v[6][l] = row_v_zx;
+        out->row_v[7][l] = row_v_zy;
+        out->row_v[8][l] = row_v_zz;
+        out->row_w[0][l] = q_y*s_z - q_z*s_y;
+        out->row_w[1][l] = q_z*s_x - q_x*s_z;
+        out->row_w[2][l] = q_x*s_y - q_y*s_x;
+        out->row_w[3][l] = q_y*row_v_yz - q_z*row_v_yy;
+        out->row_w[4][l] = q_z*row_v_yx - q_x*row_v_yz;
+        out->row_w[5][l] = q_x*row_v_yy - q_y*row_v_yx;
+        out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
+        out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
+        out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
+        out->tau[0][l] = C_p*L_dot + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+        out->tau[1][l] = tau_y;
+        out->tau[2][l] = tau_k;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
+/* Platform and legs together; returns a status. */
+static int joint_rows_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], joint_rows_legs *legs,
+    stewart_real *sum)
+{
+    joint_rows_pose pose;
+    int status;
+    stewart_real force[LANES];
+    int i;
+    joint_rows_of_pose(model, motion, &pose, sum);
+    for (i = 0; i < LANES; ++i) {
+        force[i] = F[i < 6 ? i : 5];
+    }
+    joint_rows_of_legs(model, motion, &pose, force, legs);
+    status = legs_status(&legs->judged);
+    if (status == STEWART_OK) {
+        add_legs(legs->sum, 27, sum);
+    }
+    return status;
+}
+
+/* ---- joint_slopes ---- */
+
+typedef struct {
+    stewart_real B[9];
+} joint_slopes_pose;
+
+typedef struct {
+    stewart_real sum[93][LANES];
+    stewart_real tau_t[9][8];
+    stewart_real tau_r[9][8];
+    stewart_real tau_v[9][8];
+    stewart_real tau_w[9][8];
+    stewart_real H_force[3][8];
+    stewart_real H_moment[3][8];
+    leg_judgement judged;
+} joint_slopes_legs;
+
+/* The platform's part: 338 (168 mul, 170 add, 0 div, 0 sqrt) operations. */
+static void joint_slopes_of_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
+        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
+    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
+    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
+    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
+    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
+    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
+    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
+    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
+    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
+    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
+    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
+    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
+    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
+        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real c7 = h_base_y*omega_z;
+    const stewart_real c8 = h_base_z*omega_y;
+    const stewart_real c9 = h_base_x*omega_z;
+    const stewart_real c10 = h_base_z*omega_x;
+    const stewart_real c11 = h_base_x*omega_y;
+    const stewart_real c12 = h_base_y*omega_x;
+    /* (31) omega x h */
+    const stewart_real w_h_x = c8 - c7;
+    const stewart_real w_h_y = c9 - c10;
+    const stewart_real w_h_z = c12 - c11;
+    const stewart_real c13 = J_base_xy*omega_y;
+    const stewart_real c14 = J_base_xz*omega_z;
+    const stewart_real c15 = J_base_xy*omega_x;
+    const stewart_real c16 = J_base_yz*omega_z;
+    const stewart_real c17 = J_base_xz*omega_x;
+    const stewart_real c18 = J_base_yz*omega_y;
+    /* (34) I omega */
+    const stewart_real J_w_x = J_base_xx*omega_x + c13 + c14;
+    const stewart_real J_w_y = J_base_yy*omega_y + c15 + c16;
+    const stewart_real J_w_z = J_base_zz*omega_z + c17 + c18;
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_xy = omega_xy - alpha_z;
+    const stewart_real B_xz = alpha_y + omega_xz;
+    const stewart_real B_yx = alpha_z + omega_xy;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_yz = omega_yz - alpha_x;
+    const stewart_real B_zx = omega_xz - alpha_y;
+    const stewart_real B_zy = alpha_x + omega_yz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    const stewart_real c19 = J_base_xy*alpha_y;
+    const stewart_real c20 = J_base_xz*alpha_z;
+    const stewart_real J_alpha_x = J_base_xx*alpha_x + c19 + c20;
+    const stewart_real c21 = J_base_xy*alpha_x;
+    const stewart_real c22 = J_base_yz*alpha_z;
+    const stewart_real J_alpha_y = J_base_yy*alpha_y + c21 + c22;
+    const stewart_real c23 = J_base_xz*alpha_x;
+    const stewart_real c24 = J_base_yz*alpha_y;
+    const stewart_real J_alpha_z = J_base_zz*alpha_z + c23 + c24;
+    /* (33) a - g */
+    const stewart_real rise_x = a_x - g_x;
+    const stewart_real rise_y = a_y - g_y;
+    const stewart_real rise_z = a_z - g_z;
+    const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
+    const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
+    const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
+    const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
+    const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+    const stewart_real c25 = J_base_xy*omega_z;
+    const stewart_real c26 = J_base_xz*omega_y;
+    const stewart_real c28 = J_w_z + c17 - J_base_xx*omega_z;
+    const stewart_real c29 = J_w_y + c15 - J_base_xx*omega_y;
+    const stewart_real c30 = J_w_z + c18 - J_base_yy*omega_z;
+    const stewart_real c31 = J_base_yz*omega_x;
+    const stewart_real c33 = c25 - c31;
+    const stewart_real c34 = J_w_x + c13 - J_base_yy*omega_x;
+    const stewart_real c35 = J_w_y + c16 - J_base_zz*omega_y;
+    const stewart_real c36 = J_w_x + c14 - J_base_zz*omega_x;
+    /* derivative of I omega by dphi at fixed omega */
+    const stewart_real spin_xx = c25 - c26;
+    const stewart_real spin_xy = c28;
+    const stewart_real spin_xz = -c29;
+    const stewart_real spin_yx = -c30;
+    const stewart_real spin_yy = -c33;
+    const stewart_real spin_yz = c34;
+    const stewart_real spin_zx = c35;
+    const stewart_real spin_zy = -c36;
+    const stewart_real spin_zz = c26 - c31;
+    const stewart_real c37 = J_base_xz*alpha_y;
+    const stewart_real c38 = h_base_y*rise_y;
+    const stewart_real c39 = h_base_z*rise_z;
+    const stewart_real c40 = J_base_xy*alpha_z;
+    const stewart_real c41 = h_base_x*rise_x;
+    const stewart_real c42 = J_base_yz*alpha_x;
+    const stewart_real c43 = h_base_y*omega_y;
+    const stewart_real c44 = h_base_z*omega_z;
+    const stewart_real c45 = h_base_x*omega_x;
+    out->B[0] = B_xx;
+    out->B[1] = B_xy;
+    out->B[2] = B_xz;
+    out->B[3] = B_yx;
+    out->B[4] = B_yy;
+    out->B[5] = B_yz;
+    out->B[6] = B_zx;
+    out->B[7] = B_zy;
+    out->B[8] = B_zz;
+    sum[0] = M_P;
+    sum[1] = REAL(0);
+    sum[2] = REAL(0);
+    sum[3] = M_P;
+    sum[4] = REAL(0);
+    sum[5] = M_P;
+    sum[6] = REAL(0);
+    sum[7] = h_base_z;
+    sum[8] = -h_base_y;
+    sum[9] = -h_base_z;
+    sum[10] = REAL(0);
+    sum[11] = h_base_x;
+    sum[12] = h_base_y;
+    sum[13] = -h_base_x;
+    sum[14] = REAL(0);
+    sum[15] = J_base_xx;
+    sum[16] = J_base_xy;
+    sum[17] = J_base_xz;
+    sum[18] = J_base_yy;
+    sum[19] = J_base_yz;
+    sum[20] = J_base_zz;
+    sum[21] = REAL(0);
+    sum[22] = REAL(0);
+    sum[23] = REAL(0);
+    sum[24] = REAL(0);
+    sum[25] = REAL(0);
+    sum[26] = REAL(0);
+    sum[27] = REAL(0);
+    sum[28] = REAL(0);
+    sum[29] = REAL(0);
+    sum[30] = B_xz*h_base_y - B_xy*h_base_z;
+    sum[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
+    sum[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+    sum[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
+    sum[34] = B_yx*h_base_z - B_yz*h_base_x;
+    sum[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+    sum[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
+    sum[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
+    sum[38] = B_zy*h_base_x - B_zx*h_base_y;
+    sum[39] = REAL(0);
+    sum[40] = REAL(0);
+    sum[41] = REAL(0);
+    sum[42] = REAL(0);
+    sum[43] = REAL(0);
+    sum[44] = REAL(0);
+    sum[45] = REAL(0);
+    sum[46] = REAL(0);
+    sum[47] = REAL(0);
+    sum[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
+    sum[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
+    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
+    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24 - omega_x*spin_zx;
+    sum[52] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
+    sum[53] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
+    sum[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
+    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
+    sum[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
+    sum[57] = REAL(0);
+    sum[58] = REAL(0);
+    sum[59] = REAL(0);
+    sum[60] = REAL(0);
+    sum[61] = REAL(0);
+    sum[62] = REAL(0);
+    sum[63] = REAL(0);
+    sum[64] = REAL(0);
+    sum[65] = REAL(0);
+    sum[66] = c43 + c44;
+    sum[67] = w_h_z - c11;
+    sum[68] = -c9 - w_h_y;
+    sum[69] = -c12 - w_h_z;
+    sum[70] = c44 + c45;
+    sum[71] = w_h_x - c7;
+    sum[72] = w_h_y - c10;
+    sum[73] = -c8 - w_h_x;
+    sum[74] = c43 + c45;
+    sum[75] = REAL(0);
+    sum[76] = REAL(0);
+    sum[77] = REAL(0);
+    sum[78] = REAL(0);
+    sum[79] = REAL(0);
+    sum[80] = REAL(0);
+    sum[81] = REAL(0);
+    sum[82] = REAL(0);
+    sum[83] = REAL(0);
+    sum[84] = C_P + c26 - c25;
+    sum[85] = c30;
+    sum[86] = -c35;
+    sum[87] = -c28;
+    sum[88] = C_P + c33;
+    sum[89] = c36;
+    sum[90] = c29;
+    sum[91] = -c34;
+    sum[92] = C_P + c31 - c26;
+}
+
+/* The legs side by side: 1941 (1235 mul, 702 add, 2 div, 2 sqrt) operations each. */
+STEWART_APART static void joint_slopes_of_legs(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const joint_slopes_pose *STEWART_RESTRICT pose, stewart_real (*STEWART_RESTRICT apart)[LANES], joint_slopes_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
+        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
+            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
+            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real net_x = apart[0][l];
+        const stewart_real net_y = apart[1][l];
+        const stewart_real net_z = apart[2][l];
+        const stewart_real turned_x = apart[3][l];
+        const stewart_real turned_y = apart[4][l];
+        const stewart_real turned_z = apart[5][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
+            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        const stewart_real c1 = omega_y*q_z - omega_z*q_y;
+        const stewart_real c2 = omega_x*q_z;
+        const stewart_real c3 = omega_x*q_y - omega_y*q_x;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = c1 + v_x;
+        const stewart_real S_dot_y = omega_z*q_x + v_y - c2;
+        const stewart_real S_dot_z = c3 + v_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real c4 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = c4*inv_rho;
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real c5 = L_dot*inv_L;
+        /* L_dot / L */
+        const stewart_real L_share = c5;
+        const stewart_real c6 = theta_dot*theta_dot;
+        const stewart_real theta_dot2 = c6;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real inv_k3 = L*inv_rho;
+        /* (6) leg's turning about z */
+        const stewart_real W_z = c4*inv_L;
+        /* (4) omega x q */
+        const stewart_real w_q_x = c1;
+        const stewart_real w_q_y = omega_z*q_x - c2;
+        const stewart_real w_q_z = c3;
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = omega_y*w_q_z - omega_z*w_q_y;
+        const stewart_real S_ddot_y = omega_z*w_q_x - omega_x*w_q_z;
+        const stewart_real S_ddot_z = omega_x*w_q_y - omega_y*w_q_x;
+        /* (8) acceleration of the length */
+        const stewart_real L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
+            + S_ddot_z*s_z + turned_x;
+        const stewart_real c7 = REAL(2)*L_share;
+        /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
+        const stewart_real own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z
+            - W_z*c7;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* k x y */
+        const stewart_real normal_x = k_y*y_z - k_z*y_y;
+        const stewart_real normal_y = k_z*y_x - k_x*y_z;
+        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        /* omega along k x y, y and k */
+        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
+        const stewart_real c8 = inv_rho*net_z;
+        const stewart_real c9 = inv_L*net_y;
+        /* force at the tip, less the actuator's */
+        const stewart_real R_tip_x = c8*y_x + net_x*s_x - c9*z_x;
+        const stewart_real R_tip_y = c8*y_y + net_x*s_y - c9*z_y;
+        const stewart_real R_tip_z = c8*y_z + net_x*s_z - c9*z_z;
+        const stewart_real c10 = h_z*own_y;
+        const stewart_real c11 = W_z*W_z;
+        const stewart_real c12 = inv_L*inv_L;
+        const stewart_real c13 = L_dot*c12;
+        const stewart_real c14 = REAL(2)*h_y;
+        const stewart_real c15 = W_z*c14;
+        const stewart_real c16 = h_y*inv_L;
+        const stewart_real c17 = inv_k3*k1;
+        const stewart_real c18 = c16*c17;
+        const stewart_real c19 = REAL(4)*W_z;
+        const stewart_real c20 = c19*theta_dot;
+        const stewart_real c21 = c11*h_z;
+        const stewart_real c22 = c21*inv_L;
+        const stewart_real c23 = REAL(4)*c17;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c12*h_z*theta_dot + REAL(2)*c11*h_x*inv_L
+            + REAL(2)*c6*h_x*inv_L + h_y*inv_L*own_z - c10*inv_L - c13*c15 - c18*c20 - c22*c23;
+        const stewart_real c24 = L_ddot*c12;
+        const stewart_real c25 = c16*c6;
+        const stewart_real c26 = h_z*inv_L;
+        const stewart_real c27 = REAL(2)*theta_dot;
+        const stewart_real c28 = c26*c27;
+        const stewart_real c29 = h_y*own_y;
+        const stewart_real c30 = inv_L*inv_k3;
+        const stewart_real c31 = c30*k1;
+        const stewart_real c32 = h_z*own_z;
+        const stewart_real c33 = c11*c16;
+        const stewart_real c34 = REAL(2)*h_x;
+        const stewart_real c35 = W_z*c13;
+        const stewart_real c36 = L_dot*L_dot;
+        const stewart_real c37 = inv_L*inv_L*inv_L;
+        const stewart_real c38 = c36*c37;
+        const stewart_real c39 = inv_k3*inv_k3;
+        const stewart_real c40 = REAL(2)*c39;
+        const stewart_real c41 = h_y*k1;
+        const stewart_real c42 = c41*inv_k3;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c28 + c24*h_y + c25 + c29*c31 + c31*c32 + c33*c40
+            + c34*c35 - c13*c27*c42 - c14*c38 - c20*c26*c39 - c23*c35*h_z - c25*c40 - c33;
+        const stewart_real c43 = W_z*c27;
+        const stewart_real c44 = c34*theta_dot;
+        const stewart_real c45 = REAL(2)*h_z;
+        const stewart_real tau_S_leg_13 = L_ddot*c12*h_z + REAL(2)*L_dot*W_z*c12*h_y*inv_k3*k1
+            + REAL(2)*W_z*c39*h_y*inv_L*theta_dot + REAL(2)*c11*c39*h_z*inv_L + c6*h_z*inv_L - C_p*theta_dot
+            - c13*c44 - c16*c43 - c22 - c38*c45;
+        const stewart_real c46 = C_us*inv_L;
+        const stewart_real c47 = c46*theta_dot;
+        const stewart_real c48 = J_yy*inv_L;
+        const stewart_real c49 = J_yz*inv_L;
+        const stewart_real c50 = c6*h_z;
+        const stewart_real c51 = inv_L*theta_dot;
+        const stewart_real c52 = J_xy*c51;
+        const stewart_real c53 = J_xy*inv_L;
+        const stewart_real c54 = c53*k1;
+        const stewart_real c55 = c54*inv_k3;
+        const stewart_real c56 = c11*inv_L;
+        const stewart_real c57 = REAL(4)*J_xz;
+        const stewart_real c58 = c14*theta_dot;
+        const stewart_real c59 = REAL(2)*W_z;
+        const stewart_real c60 = REAL(2)*J_yy;
+        const stewart_real c61 = REAL(2)*J_xx;
+        const stewart_real c62 = c61 - REAL(2)*J_zz;
+        const stewart_real c63 = c60 + c62;
+        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c12*inv_k3*k1
+            + REAL(4)*J_xy*W_z*c39*inv_L*theta_dot + REAL(2)*J_xz*c11*c39*inv_L
+            + REAL(2)*J_yy*L_dot*c12*theta_dot + REAL(2)*J_yz*L_dot*W_z*c12
+            + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot + REAL(2)*L_dot*h_x*inv_L*theta_dot
+            + REAL(2)*W_z*h_y*theta_dot + c11*h_z - W_z*c39*c58 - c11*c63*inv_L*inv_k3*k1 - c19*c52
+            - c21*c39 - c42*c5*c59 - c47 - c48*own_y - c49*own_z - c50 - c55*own_z - c56*c57;
+        const stewart_real c65 = c53*own_y;
+        const stewart_real c66 = W_z*c44;
+        const stewart_real c67 = inv_L*w_z;
+        const stewart_real c68 = c67*gamma_y;
+        const stewart_real c69 = c11*c49;
+        const stewart_real c70 = C_s*inv_L;
+        const stewart_real c71 = c19*h_z;
+        const stewart_real c72 = k1*own_z;
+        const stewart_real c73 = c34*c72;
+        const stewart_real c74 = W_z*c46*inv_k3;
+        const stewart_real c75 = J_yz*c24;
+        const stewart_real c76 = c49*c6;
+        const stewart_real c77 = k1*own_y;
+        const stewart_real c78 = c49*c77;
+        const stewart_real c79 = c17*theta_dot;
+        const stewart_real c80 = inv_L*w_x;
+        const stewart_real c81 = c80*k1;
+        const stewart_real c82 = c81*gamma_y;
+        const stewart_real c83 = J_xy*c13;
+        const stewart_real c84 = c27*c83;
+        const stewart_real c85 = W_z*c57;
+        const stewart_real c86 = c13*c85;
+        const stewart_real c87 = c11*inv_k3;
+        const stewart_real c88 = c51*c85;
+        const stewart_real c89 = c34*c5;
+        const stewart_real c90 = W_z*c89;
+        const stewart_real c91 = REAL(2)*J_yz;
+        const stewart_real c92 = c38*c91;
+        const stewart_real c93 = c24*inv_k3;
+        const stewart_real c94 = J_xy*k1;
+        const stewart_real c95 = W_z*c45;
+        const stewart_real c96 = c39*c95;
+        const stewart_real c97 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c98 = c95*k1;
+        const stewart_real c99 = c98*theta_dot;
+        const stewart_real c100 = c11*c41;
+        const stewart_real c101 = REAL(2)*c97;
+        const stewart_real c102 = c101*c6;
+        const stewart_real c103 = REAL(2)*k1;
+        const stewart_real c104 = J_xz*c103;
+        const stewart_real c105 = W_z*c51;
+        const stewart_real c106 = c13*c91;
+        const stewart_real c107 = J_xy*c103*c38;
+        const stewart_real c108 = c11*c54;
+        const stewart_real c109 = J_xz*c59;
+        const stewart_real c110 = c109*c39;
+        const stewart_real c111 = c12*c36;
+        const stewart_real c112 = W_z*c39;
+        const stewart_real c113 = c112*c51;
+        const stewart_real tau_S_leg_22 = L_ddot*c18 + W_z*c51*c62 + c100*c101 + c102*c54 + c104*c105*c97
+            + c106*c79 + c107*inv_k3 + c110*c13 + c17*c90 + c29*c39 + c32 + c39*c84 + c40*c76 + c42*c6
+            + c48*c72*inv_k3 + c5*c58 + c5*c71 + c54*c87 + c65 + c69 + c71*c79 + c73*inv_k3 + c74*k1 + c92
+            - c101*c108 - c102*c41 - REAL(2)*c111*c42 - c113*c63 - c17*c88 - c29 - c35*c63*inv_k3*k1
+            - c39*c5*c58 - c39*c65 - c40*c69 - c41*c87 - c5*c96 - c55*c6 - c66 - c68 - c70*inv_k3*w_n_omega
+            - c75 - c76 - c78*inv_k3 - c82*inv_k3 - c84 - c86 - c93*c94 - c97*c99;
+        const stewart_real c114 = h_y*own_z;
+        const stewart_real c115 = c51*c97;
+        const stewart_real c116 = W_z*c106;
+        const stewart_real c117 = c59*c83;
+        const stewart_real c118 = c104*c56;
+        const stewart_real c119 = J_xx - J_zz;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c12 + REAL(2)*J_xy*L_dot*W_z*c12
+            + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c39*inv_L*own_z + J_yy*L_ddot*c12
+            + J_yy*c6*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c39*h_y*inv_L + REAL(4)*W_z*c97*h_y*k1*theta_dot + c11*c39*inv_L*(J_yy
+            + c119) + REAL(2)*c11*c97*h_z*k1 + gamma_n*inv_L*k3*w_x - c10 - c11*c34 - c11*c48 - c111*c34
+            - c114*c39 - c115*c19*c94 - c116*c17 - c117*c39 - c118*c97 - c15*c5 - c38*c60 - c39*c43*c49
+            - c42*c43 - c67*g_k*k3 - c67*gamma_n*k1 - c81*g_k;
+        const stewart_real c120 = J_xx*inv_L;
+        const stewart_real c121 = c120*inv_k3;
+        const stewart_real c122 = c104*inv_L;
+        const stewart_real c123 = c49*k3;
+        const stewart_real c124 = c95*inv_k3;
+        const stewart_real c125 = c51*inv_k3;
+        const stewart_real c126 = c34*k3;
+        const stewart_real c127 = W_z*c126;
+        const stewart_real c128 = REAL(2)*k3;
+        const stewart_real c129 = c128*c53;
+        const stewart_real c130 = inv_L*k3;
+        const stewart_real c131 = c61*inv_k3;
+        const stewart_real c132 = c103*c83;
+        const stewart_real c133 = c106*k3;
+        const stewart_real c134 = J_xx*c19;
+        const stewart_real c135 = c39*k1;
+        const stewart_real c136 = c135*c51;
+        const stewart_real c138 = -c62*k3;
+        const stewart_real tau_S_leg_31 = c11*c129 + c119*c130*own_z + c125*c85 + c127*c5 + c129*c6
+            + c131*c35 + c132*theta_dot + c133*theta_dot + c134*c136 + c138*c35 + c86*k1 + c87*h_y
+            - c103*c69 - c103*c76 - c121*own_z - c122*own_z - c123*own_y - c124*theta_dot - c5*c98
+            - REAL(2)*c53*c87 - c65*k1 - c74;
+        const stewart_real c139 = REAL(2)*J_xz;
+        const stewart_real c140 = c103*c50;
+        const stewart_real c141 = c103*c52;
+        const stewart_real c142 = c45*theta_dot;
+        const stewart_real c143 = c5*k3;
+        const stewart_real c144 = c120*c39;
+        const stewart_real c145 = c45*k1;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c12*c39*k1*theta_dot + J_xx*c11*inv_L*inv_k3
+            + REAL(2)*J_xx*c36*c37*inv_k3 + REAL(2)*J_xx*c6*c97*inv_L + REAL(2)*J_xy*L_dot*W_z*c12*k3
+            + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c12*inv_k3*theta_dot + REAL(4)*J_xz*c36*c37*k1
+            + REAL(2)*J_xz*c39*c6*inv_L*k1 + REAL(2)*J_xz*c6*inv_L*k1 + REAL(2)*J_xz*inv_L*k3*own_y
+            + J_yz*inv_L*k1*own_z + L_ddot*c119*c12*k3 + REAL(2)*L_ddot*h_z*inv_L*k1
+            + REAL(2)*W_z*c39*h_y*k1*theta_dot + c11*c119*inv_L*k3 + REAL(2)*c11*c39*h_z*k1
+            + c119*inv_L*k1*own_y + REAL(2)*c12*c36*h_x*k3 + REAL(2)*c6*h_x*k3 + gamma_n*inv_L*inv_k3*k1*w_z
+            + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y - C_us*c13*inv_k3 - J_xx*c93
+            - L_ddot*c126*inv_L - W_z*c141 - REAL(2)*c10*k3 - c104*c24 - c104*c39*c56 - c111*c145
+            - c112*c141 - c114*inv_k3 - c116*k1 - c117*inv_k3 - c118 - c119*c6*inv_L*k3 - c121*c6 - c123*c43
+            - c135*c47 - c139*c30*own_y - c140*c39 - c140 - c142*c143 - c144*c77 - c34*c77 - c36*c37*c62*k3
+            - c44*c5*k1 - c53*k3*own_z - c56*c61*c97 - c80*gamma_n;
+        const stewart_real c147 = c112*k1;
+        const stewart_real c148 = k1*theta_dot;
+        const stewart_real tau_S_leg_33 = c105*c138 + c106*c148 + c108*c39 + c119*c72*inv_L + c124*c5
+            + c125*c134 + c128*c76 + c130*c139*own_z + c144*c72 + c147*c46 + c148*c96 + c24*c94
+            + REAL(2)*c54*c6 + c65*k3 + c66*k3 + c68*k3 + c75*k3 + c82 + c88*k1 - c100*c39 - c104*c113
+            - c107 - c109*c13*inv_k3 - c115*c134 - c128*c32 - c128*c83*theta_dot - c135*c35*c61 - c143*c95
+            - c73 - c78 - c90*k1 - c92*k3 - c99;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
+        const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
+        const stewart_real tau_S_xz = s_z*tau_S_leg_11 + tau_S_leg_12*y_z + tau_S_leg_13*z_z;
+        const stewart_real tau_S_yx = s_x*tau_S_leg_21 + tau_S_leg_22*y_x + tau_S_leg_23*z_x;
+        const stewart_real tau_S_yy = s_y*tau_S_leg_21 + tau_S_leg_22*y_y + tau_S_leg_23*z_y;
+        const stewart_real tau_S_yz = s_z*tau_S_leg_21 + tau_S_leg_22*y_z + tau_S_leg_23*z_z;
+        const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
+        const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
+        const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
+        const stewart_real tau_S_dot_leg_11 = C_p + c16*c59 - c28;
+        const stewart_real c149 = c103*c16*inv_k3;
+        const stewart_real tau_S_dot_leg_12 = c13*c14 + c149*theta_dot + c17*c19*c26 - W_z*c34*inv_L;
+        const stewart_real tau_S_dot_leg_13 = c13*c45 + c34*c51 - W_z*c149;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c44 - c49*c59 - c51*c60 - c55*c59;
+        const stewart_real c150 = c103*c49;
+        const stewart_real c151 = c150*theta_dot;
+        const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L
+            + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1 + REAL(2)*W_z*c39*h_z + W_z*c63*inv_L*inv_k3*k1
+            + REAL(2)*c39*h_y*theta_dot - c106 - c110*inv_L - c132*inv_k3 - c151*inv_k3 - REAL(2)*c39*c52
+            - c58 - c95;
+        const stewart_real c152 = c53*c59;
+        const stewart_real tau_S_dot_leg_23 = W_z*c150*inv_k3 + c13*c60 + c15 + c152*c39 + c89 - c142
+            - c15*c39 - c152 - c46;
+        const stewart_real tau_S_dot_leg_31 = W_z*c62*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c30*c61 - c123*c27
+            - c127 - c141 - c85*inv_L*k1;
+        const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3
+            + REAL(2)*J_yz*W_z*inv_L*k1 + L_dot*c12*c62*k3 + REAL(2)*L_dot*h_z*inv_L*k1
+            + REAL(2)*h_z*inv_k3*theta_dot - W_z*c129 - c125*c139 - c126*c5 - c13*c131 - c13*c57*k1
+            - c136*c61 - c15*inv_k3;
+        const stewart_real tau_S_dot_leg_33 = c109*c30 + c128*c52 + c132 + c133 + c147*c61*inv_L - c124
+            - c151;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x
+            + tau_S_dot_leg_13*z_x;
+        const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y
+            + tau_S_dot_leg_13*z_y;
+        const stewart_real tau_S_dot_xz = s_z*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_z
+            + tau_S_dot_leg_13*z_z;
+        const stewart_real tau_S_dot_yx = s_x*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_x
+            + tau_S_dot_leg_23*z_x;
+        const stewart_real tau_S_dot_yy = s_y*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_y
+            + tau_S_dot_leg_23*z_y;
+        const stewart_real tau_S_dot_yz = s_z*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_z
+            + tau_S_dot_leg_23*z_z;
+        const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x
+            + tau_S_dot_leg_33*z_x;
+        const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y
+            + tau_S_dot_leg_33*z_y;
+        const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z
+            + tau_S_dot_leg_33*z_z;
+        const stewart_real tau_S_ddot_leg_12 = -c16;
+        const stewart_real tau_S_ddot_leg_13 = -c26;
+        const stewart_real tau_S_ddot_leg_22 = c49 + c55 - c42;
+        const stewart_real tau_S_ddot_leg_23 = -c34 - c48;
+        const stewart_real tau_S_ddot_leg_31 = -h_y*k3;
+        const stewart_real tau_S_ddot_leg_32 = c121 + c122 + c126 - c119*c130 - c145;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c123 - c54;
+        /* generalised forces by the tip's motion */
+        const stewart_real tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
+        const stewart_real tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
+        const stewart_real tau_S_ddot_xz = tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z;
+        const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
+        const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
+        const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
+        const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x
+            + tau_S_ddot_leg_33*z_x;
+        const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y
+            + tau_S_ddot_leg_33*z_y;
+        const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z
+            + tau_S_ddot_leg_33*z_z;
+        const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz
+            + omega_z*tau_S_dot_xy + tau_S_xx - omega_y*tau_S_dot_xz;
+        const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz
+            + omega_x*tau_S_dot_xz + tau_S_xy - omega_z*tau_S_dot_xx;
+        const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz
+            + omega_y*tau_S_dot_xx + tau_S_xz - omega_x*tau_S_dot_xy;
+        const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz
+            + omega_z*tau_S_dot_yy + tau_S_yx - omega_y*tau_S_dot_yz;
+        const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz
+            + omega_x*tau_S_dot_yz + tau_S_yy - omega_z*tau_S_dot_yx;
+        const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz
+            + omega_y*tau_S_dot_yx + tau_S_yz - omega_x*tau_S_dot_yy;
+        const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz
+            + omega_z*tau_S_dot_zy + tau_S_zx - omega_y*tau_S_dot_zz;
+        const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz
+            + omega_x*tau_S_dot_zz + tau_S_zy - omega_z*tau_S_dot_zx;
+        const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz
+            + omega_y*tau_S_dot_zx + tau_S_zz - omega_x*tau_S_dot_zy;
+        const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
+        const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
+        const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
+        const stewart_real Y_yx = omega_z*tau_S_ddot_yy + tau_S_dot_yx - omega_y*tau_S_ddot_yz;
+        const stewart_real Y_yy = omega_x*tau_S_ddot_yz + tau_S_dot_yy - omega_z*tau_S_ddot_yx;
+        const stewart_real Y_yz = omega_y*tau_S_ddot_yx + tau_S_dot_yz - omega_x*tau_S_ddot_yy;
+        const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
+        const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
+        const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
+        const stewart_real c153 = net_z*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c153*k3;
+        const stewart_real c154 = c12*net_y;
+        const stewart_real bent_leg_13 = c154;
+        const stewart_real c155 = c8*inv_L;
+        const stewart_real bent_leg_21 = -c155;
+        const stewart_real c156 = inv_rho*k3;
+        const stewart_real bent_leg_22 = c156*net_x + c9*inv_rho*k1;
+        const stewart_real bent_leg_23 = c155*kappa;
+        const stewart_real bent_leg_31 = c154;
+        const stewart_real bent_leg_32 = c153*k1;
+        const stewart_real bent_leg_33 = inv_L*net_x;
+        const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
+        const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
+        const stewart_real bent_T_xz = bent_leg_13*s_x + bent_leg_23*y_x + bent_leg_33*z_x;
+        const stewart_real bent_T_ys = bent_leg_21*y_y + bent_leg_31*z_y;
+        const stewart_real bent_T_yy = bent_leg_12*s_y + bent_leg_22*y_y + bent_leg_32*z_y;
+        const stewart_real bent_T_yz = bent_leg_13*s_y + bent_leg_23*y_y + bent_leg_33*z_y;
+        const stewart_real bent_T_zs = bent_leg_21*y_z + bent_leg_31*z_z;
+        const stewart_real bent_T_zy = bent_leg_12*s_z + bent_leg_22*y_z + bent_leg_32*z_z;
+        const stewart_real bent_T_zz = bent_leg_13*s_z + bent_leg_23*y_z + bent_leg_33*z_z;
+        /* force by S as the rows turn */
+        const stewart_real bent_xx = bent_T_xs*s_x + bent_T_xy*y_x + bent_T_xz*z_x;
+        const stewart_real bent_xy = bent_T_xs*s_y + bent_T_xy*y_y + bent_T_xz*z_y;
+        const stewart_real bent_xz = bent_T_xs*s_z + bent_T_xy*y_z + bent_T_xz*z_z;
+        const stewart_real bent_yx = bent_T_ys*s_x + bent_T_yy*y_x + bent_T_yz*z_x;
+        const stewart_real bent_yy = bent_T_ys*s_y + bent_T_yy*y_y + bent_T_yz*z_y;
+        const stewart_real bent_yz = bent_T_ys*s_z + bent_T_yy*y_z + bent_T_yz*z_z;
+        const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
+        const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
+        const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
+        const stewart_real c157 = bent_xy*q_z;
+        const stewart_real c158 = bent_xz*q_y;
+        const stewart_real Z_xx = c158 - c157;
+        const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
+        const stewart_real c159 = bent_xx*q_y;
+        const stewart_real Z_xz = bent_xy*q_x - c159;
+        const stewart_real c160 = bent_yy*q_z;
+        const stewart_real Z_yx = bent_yz*q_y - c160;
+        const stewart_real c161 = bent_yx*q_z;
+        const stewart_real c162 = -bent_yz*q_x;
+        const stewart_real Z_yy = c161 + c162;
+        const stewart_real c163 = -bent_yy*q_x;
+        const stewart_real Z_yz = -bent_yx*q_y - c163;
+        const stewart_real c164 = -bent_zz*q_y;
+        const stewart_real Z_zx = -bent_zy*q_z - c164;
+        const stewart_real c165 = bent_zz*q_x;
+        const stewart_real Z_zy = bent_zx*q_z - c165;
+        const stewart_real c166 = bent_zx*q_y;
+        const stewart_real c167 = bent_zy*q_x;
+        const stewart_real Z_zz = c167 - c166;
+        const stewart_real G_dot_21 = -c51;
+        const stewart_real c168 = k1*phi_dot;
+        const stewart_real G_dot_22 = c168*inv_L;
+        const stewart_real G_dot_23 = c13;
+        const stewart_real G_dot_31 = -c156*phi_dot;
+        const stewart_real c169 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c169*kappa - c5*inv_rho;
+        const stewart_real G_dot_33 = c168*inv_rho;
+        const stewart_real c170 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c170;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c156*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c170;
+        const stewart_real f_S_leg_21 = C_s*G_dot_21;
+        const stewart_real f_S_leg_22 = C_s*G_dot_22;
+        const stewart_real f_S_leg_23 = C_s*G_dot_23;
+        const stewart_real c171 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c171;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c169*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c171;
+        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
+        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
+        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
+        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
+        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
+        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
+        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
+        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
+        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        /* friction moment by S */
+        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
+        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
+        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
+        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
+        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
+        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
+        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
+        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
+        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_dot_leg_12 = c170*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c70;
+        const stewart_real f_S_dot_leg_32 = C_s*c156;
+        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
+        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
+        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        /* friction moment by S_dot */
+        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
+        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
+        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
+        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
+        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
+        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
+        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
+        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
+        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real c172 = R_tip_y*q_y;
+        const stewart_real c173 = R_tip_z*q_z;
+        const stewart_real c174 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c175 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c176 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c177 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c178 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c179 = R_tip_x*q_x;
+        const stewart_real c180 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c181 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c182 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c183 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        out->sum[0][l] = REAL(0);
+        out->sum[1][l] = REAL(0);
+        out->sum[2][l] = REAL(0);
+        out->sum[3][l] = REAL(0);
+        out->sum[4][l] = REAL(0);
+        out->sum[5][l] = REAL(0);
+        out->sum[6][l] = REAL(0);
+        out->sum[7][l] = REAL(0);
+        out->sum[8][l] = REAL(0);
+        out->sum[9][l] = REAL(0);
+        out->sum[10][l] = REAL(0);
+        out->sum[11][l] = REAL(0);
+        out->sum[12][l] = REAL(0);
+        out->sum[13][l] = REAL(0);
+        out->sum[14][l] = REAL(0);
+        out->sum[15][l] = REAL(0);
+        out->sum[16][l] = REAL(0);
+        out->sum[17][l] = REAL(0);
+        out->sum[18][l] = REAL(0);
+        out->sum[19][l] = REAL(0);
+        out->sum[20][l] = REAL(0);
+        out->sum[21][l] = bent_xx;
+        out->sum[22][l] = bent_xy;
+        out->sum[23][l] = bent_xz;
+        out->sum[24][l] = bent_yx;
+        out->sum[25][l] = bent_yy;
+        out->sum[26][l] = bent_yz;
+        out->sum[27][l] = bent_zx;
+        out->sum[28][l] = bent_zy;
+        out->sum[29][l] = bent_zz;
+        out->sum[30][l] = Z_xx;
+        out->sum[31][l] = Z_xy;
+        out->sum[32][l] = Z_xz;
+        out->sum[33][l] = Z_yx;
+        out->sum[34][l] = Z_yy;
+        out->sum[35][l] = Z_yz;
+        out->sum[36][l] = Z_zx;
+        out->sum[37][l] = Z_zy;
+        out->sum[38][l] = Z_zz;
+        out->sum[39][l] = c166 - c161 - f_S_xx;
+        out->sum[40][l] = bent_zy*q_y - c160 - f_S_xy;
+        out->sum[41][l] = -bent_yz*q_z - c164 - f_S_xz;
+        out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
+        out->sum[43][l] = c157 - c167 - f_S_yy;
+        out->sum[44][l] = bent_xz*q_z - c165 - f_S_yz;
+        out->sum[45][l] = bent_yx*q_x - c159 - f_S_zx;
+        out->sum[46][l] = -bent_xy*q_y - c163 - f_S_zy;
+        out->sum[47][l] = -c158 - c162 - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c175*q_z - Z_yx*q_z - c172 - c173 - c174*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c174*q_x - Z_yy*q_z - c176*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c176*q_y - Z_yz*q_z - c175*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c177*q_z - Z_zx*q_x - c178*q_y;
+        out->sum[52][l] = Z_xy*q_z + c178*q_x - Z_zy*q_x - c173 - c179 - c180*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c180*q_y - Z_zz*q_x - c177*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c181*q_z - Z_xx*q_y - c182*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c182*q_x - Z_xy*q_y - c183*q_z;
+        out->sum[56][l] = Z_yz*q_x + c183*q_y - Z_xz*q_y - c172 - c179 - c181*q_x;
+        out->sum[57][l] = REAL(0);
+        out->sum[58][l] = REAL(0);
+        out->sum[59][l] = REAL(0);
+        out->sum[60][l] = REAL(0);
+        out->sum[61][l] = REAL(0);
+        out->sum[62][l] = REAL(0);
+        out->sum[63][l] = REAL(0);
+        out->sum[64][l] = REAL(0);
+        out->sum[65][l] = REAL(0);
+        out->sum[66][l] = REAL(0);
+        out->sum[67][l] = REAL(0);
+        out->sum[68][l] = REAL(0);
+        out->sum[69][l] = REAL(0);
+        out->sum[70][l] = REAL(0);
+        out->sum[71][l] = REAL(0);
+        out->sum[72][l] = REAL(0);
+        out->sum[73][l] = REAL(0);
+        out->sum[74][l] = REAL(0);
+        out->sum[75][l] = -f_S_dot_xx;
+        out->sum[76][l] = -f_S_dot_xy;
+        out->sum[77][l] = -f_S_dot_xz;
+        out->sum[78][l] = -f_S_dot_yx;
+        out->sum[79][l] = -f_S_dot_yy;
+        out->sum[80][l] = -f_S_dot_yz;
+        out->sum[81][l] = -f_S_dot_zx;
+        out->sum[82][l] = -f_S_dot_zy;
+        out->sum[83][l] = -f_S_dot_zz;
+        out->sum[84][l] = f_S_dot_xy*q_z - f_S_dot_xz*q_y;
+        out->sum[85][l] = f_S_dot_xz*q_x - f_S_dot_xx*q_z;
+        out->sum[86][l] = f_S_dot_xx*q_y - f_S_dot_xy*q_x;
+        out->sum[87][l] = f_S_dot_yy*q_z - f_S_dot_yz*q_y;
+        out->sum[88][l] = f_S_dot_yz*q_x - f_S_dot_yx*q_z;
+        out->sum[89][l] = f_S_dot_yx*q_y - f_S_dot_yy*q_x;
+        out->sum[90][l] = f_S_dot_zy*q_z - f_S_dot_zz*q_y;
+        out->sum[91][l] = f_S_dot_zz*q_x - f_S_dot_zx*q_z;
+        out->sum[92][l] = f_S_dot_zx*q_y - f_S_dot_zy*q_x;
+        out->tau_t[0][l] = tau_S_xx;
+        out->tau_t[1][l] = tau_S_xy;
+        out->tau_t[2][l] = tau_S_xz;
+        out->tau_t[3][l] = tau_S_yx;
+        out->tau_t[4][l] = tau_S_yy;
+        out->tau_t[5][l] = tau_S_yz;
+        out->tau_t[6][l] = tau_S_zx;
+        out->tau_t[7][l] = tau_S_zy;
+        out->tau_t[8][l] = tau_S_zz;
+        out->tau_r[0][l] = X_xz*q_y - X_xy*q_z;
+        out->tau_r[1][l] = X_xx*q_z - X_xz*q_x;
+        out->tau_r[2][l] = X_xy*q_x - X_xx*q_y;
+        out->tau_r[3][l] = X_yz*q_y - X_yy*q_z;
+        out->tau_r[4][l] = X_yx*q_z - X_yz*q_x;
+        out->tau_r[5][l] = X_yy*q_x - X_yx*q_y;
+        out->tau_r[6][l] = X_zz*q_y - X_zy*q_z;
+        out->tau_r[7][l] = X_zx*q_z - X_zz*q_x;
+        out->tau_r[8][l] = X_zy*q_x - X_zx*q_y;
+        out->tau_v[0][l] = tau_S_dot_xx;
+        out->tau_v[1][l] = tau_S_dot_xy;
+        out->tau_v[2][l] = tau_S_dot_xz;
+        out->tau_v[3][l] = tau_S_dot_yx;
+        out->tau_v[4][l] = tau_S_dot_yy;
+        out->tau_v[5][l] = tau_S_dot_yz;
+        out->tau_v[6][l] = tau_S_dot_zx;
+        out->tau_v[7][l] = tau_S_dot_zy;
+        out->tau_v[8][l] = tau_S_dot_zz;
+        out->tau_w[0][l] = Y_xz*q_y + tau_S_ddot_xz*w_q_y - Y_xy*q_z - tau_S_ddot_xy*w_q_z;
+        out->tau_w[1][l] = Y_xx*q_z + tau_S_ddot_xx*w_q_z - Y_xz*q_x - tau_S_ddot_xz*w_q_x;
+        out->tau_w[2][l] = Y_xy*q_x + tau_S_ddot_xy*w_q_x - Y_xx*q_y - tau_S_ddot_xx*w_q_y;
+        out->tau_w[3][l] = Y_yz*q_y + tau_S_ddot_yz*w_q_y - C_s*y_x - Y_yy*q_z - tau_S_ddot_yy*w_q_z;
+        out->tau_w[4][l] = Y_yx*q_z + tau_S_ddot_yx*w_q_z - C_s*y_y - Y_yz*q_x - tau_S_ddot_yz*w_q_x;
+        out->tau_w[5][l] = Y_yy*q_x + tau_S_ddot_yy*w_q_x - C_s*y_z - Y_yx*q_y - tau_S_ddot_yx*w_q_y;
+        out->tau_w[6][l] = Y_zz*q_y + tau_S_ddot_zz*w_q_y - C_s*k_x - Y_zy*q_z - tau_S_ddot_zy*w_q_z;
+        out->tau_w[7][l] = Y_zx*q_z + tau_S_ddot_zx*w_q_z - C_s*k_y - Y_zz*q_x - tau_S_ddot_zz*w_q_x;
+        out->tau_w[8][l] = Y_zy*q_x + tau_S_ddot_zy*w_q_x - C_s*k_z - Y_zx*q_y - tau_S_ddot_zx*w_q_y;
+        out->H_force[0][l] = s_x;
+        out->H_force[1][l] = s_y;
+        out->H_force[2][l] = s_z;
+        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
+        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
+        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        stewart_real fault;
+        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->judged.reach[l] = reach;
+        out->judged.L[l] = L;
+        out->judged.k3[l] = k3;
+        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->judged.bad[l] = fault;
+    }
+}
+
+/* Platform and legs together; returns a status. */
+static int joint_slopes_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*apart)[LANES], joint_slopes_legs *legs,
+    stewart_real *sum)
+{
+    joint_slopes_pose pose;
+    int status;
+    joint_slopes_of_pose(model, motion, &pose, sum);
+    joint_slopes_of_legs(model, motion, &pose, apart, legs);
+    status = legs_status(&legs->judged);
+    if (status == STEWART_OK) {
+        add_legs(legs->sum, 93, sum);
+    }
+    return status;
+}
+
+/* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_8(stewart_real A[6 * 8])
+static int solve_definite_8(stewart_real A[6 * 8], stewart_real least)
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
@@ -2280,7 +4734,7 @@ static int solve_definite_8(stewart_real A[6 * 8])
         scale[k] = A[k * 8 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k * 8 + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * 8 + k] > least * scale[k])) {
             return STEWART_FABS(A[k * 8 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
         inverse[k] = REAL(1) / A[k * 8 + k];
@@ -2305,9 +4759,9 @@ static int solve_definite_8(stewart_real A[6 * 8])
     return STEWART_OK;
 }
 
-/* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, leaving X in place of Y.
+/* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
  * Returns a status. */
-static int solve_definite_24(stewart_real A[6 * 24])
+static int solve_definite_24(stewart_real A[6 * 24], stewart_real least)
 {
     stewart_real scale[6], inverse[6];
     int i, j, k;
@@ -2315,7 +4769,7 @@ static int solve_definite_24(stewart_real A[6 * 24])
         scale[k] = A[k * 24 + k];
     }
     for (k = 0; k < 6; ++k) {
-        if (!(A[k * 24 + k] > STEWART_ROUNDING * scale[k])) {
+        if (!(A[k * 24 + k] > least * scale[k])) {
             return STEWART_FABS(A[k * 24 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
         inverse[k] = REAL(1) / A[k * 24 + k];
@@ -2424,6 +4878,377 @@ static stewart_real solve_pivoted_24(stewart_real A[6 * 24])
     return pivots;
 }
 
+/* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. Each row of A carries the
+ * root of its inertia, so that blocks of weights are of about one. Six rows serve as coordinates. */
+#define ROWS 24
+
+typedef struct {
+    stewart_real weight[8][9];   /* of three rows each */
+    stewart_real size[ROWS];     /* root of the inertia that is in the row */
+    stewart_real share[ROWS][6]; /* the row as a sum of the six that serve as coordinates */
+    stewart_real factors[6][6];  /* L and U of these six, columns in the order of `column` */
+    stewart_real inertia[6][6];  /* M in these coordinates */
+    stewart_real length;         /* m: moments and rotations are measured by it */
+    int pivot[6], column[6];
+} row_factors;
+
+/* Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of these sizes. */
+static void weigh(const stewart_real *inertia, const stewart_real *size, stewart_real *weight)
+{
+    static const int place[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+    int i;
+    for (i = 0; i < 9; ++i) {
+        weight[i] = inertia[place[i]] / size[i / 3] / size[i % 3];
+    }
+}
+
+/* Rows and weights of the legs. `least` is far below the root of any mass that counts. */
+static void leg_rows(
+    const joint_rows_legs *legs, stewart_real least, stewart_real (*row)[6], row_factors *by)
+{
+    int l, i, j;
+    for (l = 0; l < 6; ++l) {
+        stewart_real *size = &by->size[3 * l];
+        stewart_real inertia[6];
+        const stewart_real reach = least * legs->judged.L[l];
+        for (i = 0; i < 6; ++i) {
+            inertia[i] = legs->M_xi[i][l];
+        }
+        size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
+        size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
+        size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
+        size[0] = STEWART_LARGER(size[0], least);
+        weigh(inertia, size, by->weight[l]);
+        for (i = 0; i < 3; ++i) {
+            for (j = 0; j < 3; ++j) {
+                row[3 * l + i][j] = size[i] * legs->row_v[3 * i + j][l];
+                row[3 * l + i][j + 3] = size[i] * (legs->row_w[3 * i + j][l] / by->length);
+            }
+        }
+    }
+}
+
+/* Rows and weights of the platform from its part of M: its centre of mass, and rotation about it. */
+static void platform_rows(
+    const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
+{
+    static const int axis[3] = {15, 18, 20};
+    const stewart_real mass = sum[0], heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
+    const stewart_real per_mass = mass > REAL(0) ? REAL(1) / mass : REAL(0);
+    const stewart_real c[3] = {sum[11] * per_mass, -sum[8] * per_mass, sum[7] * per_mass};
+    const stewart_real whole[6] = {mass, REAL(0), REAL(0), mass, REAL(0), mass};
+    stewart_real about[6];
+    int i, j, place = 0;
+    for (i = 0; i < 3; ++i) {
+        for (j = i; j < 3; ++j) {
+            const stewart_real square = i == j ? c[0] * c[0] + c[1] * c[1] + c[2] * c[2] : REAL(0);
+            about[place] = sum[15 + place] - mass * (square - c[i] * c[j]);
+            ++place;
+        }
+        by->size[18 + i] = heft;
+    }
+    for (i = 0; i < 3; ++i) {
+        const stewart_real turned = STEWART_SQRT(STEWART_FABS(about[axis[i] - 15]));
+        by->size[21 + i] = STEWART_LARGER(turned, least * by->length);
+        for (j = 0; j < 3; ++j) {
+            row[18 + i][j] = i == j ? heft : REAL(0);
+            row[21 + i][j] = REAL(0);
+            row[21 + i][j + 3] = i == j ? by->size[21 + i] / by->length : REAL(0);
+        }
+        row[18 + i][i + 3] = REAL(0);
+        row[18 + i][(i + 1) % 3 + 3] = heft * (c[(i + 2) % 3] / by->length);
+        row[18 + i][(i + 2) % 3 + 3] = -heft * (c[(i + 1) % 3] / by->length);
+    }
+    weigh(whole, &by->size[18], by->weight[6]);
+    weigh(about, &by->size[21], by->weight[7]);
+}
+
+static void swap(stewart_real *one, stewart_real *other)
+{
+    const stewart_real moved = *one;
+    *one = *other;
+    *other = moved;
+}
+
+/* Brings the largest number of rows and columns from k on to row and column k. */
+static void bring_largest(stewart_real (*row)[6], int k, int *order, row_factors *by)
+{
+    int i, j, best = k, across = k;
+    for (i = k; i < ROWS; ++i) {
+        for (j = k; j < 6; ++j) {
+            if (STEWART_FABS(row[i][j]) > STEWART_FABS(row[best][across])) {
+                best = i;
+                across = j;
+            }
+        }
+    }
+    i = order[k];
+    order[k] = order[best];
+    order[best] = i;
+    j = by->column[k];
+    by->column[k] = by->column[across];
+    by->column[across] = j;
+    for (j = 0; j < 6; ++j) {
+        swap(&row[k][j], &row[best][j]);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        swap(&row[i][k], &row[i][across]);
+    }
+}
+
+/* Picks six rows as coordinates and writes the others as sums of them. */
+static void eliminate_rows(stewart_real (*row)[6], row_factors *by)
+{
+    int order[ROWS], i, j, k;
+    for (i = 0; i < ROWS; ++i) {
+        order[i] = i;
+        by->column[i % 6] = i % 6;
+    }
+    for (k = 0; k < 6; ++k) {
+        bring_largest(row, k, order, by);
+        for (i = k + 1; i < ROWS; ++i) {
+            row[i][k] = row[i][k] / row[k][k];
+            for (j = k + 1; j < 6; ++j) {
+                row[i][j] = row[i][j] - row[i][k] * row[k][j];
+            }
+        }
+    }
+    for (i = 0; i < ROWS; ++i) {
+        stewart_real *share = by->share[order[i]];
+        for (j = 5; j >= 0; --j) {
+            share[j] = i < 6 ? (i == j ? REAL(1) : REAL(0)) : row[i][j];
+            for (k = j + 1; i >= 6 && k < 6; ++k) {
+                share[j] = share[j] - share[k] * row[k][j];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        by->pivot[k] = order[k];
+        for (j = 0; j < 6; ++j) {
+            by->factors[k][j] = row[k][j];
+        }
+    }
+}
+
+static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, row_factors *by)
+{
+    stewart_real row[ROWS][6], least = STEWART_FABS(sum[0]);
+    int l, i, j, k;
+    by->length = REAL(0);
+    for (l = 0; l < 6; ++l) {
+        const stewart_real L = legs->judged.L[l], rho = L * legs->judged.k3[l];
+        for (i = 0; i < 3; ++i) {
+            by->length = STEWART_LARGER(STEWART_FABS(legs->row_w[i][l]), by->length);
+        }
+        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[3][l]) / L / L, least);
+        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[5][l]) / rho / rho, least);
+    }
+    least = STEWART_LARGER(STEWART_EPSILON * STEWART_SQRT(least), STEWART_SHORTEST);
+    by->length = by->length > REAL(0) ? by->length : REAL(1);
+    leg_rows(legs, least, row, by);
+    platform_rows(sum, least, row, by);
+    eliminate_rows(row, by);
+    for (k = 0; k < 36; ++k) {
+        by->inertia[k / 6][k % 6] = REAL(0);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        for (j = 0; j < 3; ++j) {
+            const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
+            for (k = 0; k < 36; ++k) {
+                const stewart_real one = by->share[i][k / 6], other = by->share[i / 3 * 3 + j][k % 6];
+                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + one * weight * other;
+            }
+        }
+    }
+}
+
+/* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
+ *
+ * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
+ * the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
+ * rows' forces there. */
+static void row_right(
+    const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
+    stewart_real *rest, stewart_real *right)
+{
+    stewart_real moved[ROWS], y[6];
+    int balanced[ROWS] = {0};
+    int i, j, k;
+    for (k = 0; k < 6; ++k) {
+        const int row = by->pivot[k];
+        const stewart_real weight = by->weight[row / 3][row % 3 * 4];
+        balanced[row] = STEWART_FABS(weight) > STEWART_HALF ? 1 : 0;
+        start[k] = balanced[row] != 0 ? force[row] / weight : REAL(0);
+        y[k] = wrench[by->column[k]] / (by->column[k] < 3 ? REAL(1) : by->length);
+    }
+    for (i = 0; i < ROWS; ++i) {
+        moved[i] = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            moved[i] = moved[i] + by->share[i][k] * start[k];
+        }
+    }
+    for (i = 0; i < ROWS; ++i) {
+        rest[i] = balanced[i] != 0 ? REAL(0) : force[i];
+        for (j = 0; j < 3; ++j) {
+            const int other = i / 3 * 3 + j;
+            if (balanced[i] == 0 || other != i) {
+                rest[i] = rest[i] - by->weight[i / 3][i % 3 * 3 + j] * moved[other];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        for (j = 0; j < k; ++j) {
+            y[k] = y[k] - by->factors[j][k] * y[j];
+        }
+        y[k] = y[k] / by->factors[k][k];
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            y[k] = y[k] - by->factors[j][k] * y[j];
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        right[k] = y[k];
+        for (i = 0; i < ROWS; ++i) {
+            right[k] = right[k] - by->share[i][k] * rest[i];
+        }
+    }
+}
+
+/* [a; alpha] from the coordinates' accelerations. */
+static void row_back(
+    const row_factors *by, const stewart_real *found, const stewart_real *start, stewart_real *acceleration)
+{
+    stewart_real x[6];
+    int j, k;
+    for (k = 0; k < 6; ++k) {
+        x[k] = found[k] - start[k];
+        for (j = 0; j < k; ++j) {
+            x[k] = x[k] - by->factors[k][j] * x[j];
+        }
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            x[k] = x[k] - by->factors[k][j] * x[j];
+        }
+        x[k] = x[k] / by->factors[k][k];
+        acceleration[by->column[k]] = x[k] / (by->column[k] < 3 ? REAL(1) : by->length);
+    }
+}
+
+/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
+static void rows_held(
+    const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
+    stewart_real (*apart)[LANES])
+{
+    stewart_real whole[ROWS];
+    int l, i, j;
+    for (i = 0; i < ROWS; ++i) {
+        whole[i] = REAL(0);
+        for (j = 0; j < 6; ++j) {
+            whole[i] = whole[i] + by->share[i][j] * found[j];
+        }
+    }
+    for (l = 0; l < LANES; ++l) {
+        for (i = 0; i < 3; ++i) {
+            const int row = 3 * (l < 6 ? l : 5) + i;
+            stewart_real force = rest[row], turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                force = force + by->weight[row / 3][3 * i + j] * whole[row - i + j];
+            }
+            for (j = 0; j < 6; ++j) {
+                turned = turned + by->share[row][j] * (found[j] - start[j]);
+            }
+            apart[i][l] = force * by->size[row];
+            apart[i + 3][l] = turned / by->size[row];
+        }
+    }
+}
+
+/* Forward dynamics where M's factors would lose digits; apart: the legs' generalised forces, without the
+ * actuators', and the accelerations that those of the platform give to L, theta, phi. Returns a status. */
+static int forward_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    row_factors *by, stewart_real (*apart)[LANES], stewart_real acceleration[6])
+{
+    joint_rows_legs legs;
+    stewart_real A[48], sum[27], force[ROWS], rest[ROWS], start[6], right[6], found[6];
+    int i, status = joint_rows_sums(model, motion, F, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    factor_rows(&legs, sum, by);
+    for (i = 0; i < ROWS; ++i) {
+        force[i] = i < 18 ? legs.tau[i % 3][i / 3] / by->size[i] : REAL(0);
+    }
+    row_right(by, force, &sum[21], start, rest, right);
+    for (i = 0; i < 6; ++i) {
+        copy(by->inertia[i], 6, &A[8 * i]);
+        A[8 * i + 6] = right[i];
+        A[8 * i + 7] = REAL(0);
+    }
+    status = solve_definite_8(A, STEWART_ROUNDING);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    for (i = 0; i < 6; ++i) {
+        right[i] = A[8 * i + 6];
+    }
+    row_back(by, right, start, found);
+    if (is_finite(found, 6) == 0) {
+        return STEWART_NOT_FINITE;
+    }
+    copy(found, 6, acceleration);
+    rows_held(by, right, start, rest, apart);
+    return STEWART_OK;
+}
+
+/* M^-1 times the derivatives of the wrench and H, columns 6 to 23 of the rows of A, as forward_apart solves.
+ * Returns a status. */
+static int slopes_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const row_factors *by,
+    stewart_real (*apart)[LANES], stewart_real A[144])
+{
+    joint_slopes_legs legs;
+    stewart_real sum[93], start[18][6];
+    int i, c, status = joint_slopes_sums(model, motion, apart, &legs, sum);
+    if (status != STEWART_OK) {
+        return status;
+    }
+    block_rows(&sum[21], 24, &A[6]);
+    block_rows(&sum[57], 24, &A[12]);
+    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
+    for (c = 0; c < 18; ++c) {
+        stewart_real (*const tau[4])[LANES] = {legs.tau_t, legs.tau_r, legs.tau_v, legs.tau_w};
+        stewart_real wrench[6], right[6], force[ROWS], rest[ROWS];
+        for (i = 0; i < ROWS; ++i) {
+            force[i] = i < 18 && c < 12 ? -tau[c / 3][i % 3 * 3 + c % 3][i / 3] / by->size[i] : REAL(0);
+        }
+        for (i = 0; i < 6; ++i) {
+            wrench[i] = A[24 * i + 6 + c];
+        }
+        row_right(by, force, wrench, start[c], rest, right);
+        for (i = 0; i < 6; ++i) {
+            A[24 * i + 6 + c] = right[i];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        copy(by->inertia[i], 6, &A[24 * i]);
+    }
+    status = solve_definite_24(A, STEWART_ROUNDING);
+    for (c = 0; status == STEWART_OK && c < 18; ++c) {
+        stewart_real found[6], acceleration[6];
+        for (i = 0; i < 6; ++i) {
+            found[i] = A[24 * i + 6 + c];
+        }
+        row_back(by, found, start[c], acceleration);
+        for (i = 0; i < 6; ++i) {
+            A[24 * i + 6 + c] = acceleration[i];
+        }
+    }
+    return status;
+}
+
 int stewart_exact_equations(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out)
 {
@@ -2483,7 +5308,8 @@ int stewart_exact_forward_dynamics(
     stewart_real acceleration[6])
 {
     forward_dynamics_legs legs;
-    stewart_real A[48], sum[27];
+    row_factors by;
+    stewart_real A[48], sum[27], apart[6][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -2497,7 +5323,10 @@ int stewart_exact_forward_dynamics(
         A[8 * i + 6] = sum[21 + i];
         A[8 * i + 7] = REAL(0);
     }
-    status = solve_definite_8(A);
+    status = solve_definite_8(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        return forward_apart(model, motion, F, &by, apart, acceleration);
+    }
     if (status != STEWART_OK) {
         return status;
     }
@@ -2615,9 +5444,10 @@ int stewart_exact_linearisation(
     stewart_linearisation *out)
 {
     derivatives_legs legs;
+    row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93];
+    stewart_real A[144], sum[93], apart[6][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -2637,7 +5467,13 @@ int stewart_exact_linearisation(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    status = solve_definite_24(A);
+    status = solve_definite_24(A, STEWART_KEPT);
+    if (status == STEWART_INDEFINITE) {
+        status = forward_apart(model, motion, F, &by, apart, found.acceleration);
+        if (status == STEWART_OK) {
+            status = slopes_apart(model, &moving, &by, apart, A);
+        }
+    }
     if (status != STEWART_OK) {
         return status;
     }

@@ -14,7 +14,7 @@
  * equations         4652 (2625 mul, 2003 add, 12 div, 12 sqrt)   4307
  * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
  * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
- * derivatives       11246 (6300 mul, 4922 add, 12 div, 12 sqrt)  8949
+ * derivatives       11222 (6288 mul, 4910 add, 12 div, 12 sqrt)  8925
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H
