@@ -224,7 +224,7 @@ class ForwardDynamics:
         return x, known
 
 
-_KEPT = 2.0**-6
+_KEPT = 2.0**-5
 """Digits are lost where elimination leaves less than this share of a diagonal number of M, or where a leg and
 its fixed axis make an angle with a smaller sine."""
 

@@ -188,17 +188,14 @@ def outputs(
 @functools.cache
 def _library(plain: bool) -> ctypes.CDLL:
     sources = {**c_sources(), "near_joint.c": _source()}
-    for name in PLAIN if plain else ():
-        define = f"#define {name} "
-        text = sources["stewart_exact_motion.c"]
-        assert f"{define}((stewart_real)0.015625)" in text
-        sources["stewart_exact_motion.c"] = text.replace(
-            f"{define}((stewart_real)0.015625)", f"{define}REAL(0)"
-        )
+    for name, value in PLAIN.items() if plain else ():
+        text, define = sources["stewart_exact_motion.c"], f"#define {name} ((stewart_real){value})"
+        assert define in text
+        sources["stewart_exact_motion.c"] = text.replace(define, f"#define {name} REAL(0)")
     return native.load("stewart_near_joint", sources, _FLAGS, _MACROS)
 
 
-PLAIN = ("STEWART_NEAR_POLE", "STEWART_KEPT")
+PLAIN = {"STEWART_LEANING": "0.125", "STEWART_KEPT": "0.03125"}
 """Macros of the thresholds at which the code paths for lost digits begin."""
 
 

@@ -465,7 +465,11 @@ _TOP = """\
 
 _COMMON = """\
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
-#define STEWART_KEPT ((stewart_real)0.015625)
+#define STEWART_KEPT ((stewart_real)0.03125)
+
+/* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
+ * lose digits. */
+#define STEWART_LEANING ((stewart_real)0.125)
 
 /* What tells whether a leg is fit to be computed. */
 typedef struct {
@@ -495,7 +499,7 @@ static int is_near(const leg_judgement *judged)
 {
     int i, found = 0;
     for (i = 0; i < 6; ++i) {
-        found = judged->k3[i] > STEWART_NEAR_POLE ? found : 1;
+        found = judged->k3[i] > STEWART_LEANING ? found : 1;
     }
     return found;
 }

@@ -168,9 +168,9 @@ from .assembly import Array, eliminate_many, singular_status
 
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
-KEPT = 2.0**-6
+KEPT = 2.0**-5
 # Below this sine of the angle between a leg and its fixed axis the shorter formulas lose digits.
-NEAR_POLE = 2.0**-6
+LEANING = 2.0**-3
 
 _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
 
@@ -288,7 +288,7 @@ def _sums(
             name: np.broadcast_to(value, shape)
             for name, value in of_leg(leg, platform, pose, motion, F).items()
         }
-        if what in _NEAR and np.any(near := parts["k3"].min(axis=-1, keepdims=True) < NEAR_POLE):
+        if what in _NEAR and np.any(near := parts["k3"].min(axis=-1, keepdims=True) < LEANING):
             exact = _NEAR[what](leg, platform, pose, motion, F)
             parts = {name: np.where(near, exact[name], value) for name, value in parts.items()}
         total = {name: np.broadcast_to(pose[name], shape[:-1]) + _six(parts[name]) for name in _SUMMED[what]}
