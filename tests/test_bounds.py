@@ -69,8 +69,12 @@ def case(rng: np.random.Generator, number: int) -> tuple[Robot, Motion]:
     return robot, (near_singular_motion if number % 10 == 9 else random_motion)(rng, robot)
 
 
-def figures(robot: Robot, motion: Motion, precision: str) -> Figures:
-    found = ss.forces_with_bounds(robot, motion, precision)  # type: ignore[arg-type]
+def figures(robot: Robot, motion: Motion, precision: str) -> Figures | None:
+    """None where H is singular to the rounding of float."""
+    on_singular = "nan" if precision == "float" else "raise"
+    found = ss.forces_with_bounds(robot, motion, precision, on_singular)  # type: ignore[arg-type]
+    if found.status == SINGULAR:
+        return None
     errors = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
     bound = found.bound.astype(np.float64)
     condition = ss.scaled_condition_number(ss.wrench_matrix(robot, motion), ss.characteristic_length(robot))
@@ -89,7 +93,10 @@ def figures(robot: Robot, motion: Motion, precision: str) -> Figures:
 def swept(cases: int) -> dict[str, list[Figures]]:
     rng = np.random.default_rng(5)
     drawn = [case(rng, number) for number in range(cases)]
-    return {p: [figures(robot, motion, p) for robot, motion in drawn] for p in PRECISIONS}
+    found = {p: [figures(robot, motion, p) for robot, motion in drawn] for p in PRECISIONS}
+    solved = {p: [each for each in all_of_them if each is not None] for p, all_of_them in found.items()}
+    assert len(solved["float"]) > 0.99 * cases
+    return solved
 
 
 def report(found: list[Figures], precision: str) -> str:
@@ -148,7 +155,9 @@ def test_bound_holds_where_products_are_fused_into_sums(
     monkeypatch.setattr(bounds, "library", lambda *_: fused)
     rng = np.random.default_rng(1)
     for number in range(20):
-        assert figures(*case(rng, number), precision).least >= 1.0
+        found = figures(*case(rng, number), precision)
+        assert found is not None
+        assert found.least >= 1.0
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)

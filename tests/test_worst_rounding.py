@@ -250,7 +250,7 @@ def test_hardly_a_mutant_of_what_collects_the_errors_survives(capsys: pytest.Cap
     made = rounding.all_mutants()
     left = {number: mutant for number, mutant in enumerate(made) if not of_squares(mutant)}
     total = len(left)
-    for pose in poses(24):
+    for pose in poses(32):
         left = {number: mutant for number, mutant in left.items() if not caught(pose, number, mutant)}
     with capsys.disabled():
         print(
