@@ -84,9 +84,10 @@ def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
         return None
     wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
     found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
-    inputs = [contiguous(getattr(motion, name)) for name in MOTION]
+    # Held by names until the call is done: an address alone keeps no array alive.
+    numbers, inputs = robot_numbers(robot), [contiguous(getattr(motion, name)) for name in MOTION]
     status = code.stewart_legs_batch(
-        address(robot_numbers(robot)),
+        address(numbers),
         ctypes.c_size_t(math.prod(motion.shape)),
         (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
         (ctypes.c_void_p * len(_SHAPES))(*[address(found.get(name)) for name in _SHAPES]),

@@ -91,14 +91,15 @@ def legs_header(blocks: Kinematics, version: str) -> str:
 
 def legs_source(blocks: Kinematics, version: str) -> str:
     """``stewart_legs.c``: one leg's block and the batch that runs it."""
-    owners = {quantity.name: "leg" if quantity.name in ("b", "p") else "at" for quantity in blocks.second.inputs}
+    names = (quantity.name for quantity in blocks.second.inputs)
+    owners = {name: "leg" if name in ("b", "p") else "at" for name in names}
     return "\n".join(
         [
             _LEGS_TOP.replace("@VERSION@", version) + ARITHMETIC,
             _struct(blocks.second, "leg_motion"),
             _function(
                 blocks.second,
-                "const stewart_leg *leg, const stewart_motion *at, leg_motion *out",
+                "const stewart_leg *leg, const stewart_motions *at, leg_motion *out",
                 owners,
                 stores(blocks.second.outputs, "", "    "),
             ),
@@ -222,17 +223,21 @@ static void copy(stewart_real *array, size_t pose, const stewart_real *values, s
     }
 }
 
-/* The numbers of a pose from a batch's array, zeros if it is null. */
-static void take(const stewart_real *array, size_t pose, stewart_real *values, size_t count)
+/* One pose of a batch; `zeros` (3) for accelerations that are not given. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real *zeros)
 {
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        values[i] = (array != NULL) ? array[(pose * count) + i] : REAL(0);
-    }
+    stewart_motions at = *motions;
+    at.R = &motions->R[pose * 9U];
+    at.t = &motions->t[pose * 3U];
+    at.omega = &motions->omega[pose * 3U];
+    at.v = &motions->v[pose * 3U];
+    at.alpha = (motions->alpha != NULL) ? &motions->alpha[pose * 3U] : zeros;
+    at.a = (motions->a != NULL) ? &motions->a[pose * 3U] : zeros;
+    return at;
 }
 
 /* Largest component of the terms of S = q + t - b of a leg. */
-static stewart_real reach_of(const stewart_leg *leg, const stewart_motion *at, const leg_motion *own)
+static stewart_real reach_of(const stewart_leg *leg, const stewart_motions *at, const leg_motion *own)
 {
     stewart_real reach = REAL(0);
     int i;
@@ -245,20 +250,23 @@ static stewart_real reach_of(const stewart_leg *leg, const stewart_motion *at, c
 }
 
 /* Six legs of a pose. Returns a status. */
-static int legs_of(const stewart_robot *robot, const stewart_motion *at, six_legs *out)
+static int legs_of(const stewart_robot *robot, const stewart_motions *at, six_legs *out)
 {
     int status = STEWART_OK;
     int i;
     int j;
-    for (i = 0; i < 6; ++i) {
+    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
         leg_motion own;
+        stewart_real shortest;
         motion_of(&robot->leg[i], at, &own);
-        if (!((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
-            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX))) {
+        shortest = STEWART_LARGER(STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own), STEWART_SHORTEST);
+        if ((own.L <= STEWART_MAX) && (own.L <= shortest)) {
+            status = STEWART_SHORT_LEG;
+        } else if ((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
+            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX)) {
+            status = STEWART_OK;
+        } else {
             status = STEWART_NOT_FINITE;
-        }
-        if (!((own.L > (STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own))) && (own.L > STEWART_SHORTEST))) {
-            status = (own.L <= STEWART_MAX) ? STEWART_SHORT_LEG : STEWART_NOT_FINITE;
         }
         out->L[i] = own.L;
         out->L_dot[i] = own.L_dot;
@@ -275,6 +283,7 @@ int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
     int *status)
 {
+    const stewart_real zeros[3] = {REAL(0), REAL(0), REAL(0)};
     int first = STEWART_OK;
     size_t pose;
     if ((robot == NULL) || (motions == NULL) || (legs == NULL) || (motions->R == NULL) || (motions->t == NULL)
@@ -283,16 +292,9 @@ int stewart_legs_batch(
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
-        stewart_motion at;
+        const stewart_motions at = pose_at(motions, pose, zeros);
         six_legs result;
-        int code;
-        take(motions->R, pose, at.R, 9);
-        take(motions->t, pose, at.t, 3);
-        take(motions->omega, pose, at.omega, 3);
-        take(motions->v, pose, at.v, 3);
-        take(motions->alpha, pose, at.alpha, 3);
-        take(motions->a, pose, at.a, 3);
-        code = legs_of(robot, &at, &result);
+        const int code = legs_of(robot, &at, &result);
         if (code == STEWART_OK) {
             copy(legs->L, pose, result.L, 6);
             copy(legs->L_dot, pose, result.L_dot, 6);

@@ -51,7 +51,7 @@ typedef struct {
 
 /* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8).
  * Operations: 90 (46 mul, 42 add, 1 div, 1 sqrt). */
-static void motion_of(const stewart_leg *leg, const stewart_motion *at, leg_motion *out)
+static void motion_of(const stewart_leg *leg, const stewart_motions *at, leg_motion *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
@@ -132,17 +132,21 @@ static void copy(stewart_real *array, size_t pose, const stewart_real *values, s
     }
 }
 
-/* The numbers of a pose from a batch's array, zeros if it is null. */
-static void take(const stewart_real *array, size_t pose, stewart_real *values, size_t count)
+/* One pose of a batch; `zeros` (3) for accelerations that are not given. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real *zeros)
 {
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        values[i] = (array != NULL) ? array[(pose * count) + i] : REAL(0);
-    }
+    stewart_motions at = *motions;
+    at.R = &motions->R[pose * 9U];
+    at.t = &motions->t[pose * 3U];
+    at.omega = &motions->omega[pose * 3U];
+    at.v = &motions->v[pose * 3U];
+    at.alpha = (motions->alpha != NULL) ? &motions->alpha[pose * 3U] : zeros;
+    at.a = (motions->a != NULL) ? &motions->a[pose * 3U] : zeros;
+    return at;
 }
 
 /* Largest component of the terms of S = q + t - b of a leg. */
-static stewart_real reach_of(const stewart_leg *leg, const stewart_motion *at, const leg_motion *own)
+static stewart_real reach_of(const stewart_leg *leg, const stewart_motions *at, const leg_motion *own)
 {
     stewart_real reach = REAL(0);
     int i;
@@ -155,20 +159,23 @@ static stewart_real reach_of(const stewart_leg *leg, const stewart_motion *at, c
 }
 
 /* Six legs of a pose. Returns a status. */
-static int legs_of(const stewart_robot *robot, const stewart_motion *at, six_legs *out)
+static int legs_of(const stewart_robot *robot, const stewart_motions *at, six_legs *out)
 {
     int status = STEWART_OK;
     int i;
     int j;
-    for (i = 0; i < 6; ++i) {
+    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
         leg_motion own;
+        stewart_real shortest;
         motion_of(&robot->leg[i], at, &own);
-        if (!((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
-            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX))) {
+        shortest = STEWART_LARGER(STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own), STEWART_SHORTEST);
+        if ((own.L <= STEWART_MAX) && (own.L <= shortest)) {
+            status = STEWART_SHORT_LEG;
+        } else if ((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
+            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX)) {
+            status = STEWART_OK;
+        } else {
             status = STEWART_NOT_FINITE;
-        }
-        if (!((own.L > (STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own))) && (own.L > STEWART_SHORTEST))) {
-            status = (own.L <= STEWART_MAX) ? STEWART_SHORT_LEG : STEWART_NOT_FINITE;
         }
         out->L[i] = own.L;
         out->L_dot[i] = own.L_dot;
@@ -185,6 +192,7 @@ int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
     int *status)
 {
+    const stewart_real zeros[3] = {REAL(0), REAL(0), REAL(0)};
     int first = STEWART_OK;
     size_t pose;
     if ((robot == NULL) || (motions == NULL) || (legs == NULL) || (motions->R == NULL) || (motions->t == NULL)
@@ -193,16 +201,9 @@ int stewart_legs_batch(
         return STEWART_BAD_ARGUMENT;
     }
     for (pose = 0; pose < count; ++pose) {
-        stewart_motion at;
+        const stewart_motions at = pose_at(motions, pose, zeros);
         six_legs result;
-        int code;
-        take(motions->R, pose, at.R, 9);
-        take(motions->t, pose, at.t, 3);
-        take(motions->omega, pose, at.omega, 3);
-        take(motions->v, pose, at.v, 3);
-        take(motions->alpha, pose, at.alpha, 3);
-        take(motions->a, pose, at.a, 3);
-        code = legs_of(robot, &at, &result);
+        const int code = legs_of(robot, &at, &result);
         if (code == STEWART_OK) {
             copy(legs->L, pose, result.L, 6);
             copy(legs->L_dot, pose, result.L_dot, 6);
