@@ -46,9 +46,11 @@ def scene(tmp_path: Path) -> Path:
 
 def limit_forces(scene: Path, limit: float) -> None:
     robot = scene.parent / "robot.toml"
-    defaults = "[leg_defaults]\n"
+    defaults = "[leg_defaults.lower]\n"
     assert defaults in robot.read_text()
-    robot.write_text(robot.read_text().replace(defaults, f"{defaults}force_limit = {limit}\n"))
+    robot.write_text(
+        robot.read_text().replace(defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
+    )
 
 
 def machine() -> tuple[ss.Robot, ss.Motion]:
