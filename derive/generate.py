@@ -59,7 +59,8 @@ def reduced_regressor() -> Regressor:
 def reduced_kinematics() -> Kinematics:
     """The blocks of the kinematics as they are emitted: derived, then shared."""
     raw = kinematics()
-    return Kinematics(*(share(block) for block in (raw.vectors, raw.row, raw.rate, raw.turned)))
+    blocks = (raw.vectors, raw.row, raw.rate, raw.turned, raw.second)
+    return Kinematics(*(share(block) for block in blocks))
 
 
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
@@ -95,6 +96,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     files["c/stewart_kinematics.h"] = kinematics_text.header(blocks, version)
     files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
+    files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
+    files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
     return files
 
 

@@ -15,6 +15,7 @@ from .leg import cross, leg_vector, platform_point_motion
 
 S = Quantity("S", (3,), "m", "vector from base point to platform point, base frame")
 L_dot = Quantity("L_dot", (), "m/s", "rate of the leg's length, positive when it extends")
+L_ddot = Quantity("L_ddot", (), "m/s^2", "second derivative of the leg's length")
 turn = Quantity("turn", (3,), "rad", "small rotation of the platform, base frame")
 Q = Quantity("Q", (3, 3), "1", "rotation by which the platform is turned, base frame")
 
@@ -26,18 +27,20 @@ _LEGS = 6
 class Kinematics:
     """The blocks from which lengths, rates and the steps of the search are computed.
 
-    vectors: q, S and L of one leg; row: its row of J; rate: its L_dot; turned: Q of a small rotation.
+    vectors: q, S and L of one leg; row: its row of J; rate: its L_dot; turned: Q of a small rotation;
+    second: L, L_dot, L_ddot, s, S and q of one leg.
     """
 
     vectors: Block
     row: Block
     rate: Block
     turned: Block
+    second: Block
 
 
 def kinematics() -> Kinematics:
-    """Derive the four blocks."""
-    return Kinematics(_vectors(), _row(), _rate(), _turned())
+    """Derive the five blocks."""
+    return Kinematics(_vectors(), _row(), _rate(), _turned(), _second())
 
 
 def _vectors() -> Block:
@@ -72,6 +75,21 @@ def _rate() -> Block:
         "Rate L_dot of one leg, (4), (5)",
         (n.q, S, n.L, n.omega, n.v),
         [(L_dot, build.scalar("rate", along / n.L.value, "(5)", "sliding velocity"))],
+    )
+
+
+def _second() -> Block:
+    build = Builder()
+    q, vector, L, inv_L, s = leg_vector(build)
+    S_dot, S_ddot = platform_point_motion(build, q)
+    rate = build.scalar("rate", s.dot(S_dot), "(5)", "sliding velocity")
+    across = build.vector("across", S_dot - rate * s, "", "part of S_dot across the leg, of length L |W|")
+    second = build.scalar("second", s.dot(S_ddot) + across.dot(across) * inv_L, "(8)")
+    return build.block(
+        "motion_of",
+        "Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8)",
+        (*n.MOTION, n.b, n.p),
+        [(n.L, L), (L_dot, rate), (L_ddot, second), (n.s, s), (S, vector), (n.q, q)],
     )
 
 

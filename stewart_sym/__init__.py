@@ -52,7 +52,7 @@ from .passage import (
 )
 from .results import EquationsOfMotion, ForceDerivatives, Forces, Linearisation, Reactions
 from .robot import PhysicalityWarning, Robot
-from .simulation import Simulation, Stop, Thresholds, Trace, simulate
+from .simulation import Saturation, Simulation, Stop, Thresholds, Trace, simulate
 from .singularity import Singularity, singularity
 from .smooth_motion import PoseNoise, estimated_noise
 from .smoothing import LogWarning, Smooth, smooth
@@ -89,6 +89,7 @@ __all__ = [
     "PoseNoise",
     "Reactions",
     "Robot",
+    "Saturation",
     "Simulation",
     "SingularPoseWarning",
     "Singularity",

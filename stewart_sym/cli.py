@@ -272,8 +272,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
     scene = read_scene(arguments.scene)
     springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
     with _folder(arguments, "summary.txt", "run.csv") as folder, _progress() as progress:
-        progress("simulating")
-        done = scene.run()
+        done = scene.run(_shares(progress, "simulating"))
         tables = {"run": run.run_columns(done)}
         text = run.summary(done, scene.law)
         drifts = {}
@@ -290,9 +289,14 @@ def _simulate(arguments: argparse.Namespace) -> int:
         (folder / "summary.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
         if arguments.pictures:
             progress("drawing")
-            run.save(run.figure(done), folder / "run.png")
-            if drifts:
-                run.save(energy_drift.figure(drifts), folder / "energy_drift.png")
+            pictures = {"run": run.figure(done)} | (
+                {"energy_drift": energy_drift.figure(drifts)} if drifts else {}
+            )
+            for name, picture in pictures.items():
+                if picture is None:
+                    warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)
+                else:
+                    run.save(picture, folder / f"{name}.png")
         names = sorted(path.name for path in folder.iterdir())
     print(text)
     print(f"Written to {arguments.output}: {', '.join(names)}")
@@ -666,6 +670,22 @@ def _progress() -> Iterator[Callable[[str], None]]:
         yield lambda text: print(f"\r\x1b[K{text} ...", end="", file=sys.stderr, flush=True)
     finally:
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def _shares(progress: Callable[[str], None], text: str) -> Callable[[float], None]:
+    """Show the share of a task that is done, 0 to 1, and the time left at that pace, five times a second."""
+    began = shown = time.monotonic()
+    progress(text)
+
+    def reached(share: float) -> None:
+        nonlocal shown
+        now = time.monotonic()
+        if share > 0.0 and now - shown >= 0.2:
+            shown = now
+            left = (now - began) * (1.0 - share) / share
+            progress(f"{text}, {100.0 * share:.0f} %, {left:.0f} s left")
+
+    return reached
 
 
 @contextlib.contextmanager

@@ -7,6 +7,7 @@ status into an error, a warning or NaN. Knows no equation of a leg.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -223,6 +224,20 @@ class ForwardDynamics:
             known[i] = np.isfinite(x[i]).all()
         return x, known
 
+    def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
+        """``solve`` for loops over single states: (motion, F (6,)) -> [a; alpha] (6,), status.
+
+        What is returned has buffers of its own: one for each thread.
+        """
+        if isinstance(self.closed, CClosedForm):
+            return _one_state(self.closed)
+
+        def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+            a, alpha, status = self.solve(motion, F)
+            return np.concatenate([a, alpha]), int(status)
+
+        return solve
+
 
 _KEPT = 2.0**-5
 """Digits are lost where elimination leaves less than this share of a diagonal number of M, or where a leg and
@@ -242,6 +257,22 @@ def digits_kept(M: Array) -> Array:
         kept = np.fmin(kept, pivot[..., 0] / M[..., k, k])
         A[..., k + 1 :, :] -= (A[..., k + 1 :, k] / pivot)[..., None] * A[..., k, None, :]
     return np.asarray(kept)
+
+
+def _one_state(closed: CClosedForm) -> Callable[[Motion, Array], tuple[Array, int]]:
+    buffers = closed.one_pose()
+    R, t, omega, v, _, _, F_ext, M_ext = np.split(buffers.numbers, np.arange(9, 30, 3))
+    nothing = np.zeros(3)
+
+    def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+        R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
+        F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
+        M_ext[:] = nothing if motion.M_ext is None else motion.M_ext
+        buffers.F[:] = F
+        status = buffers.solve()
+        return (buffers.acceleration.copy() if status == OK else np.full(6, np.nan)), status
+
+    return solve
 
 
 def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:

@@ -3,6 +3,7 @@
 Stands beside ``reference`` and above ``Robot`` and ``Motion``; knows nothing of forces.
 """
 
+import ctypes
 import functools
 import math
 from collections.abc import Sequence
@@ -13,7 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import instance
+from .kernel import MOTION, address, contiguous, library, robot_numbers
 from .motion import Motion
+from .native import CompilerError
+from .results import OK
 from .robot import Robot
 from .rotation import cross
 
@@ -27,7 +31,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 
 
 BLOCK = 2048
-"""Poses whose legs are computed at a time: their numbers stay in the processor's second cache."""
+"""Poses whose legs are computed at a time: their numbers stay in the processor's second cache. From so many
+on the C computes them, where there is a compiler."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +67,33 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
 
 def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
     """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
-    return LegKinematics(**_legs(robot, motion, ("L", "L_dot", "L_ddot", "s", "S")))
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
+    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
+    return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
+
+
+_SHAPES = {**dict.fromkeys(("L", "L_dot", "L_ddot"), (6,)), "s": (6, 3), "S": (6, 3)}
+
+
+def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
+    """Quantities of all legs by name from the C; None without a compiler and where a pose has a fault."""
+    try:
+        code = library("legs")
+    except CompilerError:
+        return None
+    wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
+    found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
+    # Held by names until the call is done: an address alone keeps no array alive.
+    numbers, inputs = robot_numbers(robot), [contiguous(getattr(motion, name)) for name in MOTION]
+    status = code.stewart_legs_batch(
+        address(numbers),
+        ctypes.c_size_t(math.prod(motion.shape)),
+        (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+        (ctypes.c_void_p * len(_SHAPES))(*[address(found.get(name)) for name in _SHAPES]),
+        None,
+    )
+    return dict.fromkeys(_SHAPES) | found if status == OK else None
 
 
 def wrench_matrix(robot: Robot, motion: Motion) -> Array:

@@ -26,6 +26,7 @@ from .rotation import (
     rotation_from_rpy,
     rotation_from_vector,
     rpy_from_rotation,
+    rpy_motion,
 )
 
 __all__ = [
@@ -89,10 +90,22 @@ class Motion(Frozen):
         if in_float:
             # Newton's step squares what is off: twice, and only rounding of a double is left.
             arrays["R"] = orthonormal(orthonormal(arrays["R"]))
-        shape = _leading_shape(arrays)
-        for name, array in arrays.items():
-            core = array.shape[-2:] if name == "R" else array.shape[-1:]
-            object.__setattr__(self, name, np.broadcast_to(read_only(array), (*shape, *core)))
+        self._spread(arrays)
+
+    def _spread(self, arrays: dict[str, Array]) -> None:
+        """Set checked arrays, which nobody else holds, broadcast to one leading shape."""
+        order = [field.name for field in fields(self) if field.name in arrays]
+        shape = _leading_shape({name: arrays[name] for name in order})
+        for name in order:
+            core = arrays[name].shape[-2:] if name == "R" else arrays[name].shape[-1:]
+            object.__setattr__(self, name, np.broadcast_to(read_only(arrays[name]), (*shape, *core)))
+
+    @classmethod
+    def _sound(cls, arrays: dict[str, Array]) -> Motion:
+        """Make a motion of arrays already known to be finite, R a rotation, which nobody else holds."""
+        motion = cls.unchecked(*(np.empty(0),) * 4)
+        motion._spread(arrays)
+        return motion
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -164,21 +177,18 @@ class Motion(Frozen):
         }
         if theta_ddot is not None:
             angles["theta_ddot"] = finite_array(theta_ddot, (3,), "theta_ddot")
-        _leading_shape(angles)
-        alpha = None if theta_ddot is None else angular_acceleration_from_rpy(*angles.values())
-        load = {"F_ext": F_ext, "M_ext": M_ext}
-        return cls(
-            R=rotation_from_rpy(angles["theta"]),
-            t=finite_array(t, (3,), "t"),
-            omega=angular_velocity_from_rpy(angles["theta"], angles["theta_dot"]),
-            v=finite_array(v, (3,), "v"),
-            alpha=alpha,
-            a=None if a is None else finite_array(a, (3,), "a"),
-            **{
-                name: None if value is None else finite_array(value, (3,), name)
-                for name, value in load.items()
-            },
-        )
+        shape = _leading_shape(angles)
+        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in angles.values())
+        R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        checked = {
+            name: finite_array(value, (3,), name) for name, value in given.items() if value is not None
+        }
+        turned = {"R": R, "omega": omega} | ({} if alpha is None else {"alpha": alpha})
+        for name, array in turned.items():
+            if not np.isfinite(array).all():
+                finite_array(array, array.shape[len(shape) :], name)
+        return cls._sound(turned | checked)
 
     @classmethod
     def from_quaternion(

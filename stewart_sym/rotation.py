@@ -7,6 +7,7 @@ times the angle, base axes.  They know nothing of robots or motions.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import real_array
 
 Array = NDArray[np.float64]
+_Trig = tuple[Array, Array, Array, Array, Array, Array]
+
+BLOCK = 2048
+"""Poses computed at a time."""
 
 # Series by |phi|^2 of (1 - cos |phi|) / |phi|^2 and of (|phi| - sin |phi|) / |phi|^3.
 _A = np.array([(-1.0) ** k / math.factorial(2 * k + 2) for k in range(11)])
@@ -28,12 +33,29 @@ def rotation_from_rpy(theta: ArrayLike) -> Array:
     theta: rad, (..., 3).  Result: (..., 3, 3).
     """
     theta = _angles(theta, "theta")
-    (sx, sy, sz), (cx, cy, cz) = _split(np.sin(theta)), _split(np.cos(theta))
     R = np.empty((*theta.shape, 3))
-    R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx
-    R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx
-    R[..., 2, 0], R[..., 2, 1], R[..., 2, 2] = -sy, cy * sx, cy * cx
+    _set_rotation(_trig(theta), R)
     return R
+
+
+def rpy_motion(theta: Array, theta_dot: Array, theta_ddot: Array | None) -> tuple[Array, Array, Array | None]:
+    """Return R (..., 3, 3), omega (..., 3) and alpha (..., 3), or None, of angles and rates of one shape.
+
+    As ``rotation_from_rpy``, ``angular_velocity_from_rpy`` and ``angular_acceleration_from_rpy`` do, with one
+    evaluation of the sines, in blocks whose numbers stay in the processor's second cache.
+    """
+    R, omega = np.empty((*theta.shape, 3)), np.empty(theta.shape)
+    alpha = None if theta_ddot is None else np.empty(theta.shape)
+    angles, rates, rotations = theta.reshape(-1, 3), theta_dot.reshape(-1, 3), R.reshape(-1, 3, 3)
+    for start in range(0, len(angles), BLOCK):
+        part = slice(start, start + BLOCK)
+        trig, rate = _trig(angles[part]), _split(rates[part])
+        _set_rotation(trig, rotations[part])
+        _set_rows(_on_axes(trig, *rate), omega.reshape(-1, 3)[part])
+        if alpha is not None and theta_ddot is not None:
+            second = _split(theta_ddot.reshape(-1, 3)[part])
+            _set_rows(_acceleration(trig, rate, second), alpha.reshape(-1, 3)[part])
+    return R, omega, alpha
 
 
 def rotation_about_axes(theta: ArrayLike, order: str) -> Array:
@@ -73,7 +95,7 @@ def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
     angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.
     """
     theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
-    return _rows(_on_axes(_turns(theta), *_split(theta_dot)))
+    return _rows(_on_axes(_trig(theta), *_split(theta_dot)))
 
 
 def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_ddot: ArrayLike) -> Array:
@@ -85,19 +107,7 @@ def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_
     """
     theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
     theta_ddot = _angles(theta_ddot, "theta_ddot")
-    turns = _turns(theta)
-    x, y, z = _split(theta_dot)
-    about_x = _on_axes(turns, x, 0.0, 0.0)
-    about_y = _on_axes(turns, 0.0, y, 0.0)
-    alpha = _on_axes(turns, *_split(theta_ddot))
-    # e_z z x (e_y y + e_x x) and e_y y x e_x x, component by component; e_y has no part along z.
-    return _rows(
-        (
-            alpha[0] - z * (about_y[1] + about_x[1]) + about_y[1] * about_x[2],
-            alpha[1] + z * (about_y[0] + about_x[0]) - about_y[0] * about_x[2],
-            alpha[2] + about_y[0] * about_x[1] - about_y[1] * about_x[0],
-        )
-    )
+    return _rows(_acceleration(_trig(theta), _split(theta_dot), _split(theta_ddot)))
 
 
 def rotation_from_vector(phi: ArrayLike) -> Array:
@@ -307,16 +317,42 @@ def _sinc(x: Array) -> Array:
     return np.asarray(np.sinc(x / np.pi))
 
 
-def _turns(theta: Array) -> tuple[Array, Array, Array, Array]:
-    """Sines and cosines of theta_y and theta_z: sy, sz, cy, cz."""
-    y, z = theta[..., 1], theta[..., 2]
-    return np.sin(y), np.sin(z), np.cos(y), np.cos(z)
+def _trig(theta: Array) -> _Trig:
+    """Sines and cosines of the angles: sx, sy, sz, cx, cy, cz."""
+    x, y, z = _split(theta)
+    return np.sin(x), np.sin(y), np.sin(z), np.cos(x), np.cos(y), np.cos(z)
 
 
-def _on_axes(turns: tuple[Array, Array, Array, Array], x: Any, y: Any, z: Any) -> tuple[Array, Array, Array]:
+def _set_rotation(trig: _Trig, R: Array) -> None:
+    sx, sy, sz, cx, cy, cz = trig
+    R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx
+    R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx
+    R[..., 2, 0], R[..., 2, 1], R[..., 2, 2] = -sy, cy * sx, cy * cx
+
+
+def _acceleration(
+    trig: _Trig, rates: Sequence[Array], seconds: Sequence[Array]
+) -> tuple[Array, Array, Array]:
+    x, y, z = rates
+    about_x = _on_axes(trig, x, 0.0, 0.0)
+    about_y = _on_axes(trig, 0.0, y, 0.0)
+    alpha = _on_axes(trig, *seconds)
+    # e_z z x (e_y y + e_x x) and e_y y x e_x x, component by component; e_y has no part along z.
+    return (
+        alpha[0] - z * (about_y[1] + about_x[1]) + about_y[1] * about_x[2],
+        alpha[1] + z * (about_y[0] + about_x[0]) - about_y[0] * about_x[2],
+        alpha[2] + about_y[0] * about_x[1] - about_y[1] * about_x[0],
+    )
+
+
+def _on_axes(trig: _Trig, x: Any, y: Any, z: Any) -> tuple[Array, Array, Array]:
     """Components of e_x x + e_y y + e_z z with the axes of ``angular_velocity_from_rpy``."""
-    sy, sz, cy, cz = turns
+    _, sy, sz, _, cy, cz = trig
     return cz * cy * x - sz * y, sz * cy * x + cz * y, z - sy * x
+
+
+def _set_rows(components: tuple[Array, Array, Array], rows: Array) -> None:
+    rows[..., 0], rows[..., 1], rows[..., 2] = components
 
 
 def _rows(components: tuple[Array, Array, Array]) -> Array:

@@ -21,13 +21,25 @@ from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .motion import Motion
 from .robot import Robot
 from .rotation import rotation_from_rpy
-from .simulation import METHODS, Method, Simulation, Thresholds, check_output_step, check_rtol, simulate
+from .simulation import (
+    METHODS,
+    ON_FORCE_LIMIT,
+    Method,
+    OnForceLimit,
+    Progress,
+    Simulation,
+    Thresholds,
+    check_output_step,
+    check_rtol,
+    simulate,
+)
 from .trajectory import PATHS, interpolated, read_csv
 
 Array = NDArray[np.float64]
 
 SCHEMA = 1
 LAWS = ("forces", "springs", "tracking")
+STARTS = ("path",)
 
 _TOP_KEYS = (
     "schema",
@@ -37,6 +49,8 @@ _TOP_KEYS = (
     "output_step",
     "method",
     "rtol",
+    "start",
+    "on_force_limit",
     "state",
     "load",
     "legs",
@@ -70,9 +84,10 @@ class Scene:
     method: Method
     rtol: float
     thresholds: Thresholds
+    on_force_limit: OnForceLimit = "stop"
 
-    def run(self) -> Simulation:
-        """Run the simulation; raises as ``simulate``."""
+    def run(self, progress: Progress | None = None) -> Simulation:
+        """Run the simulation; progress and what is raised: as for ``simulate``."""
         return simulate(
             self.robot,
             self.state,
@@ -84,6 +99,8 @@ class Scene:
             rtol=self.rtol,
             output_step=self.output_step,
             thresholds=self.thresholds,
+            on_force_limit=self.on_force_limit,
+            progress=progress,
         )
 
 
@@ -115,8 +132,10 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
     thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
     load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
-    if "state" not in top and legs["law"] != "tracking":
-        raise ValueError(f"{file}state: missing")
+    limit = tables.choice(
+        top.get("on_force_limit", ON_FORCE_LIMIT[0]), ON_FORCE_LIMIT, f"{file}on_force_limit"
+    )
+    _check_start(top, legs["law"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
     robot = Robot.from_toml(folder / tables.one_line(top["robot"], f"{file}robot"))
     wanted = _wanted(legs["path"], folder) if legs["law"] == "tracking" else None
@@ -136,7 +155,20 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
         method=cast(Method, method),
         rtol=cast(float, numbers["rtol"]),
         thresholds=thresholds,
+        on_force_limit=cast(OnForceLimit, limit),
     )
+
+
+def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
+    """Reject a scene that starts nowhere or in two places; a tracking one starts on its path by itself."""
+    if "start" in top:
+        start = tables.choice(top["start"], STARTS, f"{file}start")
+        if law != "tracking":
+            raise ValueError(f'{file}start: expected [legs] law = "tracking" with "{start}", got "{law}"')
+        if "state" in top:
+            raise ValueError(f'{file}start: expected no [state] beside "{start}"')
+    elif "state" not in top and law != "tracking":
+        raise ValueError(f"{file}state: missing")
 
 
 def _legs(value: object, prefix: str) -> dict[str, Any]:

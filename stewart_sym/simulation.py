@@ -15,7 +15,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import reference
+from . import chart, reference
 from .checks import instance, option, real_array, shown
 from .conditioning import characteristic_length, condition_number
 from .dynamics import Backend, Formulation
@@ -26,14 +26,19 @@ from .laws import ForceLaw
 from .motion import Motion
 from .results import STATUS_TEXT
 from .robot import Robot
-from .rotation import cross, orthonormal, rotation_from_vector, vector_rate
+from .rotation import cross, orthonormal, rotation_from_vector
 
 Array = NDArray[np.float64]
 Method = Literal["DOP853", "Radau"]
 Load = Callable[[float, Motion], ArrayLike]
 """(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
 
+Progress = Callable[[float], None]
+"""Is told the share that is done, 0 to 1."""
+OnForceLimit = Literal["stop", "saturate"]
+
 METHODS = ("DOP853", "Radau")
+ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
 WATCHED = 5
@@ -92,6 +97,18 @@ class Stop:
 
 
 @dataclass(frozen=True, eq=False)
+class Saturation:
+    """How long and by how much each leg's actuator was asked for more than its limit; zeros if it never was.
+
+    time: s, (6,), of a law that is not sampled to a small part of a step. excess: the largest force beyond
+    the limit, N, (6,).
+    """
+
+    time: Array
+    excess: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Trace:
     """States and forces at n instants; SI units, base frame.
 
@@ -122,8 +139,40 @@ class Trace:
         return Motion(self.R, self.t, self.omega, self.v)
 
 
+class _Actuators(NamedTuple):
+    """The law and the limits, N, (6,), inf for none, to which the forces it asks for are clipped."""
+
+    law: ForceLaw
+    limit: Array
+
+    def at(self, time: float, state: Motion) -> Array:
+        """Forces of one state, N, (6,)."""
+        return self.clipped(six_forces(self.law(time, state), time))
+
+    def asked(self, when: Array, states: Motion, held: Array | None) -> Array:
+        """Forces that the law asks for at n instants, N, (n, 6)."""
+        if held is not None:
+            return np.broadcast_to(held, (len(when), 6))
+        rows = [
+            Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i]) for i in range(len(when))
+        ]
+        found = [six_forces(self.law(float(time), row), time) for time, row in zip(when, rows, strict=True)]
+        return np.array(found).reshape(-1, 6)
+
+    def forces(self, when: Array, states: Motion, held: Array | None) -> Array:
+        """Forces that act at n instants, N, (n, 6)."""
+        return self.clipped(self.asked(when, states, held))
+
+    def clipped(self, F: Array) -> Array:
+        """Forces (..., 6) within the limits."""
+        return np.minimum(np.maximum(F, -self.limit), self.limit)
+
+
 class _Piece(NamedTuple):
-    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces."""
+    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces.
+
+    held: as the law asked for them; None where the law is not sampled.
+    """
 
     start: float
     end: float
@@ -134,11 +183,12 @@ class _Piece(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Simulation(Trace):
-    """A run: its trace, why it stopped, and any instant between by ``at``."""
+    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``."""
 
     stop: Stop
+    saturation: Saturation
     _robot: Robot
-    _law: ForceLaw
+    _actuators: _Actuators
     _pieces: tuple[_Piece, ...]
 
     @property
@@ -158,12 +208,12 @@ class Simulation(Trace):
         outside = ~((when >= 0.0) & (when <= end))
         if outside.any():
             raise ValueError(f"times: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
-        return _sampled(self._robot, self._law, self._pieces, when)
+        return _sampled(self._robot, self._actuators, self._pieces, when)
 
 
 def simulate(
     robot: Robot,
-    initial_state: Motion,
+    initial_state: Motion | Literal["path"],
     forces: ArrayLike | ForceLaw,
     duration: float,
     *,
@@ -176,17 +226,22 @@ def simulate(
     atol: float = 1e-12,
     output_step: float | None = None,
     thresholds: Thresholds | None = None,
+    on_force_limit: OnForceLimit = "stop",
+    progress: Progress | None = None,
 ) -> Simulation:
     """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
 
-    initial_state: Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on.
+    initial_state: Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on. "path":
+    that which the law, one with a wanted motion, wants at the start.
     forces: N, (6,), or a law (time, state) -> (6,). A law must depend on its arguments alone, unless
     rate: Hz; then it is asked at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
     load: (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
     method: "DOP853", or "Radau" where springs or dampers are stiff. rtol, in ``RTOL_RANGE``, and atol: error
     of a step, relative and absolute, in m, rad, m/s and rad/s. output_step: s, between instants of the trace,
     at most ``MOST_INSTANTS``; None: as integrated.
-    thresholds: None for the default ones.
+    thresholds: None for the default ones. on_force_limit: where a force reaches the robot's force_limit, the
+    run ends ("stop"), or the force is clipped to it ("saturate") and ``saturation`` reports it.
+    progress: is told the share done, 0 to 1, now and then.
 
     A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
@@ -197,32 +252,50 @@ def simulate(
     in which the machine has no accelerations, forces that are not six numbers; ImportError without SciPy.
     """
     instance(robot, Robot, "robot")
-    _state(initial_state)
+    law = _law(forces)
+    start = _state(initial_state, law)
     option(method, METHODS, "method")
+    option(on_force_limit, ON_FORCE_LIMIT, "on_force_limit")
     for name, value in (("duration", duration), ("atol", atol)):
         _number(value, name, 0.0, math.inf)
     if rate is not None:
         _number(rate, "rate", 0.0, math.inf)
     check_rtol(rtol)
     check_output_step(output_step, duration)
-    if load is not None and not callable(load):
-        raise ValueError(f"load: expected a function (time, state) -> six numbers, got {type(load).__name__}")
+    for name, function, call in (
+        ("load", load, "(time, state) -> six numbers"),
+        ("progress", progress, "(share)"),
+    ):
+        if function is not None and not callable(function):
+            raise ValueError(f"{name}: expected a function {call}, got {type(function).__name__}")
     if thresholds is not None:
         instance(thresholds, Thresholds, "thresholds")
+    unlimited = np.full(6, math.inf)
+    clips = on_force_limit == "saturate"
+    actuators = _Actuators(law, robot.force_limit if clips else unlimited)
+    stops_at = unlimited if clips else robot.force_limit
     run = _Run(
         robot=robot,
-        plant=ForwardDynamics(robot, formulation, backend),
-        law=_law(forces),
+        accelerations=ForwardDynamics(robot, formulation, backend).one_state(),
+        actuators=actuators,
         load=load,
-        constant=(initial_state.F_ext, initial_state.M_ext),
+        constant=(start.F_ext, start.M_ext),
         solver=_solver(method),
         tolerances={"rtol": float(rtol), "atol": float(atol)},
-        watch=_Watch(robot, thresholds or Thresholds(), _det_sign(robot, initial_state)),
+        watch=_Watch(robot, thresholds or Thresholds(), stops_at, _det_sign(robot, start)),
+        reached=lambda time: None if progress is None else progress(time / duration),
     )
-    stop, pieces = run.through(initial_state, float(duration), rate)
+    stop, pieces = run.through(start, float(duration), rate)
     times = _output_times(pieces, stop.time, output_step)
-    trace = _sampled(robot, run.law, tuple(pieces), times)
-    return Simulation(**vars(trace), stop=stop, _robot=robot, _law=run.law, _pieces=tuple(pieces))
+    trace = _sampled(robot, actuators, tuple(pieces), times)
+    return Simulation(
+        **vars(trace),
+        stop=stop,
+        saturation=_saturation(actuators, pieces),
+        _robot=robot,
+        _actuators=actuators,
+        _pieces=tuple(pieces),
+    )
 
 
 # Integration
@@ -233,13 +306,14 @@ class _Run:
     """One run's parts, and the integration from state to state."""
 
     robot: Robot
-    plant: ForwardDynamics
-    law: ForceLaw
+    accelerations: Callable[[Motion, Array], tuple[Array, int]]
+    actuators: _Actuators
     load: Load | None
     constant: tuple[Array | None, Array | None]
     solver: Any
     tolerances: dict[str, float]
     watch: _Watch
+    reached: Callable[[float], None]
     fault: int = 0
 
     def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[_Piece]]:
@@ -251,7 +325,7 @@ class _Run:
         sample = 0
         while time < duration:
             sample += 1
-            held = None if rate is None else six_forces(self.law(time, _motion(y, center)), time)
+            held = None if rate is None else six_forces(self.actuators.law(time, _motion(y, center)), time)
             if sample == 1:
                 self._refuse_bad_start(y, center, held)
             end = duration if rate is None else min(sample / rate, duration)
@@ -286,24 +360,25 @@ class _Run:
                     raise ValueError(f"initial_state: {failure.text}")
                 return failure, failure.time, solver.y, center, step
             piece = _Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
-            stop = self.watch.first(piece, self.law)
+            stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
                 if stop.time > piece.start or not pieces:
                     pieces.append(piece._replace(end=stop.time))
                 return stop, stop.time, solver.y, center, step
             pieces.append(piece)
+            self.reached(piece.end)
         y = np.array(solver.y)
         center = orthonormal(rotation_from_vector(y[3:6]) @ center)
         y[3:6] = 0.0
         return None, float(solver.t), y, center, float(solver.h_abs)
 
     def _rates(self, time: float, y: Array, center: Array, held: Array | None) -> Array:
-        state = _motion(y, center)
-        F = six_forces(self.law(time, state), time) if held is None else held
-        a, alpha, status = self.plant.solve(self._loaded(time, state), F)
-        self.fault = int(status) or self.fault
-        return np.concatenate([state.v, vector_rate(y[3:6], state.omega), a, alpha])
+        state = Motion.unchecked(chart.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
+        F = self.actuators.at(time, state) if held is None else self.actuators.clipped(held)
+        acceleration, status = self.accelerations(self._loaded(time, state), F)
+        self.fault = status or self.fault
+        return np.concatenate([state.v, chart.rate(y[3:6], state.omega), acceleration])
 
     def _loaded(self, time: float, state: Motion) -> Motion:
         F_ext, M_ext = self.constant
@@ -339,17 +414,18 @@ def _motion(y: Array, center: Array) -> Motion:
 class _Watch:
     """Everything that stops a run, as numbers that are positive while all is well.
 
-    side: sign of det H at the start of the run.
+    force_limit: N, (6,); inf where forces are clipped instead. side: sign of det H at the start of the run.
     """
 
     robot: Robot
     thresholds: Thresholds
+    force_limit: Array
     side: float
 
-    def first(self, piece: _Piece, law: ForceLaw) -> Stop | None:
+    def first(self, piece: _Piece, actuators: _Actuators) -> Stop | None:
         """The first stop in a piece, None if there is none."""
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        margins = self._margins(when, piece, law)
+        margins = self._margins(when, piece, actuators)
         below = margins <= 0.0
         if not below.any():
             return None
@@ -357,19 +433,19 @@ class _Watch:
         for row in np.flatnonzero(below.any(axis=0)).tolist():
             i = int(np.argmax(below[:, row]))
             start = float(when[max(i - 1, 0)])
-            time = start if i == 0 else self._root(row, start, float(when[i]), piece, law)
+            time = start if i == 0 else self._root(row, start, float(when[i]), piece, actuators)
             if row == CROSSING:
                 # The condition number passes its threshold on the way, too shortly to be seen itself.
-                time = self._root(NEAR_SINGULAR, start, time, piece, law)
+                time = self._root(NEAR_SINGULAR, start, time, piece, actuators)
             roots.append((time, row))
-        return self._stop(*min(roots), piece, law)
+        return self._stop(*min(roots), piece, actuators)
 
-    def _root(self, row: int, start: float, end: float, piece: _Piece, law: ForceLaw) -> float:
+    def _root(self, row: int, start: float, end: float, piece: _Piece, actuators: _Actuators) -> float:
         """Where a margin comes to zero; an end of the span where it doesn't within."""
         from scipy.optimize import brentq
 
         def margin(time: float) -> float:
-            return float(self._margins(np.array([time]), piece, law)[0, row])
+            return float(self._margins(np.array([time]), piece, actuators)[0, row])
 
         if not margin(start) > 0.0:
             return start
@@ -377,20 +453,20 @@ class _Watch:
             return end
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
-    def _margins(self, when: Array, piece: _Piece, law: ForceLaw) -> Array:
+    def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
         """(n, 38): shortest, longest, speed, force, length zero, pole, six each; condition and side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
         F = np.zeros((len(when), 6))
-        if np.isfinite(robot.force_limit).any():
-            F = _forces(law, when, state, piece.held)
+        if np.isfinite(self.force_limit).any():
+            F = actuators.forces(when, state, piece.held)
         shortest = self.thresholds.min_length or 1e-3 * self._size
         margins = [
             legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
             robot.length_limits[:, 1] - legs.L,
             robot.speed_limit - np.abs(legs.L_dot),
-            robot.force_limit - np.abs(F),
+            self.force_limit - np.abs(F),
             legs.L - shortest,
             self._pole_sine(legs.s) - self.thresholds.min_pole_sine,
             *self._singular_margins(legs),
@@ -416,7 +492,7 @@ class _Watch:
     def _condition(self, legs: _Legs) -> Array:
         return condition_number(_scaled_H(legs, self._size))
 
-    def _stop(self, time: float, row: int, piece: _Piece, law: ForceLaw) -> Stop:
+    def _stop(self, time: float, row: int, piece: _Piece, actuators: _Actuators) -> Stop:
         robot, leg = self.robot, row % 6
         at = np.array([time])
         state = _motion(piece.interpolant(at).T, piece.center)
@@ -435,7 +511,7 @@ class _Watch:
             ),
             (
                 "force_limit",
-                f"force {_forces(law, at, state, piece.held)[0, leg]:.6g} N reaches its limit "
+                f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("short_leg", f"length {length} is near zero"),
@@ -475,34 +551,45 @@ def _det_sign(robot: Robot, state: Motion) -> float:
 # Results
 
 
-def _sampled(robot: Robot, law: ForceLaw, pieces: tuple[_Piece, ...], when: Array) -> Trace:
+def _sampled(robot: Robot, actuators: _Actuators, pieces: tuple[_Piece, ...], when: Array) -> Trace:
     """The trace at times within the pieces."""
     n = len(when)
-    R, t, v, omega, F = (np.empty((n, *shape)) for shape in ((3, 3), (3,), (3,), (3,), (6,)))
+    y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
     of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
-    for i in np.unique(of):
-        here = of == i
-        state = _motion(pieces[i].interpolant(when[here]).T, pieces[i].center)
-        R[here], t[here], v[here], omega[here] = state.R, state.t, state.v, state.omega
-        F[here] = _forces(law, when[here], state, pieces[i].held)
-    motion = Motion(R, t, omega, v)
-    rest = Motion(R, t, np.zeros((n, 3)), np.zeros((n, 3)))
+    order = np.argsort(of, kind="stable")
+    for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
+        piece = pieces[of[here[0]]]
+        y[here], centers[here] = piece.interpolant(when[here]).T, piece.center
+        if piece.held is not None:
+            F[here] = actuators.clipped(piece.held)
+    motion = _motion(y, centers)
+    if pieces[0].held is None:
+        F = actuators.forces(when, motion, None)
+    rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
     potential = reference.energy(robot, rest)
     kinetic = reference.energy(robot, motion) - potential
     L = _legs(robot, motion).L
-    return Trace(when, R, t, v, omega, F, L, kinetic, potential)
+    return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
 
 
-def _forces(law: ForceLaw, when: Array, states: Motion, held: Array | None) -> Array:
-    if held is not None:
-        return np.broadcast_to(held, (len(when), 6))
-    rows = [
-        six_forces(
-            law(float(time), Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i])), time
-        )
-        for i, time in enumerate(when)
-    ]
-    return np.array(rows)
+def _saturation(actuators: _Actuators, pieces: list[_Piece]) -> Saturation:
+    """What the forces asked for exceed their limits by, in all pieces."""
+    time, excess = np.zeros(6), np.zeros(6)
+    for piece in pieces if np.isfinite(actuators.limit).any() else ():
+        when = np.linspace(piece.start, piece.end, WATCHED + 1)
+        state = _motion(piece.interpolant(when).T, piece.center)
+        beyond = np.abs(actuators.asked(when, state, piece.held)) - actuators.limit
+        excess = np.maximum(excess, beyond.max(axis=0))
+        time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])
+    return Saturation(time, excess)
+
+
+def _share_above_zero(start: Array, end: Array) -> Array:
+    """Of the way from one number to another, the share on which a straight line is above zero, 0 to 1."""
+    above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
+    with np.errstate(invalid="ignore"):
+        share = above / (np.abs(start) + np.abs(end))
+    return np.where(above > 0.0, np.where(np.minimum(start, end) >= 0.0, 1.0, share), 0.0)
 
 
 def _output_times(pieces: list[_Piece], end: float, step: float | None) -> Array:
@@ -553,10 +640,18 @@ def _law(forces: ArrayLike | ForceLaw) -> ForceLaw:
     return lambda time, state: constant
 
 
-def _state(state: Motion) -> None:
-    instance(state, Motion, "initial_state")
-    if state.shape != ():
-        raise ValueError(f"initial_state: expected one state, of shape (), got {state.shape}")
+def _state(given: Motion | str, law: ForceLaw) -> Motion:
+    if isinstance(given, str):
+        wanted = getattr(law, "wanted", None)
+        if given != "path" or wanted is None:
+            text = 'a Motion, or "path" with a law that follows one'
+            raise ValueError(f"initial_state: expected {text}, got {shown(given)}")
+        start: Motion = wanted(0.0)
+        return Motion(start.R, start.t, start.omega, start.v, F_ext=start.F_ext, M_ext=start.M_ext)
+    instance(given, Motion, "initial_state")
+    if given.shape != ():
+        raise ValueError(f"initial_state: expected one state, of shape (), got {given.shape}")
+    return given
 
 
 def _number(value: object, name: str, low: float, high: float) -> None:

@@ -26,8 +26,8 @@ def oracles() -> dict[str, tuple[str, str]]:
             found[path.stem] = (kernel.removesuffix("_motion"), "motion")
         elif kernel.endswith("_bounds"):
             found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
-        elif kernel == "kinematics":
-            found[path.stem] = (kernel, "kinematics")
+        elif kernel in ("kinematics", "legs"):
+            found[path.stem] = (kernel, kernel)
         elif kernel.endswith("_forces"):
             found[path.stem] = (kernel.removesuffix("_forces"), "forces")
         else:
@@ -37,6 +37,7 @@ def oracles() -> dict[str, tuple[str, str]]:
 
 SOME = (
     *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
+    "stewart_legs",
     *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
 )
 """One source of each printer and each way that it goes."""

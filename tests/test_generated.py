@@ -18,7 +18,7 @@ from stewart_sym.derive.generate import generated_files
 KERNELS = [form.kernel_name for form in FORMULATIONS]
 SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
 SOURCES += [f"exact_{name}_forces" for name in FIDELITIES if name != "general"]
-SOURCES += ["exact_bounds", "kinematics"]
+SOURCES += ["exact_bounds", "kinematics", "legs"]
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
 REPOSITORY = Path(__file__).parent.parent
 

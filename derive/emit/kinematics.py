@@ -83,6 +83,31 @@ def source(blocks: Kinematics, version: str) -> str:
     return "\n".join(parts)
 
 
+def legs_header(blocks: Kinematics, version: str) -> str:
+    """``stewart_legs.h``: the kinematics of the legs of many poses."""
+    operations = [f" * Operations, six legs: {6 * blocks.second.operations()}."]
+    return filled(_LEGS_HEADER, {"@OPERATIONS@": operations}).replace("@VERSION@", version)
+
+
+def legs_source(blocks: Kinematics, version: str) -> str:
+    """``stewart_legs.c``: one leg's block and the batch that runs it."""
+    names = (quantity.name for quantity in blocks.second.inputs)
+    owners = {name: "leg" if name in ("b", "p") else "at" for name in names}
+    return "\n".join(
+        [
+            _LEGS_TOP.replace("@VERSION@", version) + ARITHMETIC,
+            _struct(blocks.second, "leg_motion"),
+            _function(
+                blocks.second,
+                "const stewart_leg *leg, const stewart_motions *at, leg_motion *out",
+                owners,
+                stores(blocks.second.outputs, "", "    "),
+            ),
+            _LEGS_BATCH,
+        ]
+    )
+
+
 def _struct(block: Block, name: str) -> str:
     members = [
         f"    stewart_real {out.quantity.name}{dims(out.quantity)};"
@@ -124,6 +149,167 @@ def _function(block: Block, arguments: str, owners: dict[str, str], ends: list[s
         ]
     )
 
+
+_LEGS_HEADER = """\
+/* stewart_legs.h: lengths of the legs, their rates and second rates, and their vectors, of many poses.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ *
+ * Of the robot, the points b and p are read and nothing else. The spin of a leg about its own axis has no
+ * part in this: it serves both formulations and either base joint.
+ *
+@OPERATIONS@
+ */
+#ifndef STEWART_LEGS_H
+#define STEWART_LEGS_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Kinematics of the legs of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {
+    stewart_real *L; /* [count][6] m: lengths, (2) */
+    stewart_real *L_dot; /* [count][6] m/s: rates, (5) */
+    stewart_real *L_ddot; /* [count][6] m/s^2: second rates, (8) */
+    stewart_real *s; /* [count][6][3] 1: unit vectors along the legs, base frame, (3) */
+    stewart_real *S; /* [count][6][3] m: leg vectors, base frame, (1) */
+} stewart_legs_arrays;
+
+/* Kinematics of the legs at R, t, omega, v, alpha and a of motions; alpha and a may be null where L_ddot is.
+ * Writes each pose's status unless `status` is null, and returns the first that is not STEWART_OK:
+ * STEWART_SHORT_LEG if a leg is no longer than the rounding of the terms of S = q + t - b,
+ * STEWART_NOT_FINITE. Outputs of such a pose are left as they were. */
+int stewart_legs_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
+    int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+"""
+
+_LEGS_TOP = """\
+/* stewart_legs.c: see stewart_legs.h.
+ *
+ * Written by stewart-sym @VERSION@; do not edit.
+ */
+#include "stewart_legs.h"
+
+"""
+
+_LEGS_BATCH = """\
+/* Six legs of a pose. */
+typedef struct {
+    stewart_real L[6];
+    stewart_real L_dot[6];
+    stewart_real L_ddot[6];
+    stewart_real s[18];
+    stewart_real S[18];
+} six_legs;
+
+/* Copies the numbers of a pose into a batch's array, or nothing if it is null. */
+static void copy(stewart_real *array, size_t pose, const stewart_real *values, size_t count)
+{
+    size_t i;
+    if (array != NULL) {
+        for (i = 0; i < count; ++i) {
+            array[(pose * count) + i] = values[i];
+        }
+    }
+}
+
+/* One pose of a batch; `zeros` (3) for accelerations that are not given. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real *zeros)
+{
+    stewart_motions at = *motions;
+    at.R = &motions->R[pose * 9U];
+    at.t = &motions->t[pose * 3U];
+    at.omega = &motions->omega[pose * 3U];
+    at.v = &motions->v[pose * 3U];
+    at.alpha = (motions->alpha != NULL) ? &motions->alpha[pose * 3U] : zeros;
+    at.a = (motions->a != NULL) ? &motions->a[pose * 3U] : zeros;
+    return at;
+}
+
+/* Largest component of the terms of S = q + t - b of a leg. */
+static stewart_real reach_of(const stewart_leg *leg, const stewart_motions *at, const leg_motion *own)
+{
+    stewart_real reach = REAL(0);
+    int i;
+    for (i = 0; i < 3; ++i) {
+        reach = STEWART_LARGER(STEWART_FABS(own->q[i]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(at->t[i]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(leg->b[i]), reach);
+    }
+    return reach;
+}
+
+/* Six legs of a pose. Returns a status. */
+static int legs_of(const stewart_robot *robot, const stewart_motions *at, six_legs *out)
+{
+    int status = STEWART_OK;
+    int i;
+    int j;
+    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
+        leg_motion own;
+        stewart_real shortest;
+        motion_of(&robot->leg[i], at, &own);
+        shortest = STEWART_LARGER(STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own), STEWART_SHORTEST);
+        if ((own.L <= STEWART_MAX) && (own.L <= shortest)) {
+            status = STEWART_SHORT_LEG;
+        } else if ((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
+            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX)) {
+            status = STEWART_OK;
+        } else {
+            status = STEWART_NOT_FINITE;
+        }
+        out->L[i] = own.L;
+        out->L_dot[i] = own.L_dot;
+        out->L_ddot[i] = own.L_ddot;
+        for (j = 0; j < 3; ++j) {
+            out->s[(3 * i) + j] = own.s[j];
+            out->S[(3 * i) + j] = own.S[j];
+        }
+    }
+    return status;
+}
+
+int stewart_legs_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
+    int *status)
+{
+    const stewart_real zeros[3] = {REAL(0), REAL(0), REAL(0)};
+    int first = STEWART_OK;
+    size_t pose;
+    if ((robot == NULL) || (motions == NULL) || (legs == NULL) || (motions->R == NULL) || (motions->t == NULL)
+        || (motions->omega == NULL) || (motions->v == NULL)
+        || ((legs->L_ddot != NULL) && ((motions->alpha == NULL) || (motions->a == NULL)))) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose, zeros);
+        six_legs result;
+        const int code = legs_of(robot, &at, &result);
+        if (code == STEWART_OK) {
+            copy(legs->L, pose, result.L, 6);
+            copy(legs->L_dot, pose, result.L_dot, 6);
+            copy(legs->L_ddot, pose, result.L_ddot, 6);
+            copy(legs->s, pose, result.s, 18);
+            copy(legs->S, pose, result.S, 18);
+        }
+        if (status != NULL) {
+            status[pose] = code;
+        }
+        first = (first == STEWART_OK) ? code : first;
+    }
+    return first;
+}
+"""
 
 _HEADER = """\
 /* stewart_kinematics.h: lengths and rates of the legs, and the platform's pose and velocity from them.

@@ -123,10 +123,13 @@ def summary(drifts: Mapping[Formulation, Drift]) -> str:
     return "\n".join(lines)
 
 
-def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
-    """The drifts over time, their magnitudes on a logarithmic axis."""
+def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
+    """The drifts over time, their magnitudes on a logarithmic axis; None where no run has two instants."""
     from matplotlib.figure import Figure
 
+    drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
+    if not drifts:
+        return None
     picture = Figure(figsize=(8.0, 4.2), layout="constrained")
     axes = picture.subplots()
     for name, drift in drifts.items():

@@ -44,31 +44,42 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         f"length     {run.L.min():.6g} to {run.L.max():.6g} m",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]
-    if isinstance(law, LegSprings):
+    lines += [
+        f"saturated  leg {i + 1} for {time:.6g} s, up to {run.saturation.excess[i]:.6g} N beyond its limit"
+        for i, time in enumerate(run.saturation.time)
+        if run.saturation.excess[i] > 0.0
+    ]
+    # Of springs whose forces are clipped no energy is kept.
+    if isinstance(law, LegSprings) and not (run.saturation.excess > 0.0).any():
         lines.append(f"springs    {drift_of(run, law, energy_scale(run, law)).text}")
     return "\n".join(lines)
 
 
-def figure(run: Simulation) -> "Figure":
-    """Position, attitude, forces, lengths and energy over time."""
+def figure(run: Simulation) -> "Figure | None":
+    """Position, attitude, forces, lengths and energy over time; None of a run of one instant."""
     from matplotlib.figure import Figure
 
-    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
-    grid = picture.subplots(3, 2, sharex=True)
-    legs = {f"leg {leg + 1}": leg for leg in range(6)}
+    if len(run.times) < 2:
+        return None
     axes_of = dict(zip("xyz", range(3), strict=True))
+    legs = {f"leg {leg + 1}": leg for leg in range(6)}
     # An angle that leaps by a turn is not drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
-    _curves(grid[0][0], run.times, run.t, axes_of, "position, m")
-    _curves(grid[0][1], run.times, np.degrees(theta), axes_of, "roll, pitch, yaw, degrees")
-    _curves(grid[1][0], run.times, run.F, legs, "force, N")
-    _curves(grid[1][1], run.times, run.L, legs, "leg length, m")
-    _curves(grid[2][0], run.times, run.omega, axes_of, "angular velocity, rad/s")
     gained = run.potential - run.potential[0]
     energies = np.stack([run.kinetic, gained, run.kinetic + gained], axis=-1)
-    names = {"kinetic": 0, "potential gained": 1, "both": 2}
-    _curves(grid[2][1], run.times, energies, names, "energy, J")
-    for axes in grid[2]:
+    panels = (
+        (run.t, axes_of, "position, m"),
+        (np.degrees(theta), axes_of, "roll, pitch, yaw, degrees"),
+        (run.F, legs, "force, N"),
+        (run.L, legs, "leg length, m"),
+        (run.omega, axes_of, "angular velocity, rad/s"),
+        (energies, {"kinetic": 0, "potential gained": 1, "both": 2}, "energy, J"),
+    )
+    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
+    grid = picture.subplots(3, 2, sharex=True)
+    for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
+        _curves(axes, run.times, values, names, label)
+    for axes in grid[-1]:
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.text, fontsize=10.0)
     return picture

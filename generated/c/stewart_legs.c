@@ -1,0 +1,220 @@
+/* stewart_legs.c: see stewart_legs.h.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ */
+#include "stewart_legs.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost six bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.015625)
+
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
+#endif
+
+#define REAL(value) ((stewart_real)(value))
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the pole of the universal joint. */
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
+
+typedef struct {
+    stewart_real L; /* m: length of the leg */
+    stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
+    stewart_real L_ddot; /* m/s^2: second derivative of the leg's length */
+    stewart_real s[3]; /* 1: unit vector along the leg, base frame */
+    stewart_real S[3]; /* m: vector from base point to platform point, base frame */
+    stewart_real q[3]; /* m: platform point from the reference point, base frame */
+} leg_motion;
+
+/* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8).
+ * Operations: 90 (46 mul, 42 add, 1 div, 1 sqrt). */
+static void motion_of(const stewart_leg *leg, const stewart_motions *at, leg_motion *out)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
+        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    /* (1) platform point from the reference point */
+    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    /* (1) leg vector */
+    const stewart_real S_x = q_x + t_x - b_x;
+    const stewart_real S_y = q_y + t_y - b_y;
+    const stewart_real S_z = q_z + t_z - b_z;
+    /* (2) leg length */
+    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real inv_L = REAL(1)/L;
+    /* (3) unit vector along the leg */
+    const stewart_real s_x = S_x*inv_L;
+    const stewart_real s_y = S_y*inv_L;
+    const stewart_real s_z = S_z*inv_L;
+    /* (4) omega x q */
+    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    /* (4) velocity of the platform point */
+    const stewart_real S_dot_x = v_x + w_q_x;
+    const stewart_real S_dot_y = v_y + w_q_y;
+    const stewart_real S_dot_z = v_z + w_q_z;
+    /* (7) acceleration of the platform point */
+    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    /* (5) sliding velocity */
+    const stewart_real rate = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    /* part of S_dot across the leg, of length L |W| */
+    const stewart_real across_x = S_dot_x - rate*s_x;
+    const stewart_real across_y = S_dot_y - rate*s_y;
+    const stewart_real across_z = S_dot_z - rate*s_z;
+    /* (8) */
+    const stewart_real second = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + inv_L*(across_x*across_x
+        + across_y*across_y + across_z*across_z);
+    out->L = L;
+    out->L_dot = rate;
+    out->L_ddot = second;
+    out->s[0] = s_x;
+    out->s[1] = s_y;
+    out->s[2] = s_z;
+    out->S[0] = S_x;
+    out->S[1] = S_y;
+    out->S[2] = S_z;
+    out->q[0] = q_x;
+    out->q[1] = q_y;
+    out->q[2] = q_z;
+}
+
+/* Six legs of a pose. */
+typedef struct {
+    stewart_real L[6];
+    stewart_real L_dot[6];
+    stewart_real L_ddot[6];
+    stewart_real s[18];
+    stewart_real S[18];
+} six_legs;
+
+/* Copies the numbers of a pose into a batch's array, or nothing if it is null. */
+static void copy(stewart_real *array, size_t pose, const stewart_real *values, size_t count)
+{
+    size_t i;
+    if (array != NULL) {
+        for (i = 0; i < count; ++i) {
+            array[(pose * count) + i] = values[i];
+        }
+    }
+}
+
+/* One pose of a batch; `zeros` (3) for accelerations that are not given. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real *zeros)
+{
+    stewart_motions at = *motions;
+    at.R = &motions->R[pose * 9U];
+    at.t = &motions->t[pose * 3U];
+    at.omega = &motions->omega[pose * 3U];
+    at.v = &motions->v[pose * 3U];
+    at.alpha = (motions->alpha != NULL) ? &motions->alpha[pose * 3U] : zeros;
+    at.a = (motions->a != NULL) ? &motions->a[pose * 3U] : zeros;
+    return at;
+}
+
+/* Largest component of the terms of S = q + t - b of a leg. */
+static stewart_real reach_of(const stewart_leg *leg, const stewart_motions *at, const leg_motion *own)
+{
+    stewart_real reach = REAL(0);
+    int i;
+    for (i = 0; i < 3; ++i) {
+        reach = STEWART_LARGER(STEWART_FABS(own->q[i]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(at->t[i]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(leg->b[i]), reach);
+    }
+    return reach;
+}
+
+/* Six legs of a pose. Returns a status. */
+static int legs_of(const stewart_robot *robot, const stewart_motions *at, six_legs *out)
+{
+    int status = STEWART_OK;
+    int i;
+    int j;
+    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
+        leg_motion own;
+        stewart_real shortest;
+        motion_of(&robot->leg[i], at, &own);
+        shortest = STEWART_LARGER(STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own), STEWART_SHORTEST);
+        if ((own.L <= STEWART_MAX) && (own.L <= shortest)) {
+            status = STEWART_SHORT_LEG;
+        } else if ((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
+            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX)) {
+            status = STEWART_OK;
+        } else {
+            status = STEWART_NOT_FINITE;
+        }
+        out->L[i] = own.L;
+        out->L_dot[i] = own.L_dot;
+        out->L_ddot[i] = own.L_ddot;
+        for (j = 0; j < 3; ++j) {
+            out->s[(3 * i) + j] = own.s[j];
+            out->S[(3 * i) + j] = own.S[j];
+        }
+    }
+    return status;
+}
+
+int stewart_legs_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
+    int *status)
+{
+    const stewart_real zeros[3] = {REAL(0), REAL(0), REAL(0)};
+    int first = STEWART_OK;
+    size_t pose;
+    if ((robot == NULL) || (motions == NULL) || (legs == NULL) || (motions->R == NULL) || (motions->t == NULL)
+        || (motions->omega == NULL) || (motions->v == NULL)
+        || ((legs->L_ddot != NULL) && ((motions->alpha == NULL) || (motions->a == NULL)))) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (pose = 0; pose < count; ++pose) {
+        const stewart_motions at = pose_at(motions, pose, zeros);
+        six_legs result;
+        const int code = legs_of(robot, &at, &result);
+        if (code == STEWART_OK) {
+            copy(legs->L, pose, result.L, 6);
+            copy(legs->L_dot, pose, result.L_dot, 6);
+            copy(legs->L_ddot, pose, result.L_ddot, 6);
+            copy(legs->s, pose, result.s, 18);
+            copy(legs->S, pose, result.S, 18);
+        }
+        if (status != NULL) {
+            status[pose] = code;
+        }
+        first = (first == STEWART_OK) ? code : first;
+    }
+    return first;
+}

@@ -1,0 +1,146 @@
+"""The legs of many poses in C: as NumPy's to rounding, the same errors; angles are checked once."""
+
+import ctypes
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+from machines import dasgupta, home_position, machine_size, random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym import kinematics, native, results, rotation
+from stewart_sym.kernel import MOTION, address, contiguous, library, robot_numbers
+
+HUGE = [1.7e308, -1.7e308, 1.7e308]
+MANY = kinematics.BLOCK + 3
+ERROR = 64 * np.finfo(np.float64).eps
+
+
+@contextmanager
+def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    def nothing(name: str) -> ctypes.CDLL:
+        raise native.CompilerError("none")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(kinematics, "library", nothing)
+        yield
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 10.0])
+@pytest.mark.parametrize("accelerations", [True, False])
+def test_many_poses_are_those_of_numpy(
+    scale: float, accelerations: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng, scale=scale)
+    motion = random_motion(rng, robot, (3, MANY // 3 + 1))
+    if not accelerations:
+        motion = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
+    assert kinematics._compiled_legs(robot, motion) is not None
+    found = ss.inverse_kinematics(robot, motion)
+    with numpy_alone(monkeypatch):
+        expected = ss.inverse_kinematics(robot, motion)
+    assert (found.L_ddot is None) == (not accelerations)
+    for name, value in vars(expected).items():
+        if value is not None:
+            size = np.abs(value).max()
+            np.testing.assert_allclose(getattr(found, name), value, rtol=0.0, atol=ERROR * size, err_msg=name)
+
+
+def test_a_fault_in_a_late_pose_is_named_as_numpy_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    robot = dasgupta()
+    n = MANY
+    t = np.tile(home_position(robot.b, machine_size(robot)), (n, 1))
+    t[n - 2] = robot.b[3] - robot.p[3]
+    short = ss.Motion(np.eye(3), t, np.zeros(3), np.zeros(3))
+    far = ss.Motion(np.eye(3), np.where(np.arange(n)[:, None] == n - 2, 1e200, t), np.zeros(3), np.zeros(3))
+    for motion in (short, far):
+        messages = []
+        with pytest.raises(ValueError, match=r"leg|overflow") as in_c:
+            ss.inverse_kinematics(robot, motion)
+        with numpy_alone(monkeypatch), pytest.raises(ValueError, match=r"leg|overflow") as in_numpy:
+            ss.inverse_kinematics(robot, motion)
+        messages = [str(error.value) for error in (in_c, in_numpy)]
+        assert messages[0] == messages[1]
+    assert "leg 4 has length zero at motion[2049]" in str(_error(robot, short))
+
+
+def _error(robot: ss.Robot, motion: ss.Motion) -> ValueError:
+    with pytest.raises(ValueError, match="leg") as caught:
+        ss.inverse_kinematics(robot, motion)
+    return caught.value
+
+
+def test_each_output_may_be_left_out_and_each_status_is_its_pose_s() -> None:
+    rng = np.random.default_rng(6)
+    robot = dasgupta()
+    motion = random_motion(rng, robot, (4,))
+    t = np.array(motion.t)
+    t[2], t[3] = np.nan, 1e300
+    arrays = [contiguous(getattr(motion, name)) for name in MOTION]
+    arrays[1] = t
+    numbers = robot_numbers(robot)
+    expected = ss.inverse_kinematics(robot, motion[:2])
+    for name, shape in kinematics._SHAPES.items():
+        out, status = np.full((4, *shape), -1.0), np.full(4, -1, dtype=np.int32)
+        first = library("legs").stewart_legs_batch(
+            address(numbers),
+            ctypes.c_size_t(4),
+            (ctypes.c_void_p * len(arrays))(*[address(array) for array in arrays]),
+            (ctypes.c_void_p * 5)(*[address(out if name == other else None) for other in kinematics._SHAPES]),
+            address(status),
+        )
+        assert first == results.NOT_FINITE
+        assert status.tolist() == [0, 0, results.NOT_FINITE, results.NOT_FINITE]
+        np.testing.assert_allclose(out[:2], getattr(expected, name), rtol=1e-12, atol=1e-12)
+        np.testing.assert_array_equal(out[2:], -1.0)
+
+
+def test_null_pointers_that_are_needed_are_rejected() -> None:
+    none = ctypes.c_void_p(None)
+    numbers = robot_numbers(dasgupta())
+    arrays = (ctypes.c_void_p * 8)(*[address(np.zeros(9))] * 4)
+    out = (ctypes.c_void_p * 5)(None, None, address(numbers), None, None)
+    batch = library("legs").stewart_legs_batch
+    for arguments in (
+        (none, arrays, out),
+        (address(numbers), none, out),
+        (address(numbers), arrays, none),
+        (address(numbers), (ctypes.c_void_p * 8)(), (ctypes.c_void_p * 5)()),
+        (address(numbers), arrays, out),
+    ):
+        robot, motions, legs = arguments
+        assert batch(robot, ctypes.c_size_t(1), motions, legs, none) == results.BAD_ARGUMENT
+
+
+def test_from_rpy_takes_rotations_made_of_angles_as_rotations(monkeypatch: pytest.MonkeyPatch) -> None:
+    """R is a rotation by construction, and each array is looked at once."""
+    seen: list[str] = []
+    monkeypatch.setattr("stewart_sym.motion._check_rotation", lambda *_: seen.append("R"))
+    finite = ss.motion.finite_array
+    monkeypatch.setattr(
+        "stewart_sym.motion.finite_array", lambda x, core, name: seen.append(name) or finite(x, core, name)
+    )
+    ss.Motion.from_rpy(*np.zeros((6, 5, 3)))
+    assert sorted(seen) == ["a", "t", "theta", "theta_ddot", "theta_dot", "v"]
+
+
+def test_from_rpy_is_made_of_the_functions_of_angles() -> None:
+    rng = np.random.default_rng(7)
+    theta, theta_dot = rng.normal(size=(2, 5, rotation.BLOCK // 2, 3))
+    theta_ddot, t = rng.normal(size=(2, 3))
+    motion = ss.Motion.from_rpy(t, theta, t, theta_dot, t, theta_ddot)
+    assert motion.shape == theta.shape[:-1]
+    assert not motion.R.flags.writeable
+    np.testing.assert_array_equal(motion.R, rotation.rotation_from_rpy(theta))
+    np.testing.assert_array_equal(motion.omega, rotation.angular_velocity_from_rpy(theta, theta_dot))
+    alpha = rotation.angular_acceleration_from_rpy(theta, theta_dot, theta_ddot)
+    np.testing.assert_array_equal(motion.alpha, alpha)
+
+
+@pytest.mark.filterwarnings("ignore:overflow")
+@pytest.mark.filterwarnings("ignore:invalid")
+def test_rates_that_overflow_are_named() -> None:
+    with pytest.raises(ValueError, match=r"^omega: expected finite numbers, entry \(1, \d\) is"):
+        ss.Motion.from_rpy(np.zeros(3), [1.0, 1.0, 1.0], np.zeros(3), [[0.0] * 3, HUGE])

@@ -1,0 +1,202 @@
+"""Runs that saturate, start on their path, tell how far they are, and draw only what there is."""
+
+import dataclasses
+import shutil
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta, home_position, machine_size, random_robot
+
+import stewart_sym as ss
+from stewart_sym import chart
+from stewart_sym.cli import main
+from stewart_sym.laws import along
+from stewart_sym.rotation import rotation_from_vector, vector_rate
+from stewart_sym.scene import read_scene
+from stewart_sym.studies import energy_drift
+from stewart_sym.studies.run import figure, summary
+
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+ZERO = np.zeros(3)
+TRACK = """
+schema = 1
+robot = "robot.toml"
+duration = 0.02
+start = "path"
+on_force_limit = "saturate"
+[legs]
+law = "tracking"
+path = "I"
+k_p = 400
+k_d = 40
+rate = 500.0
+"""
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
+        shutil.copy(source, tmp_path / "robot.toml")
+    path = tmp_path / "scene.toml"
+    path.write_text(TRACK)
+    return path
+
+
+def limit_forces(scene: Path, limit: float) -> None:
+    robot = scene.parent / "robot.toml"
+    defaults = "[leg_defaults.lower]\n"
+    assert defaults in robot.read_text()
+    robot.write_text(
+        robot.read_text().replace(defaults, f"[leg_defaults]\nforce_limit = {limit}\n{defaults}")
+    )
+
+
+def machine() -> tuple[ss.Robot, ss.Motion]:
+    robot = random_robot(np.random.default_rng(3), scale=1.0)
+    return robot, ss.Motion(np.eye(3), home_position(robot.b, machine_size(robot)), ZERO, ZERO)
+
+
+@pytest.mark.parametrize("size", [0.0, 1e-12, 1e-5, 0.04, 0.06, 0.9, 3.0])
+def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
+    rng = np.random.default_rng(1)
+    phi, omega = rng.normal(size=(2, 3))
+    phi *= size / np.linalg.norm(phi)
+    R = rotation_from_vector(rng.normal(size=3))
+    np.testing.assert_allclose(chart.turned(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15)
+    np.testing.assert_allclose(chart.rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15)
+
+
+@pytest.mark.parametrize("rate", [None, 200.0])
+def test_clipped_forces_move_the_machine_as_given_ones_do(rate: float | None) -> None:
+    """A law beyond its limits in legs 2 and 5, one after the other: the run of the clipped law itself."""
+    robot, state = machine()
+    hold = ss.inverse_dynamics(robot, ss.Motion(state.R, state.t, ZERO, ZERO, ZERO, ZERO)).F
+    limit = np.abs(hold) + 50.0
+    limited = dataclasses.replace(robot, force_limit=limit)
+
+    def law(time: float, _: ss.Motion) -> np.ndarray:
+        F = hold.copy()
+        F[1] = limit[1] + 30.0 if time < 0.05 else hold[1]
+        F[4] = -limit[4] - 100.0 * (time - 0.05) if time >= 0.05 else hold[4]
+        return F
+
+    run = ss.simulate(limited, state, law, 0.1, rate=rate, on_force_limit="saturate", output_step=0.01)
+    clipped = ss.simulate(
+        robot, state, lambda time, at: np.clip(law(time, at), -limit, limit), 0.1, rate=rate, output_step=0.01
+    )
+    assert run.stop.kind == "duration"
+    np.testing.assert_allclose(run.t, clipped.t, atol=1e-9)
+    assert (np.abs(run.F) <= limit).all()
+    np.testing.assert_allclose(run.saturation.excess[[1, 4]], [30.0, 5.0 if rate is None else 4.5], rtol=1e-6)
+    np.testing.assert_allclose(run.saturation.time[[1, 4]], 0.05, atol=5e-3)
+    assert not run.saturation.excess[[0, 2, 3, 5]].any()
+    assert not run.saturation.time[[0, 2, 3, 5]].any()
+    assert "saturated  leg 2 for 0.05" in summary(run, law)
+    stopped = ss.simulate(limited, state, law, 0.1, rate=rate)
+    assert (stopped.stop.kind, stopped.stop.leg, stopped.stop.time) == ("force_limit", 2, 0.0)
+    assert not stopped.saturation.excess.any()
+
+
+def test_a_law_that_follows_a_path_starts_on_it() -> None:
+    robot = dasgupta()
+    path = ss.PATHS["I"].path
+    law = ss.ComputedTorque(robot, along(path), k_p=400.0, k_d=40.0)
+    run = ss.simulate(robot, "path", law, 0.02, rate=500.0)
+    np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
+    np.testing.assert_allclose(run.R[0], path.sample(0.0).R, atol=1e-15)
+    for start, other in (("path", np.zeros(6)), ("home", law)):
+        with pytest.raises(ValueError, match=r'^initial_state: expected a Motion, or "path" with a law'):
+            ss.simulate(robot, start, other, 0.02)
+    with pytest.raises(ValueError, match=r'^on_force_limit: expected "stop" or "saturate", got "clip"|clip'):
+        ss.simulate(robot, "path", law, 0.02, on_force_limit="clip")
+
+
+def test_a_scene_starts_on_its_path_and_saturates(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run = read_scene(scene).run()
+    limit = float(np.abs(run.F).max()) - 5.0
+    limit_forces(scene, limit)
+    done = read_scene(scene)
+    assert done.on_force_limit == "saturate"
+    np.testing.assert_array_equal(done.state.t, ss.PATHS["I"].path.sample(0.0).t)
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
+    assert "N beyond its limit" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('start = "path"', 'start = "home"', "start: expected"),
+        (
+            'start = "path"',
+            'start = "path"\nstate = {t = [0, 0, 1], theta = [0, 0, 0]}',
+            "start: expected no",
+        ),
+        ('"saturate"', '"clip"', "on_force_limit: expected"),
+        (TRACK[TRACK.index("[legs]") :], '[legs]\nlaw = "springs"\nstiffness = 1e4', "start: expected"),
+    ],
+)
+def test_bad_starts_are_named(
+    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    scene.write_text(TRACK.replace(old, new))
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out")]) == 2
+    assert f"scene.toml: {words}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("rate", [None, 200.0])
+def test_progress_is_told_in_shares_that_end_at_one(rate: float | None) -> None:
+    robot, state = machine()
+    shares: list[float] = []
+    ss.simulate(robot, state, np.zeros(6), 0.05, rate=rate, progress=shares.append)
+    assert len(shares) > 1
+    assert shares == sorted(shares)
+    assert shares[0] > 0.0
+    assert shares[-1] == pytest.approx(1.0)
+    with pytest.raises(ValueError, match=r"^progress: expected a function \(share\), got int"):
+        ss.simulate(robot, state, np.zeros(6), 0.05, progress=3)
+
+
+def test_no_picture_of_empty_axes(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    robot, state = machine()
+    limited = dataclasses.replace(robot, force_limit=np.ones(6))
+    run = ss.simulate(limited, state, np.full(6, 2.0), 0.1)
+    assert len(run.times) == 1
+    assert figure(run) is None
+    assert energy_drift.figure({}) is None
+    limit_forces(scene, 1e-3)
+    scene.write_text(TRACK.replace('"saturate"', '"stop"'))
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out")]) == 0
+    assert "run.png: not drawn" in capsys.readouterr().err
+    assert not (scene.parent / "out" / "run.png").exists()
+
+
+def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The cost of a sampled law: evaluations a sample, and instants looked up once whatever their number."""
+    robot, state = machine()
+    asked = 0
+    solve = ss.equations._one_state
+
+    def counted(closed: object) -> object:
+        inner = solve(closed)
+
+        def count(motion: ss.Motion, F: np.ndarray) -> object:
+            nonlocal asked
+            asked += 1
+            return inner(motion, F)
+
+        return count
+
+    monkeypatch.setattr(ss.equations, "_one_state", counted)
+    run = ss.simulate(robot, state, np.zeros(6), 0.02, rate=1000.0)
+    # A first step is found from nothing; the others are a sample long.
+    assert run.steps <= 20 + 2
+    assert asked <= 17 * run.steps
+    order = np.random.default_rng(0).permutation(50)
+    times = np.linspace(0.0, 0.02, 50)
+    np.testing.assert_array_equal(run.at(times[order]).t, run.at(times).t[order])
+    assert run.at([]).t.shape == (0, 3)
