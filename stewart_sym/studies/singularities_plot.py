@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..extras import needed_for
 from ..motion import Motion
 from ..robot import LEGS, Robot
-from ..singularity import Singularity
+from ..singular_poses import Singularity
 from .run import save
 from .singularities import Columns, Examination, curves
 
