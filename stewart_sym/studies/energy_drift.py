@@ -127,6 +127,8 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
     """The drifts over time, their magnitudes on a logarithmic axis."""
     from matplotlib.figure import Figure
 
+    from .drawing import legend_below, log_numbers
+
     picture = Figure(figsize=(8.0, 4.2), layout="constrained")
     axes = picture.subplots()
     for name, drift in drifts.items():
@@ -136,7 +138,7 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
             np.maximum(np.abs(drift.drift[1:]), np.finfo(np.float64).eps),
             color=COLORS[name],
             linewidth=1.3,
-            label=f"`{name}`, largest {drift.worst:.1e}",
+            label=f"{name}, largest {drift.worst:.1e}",
         )
     axes.set_xlabel("time, s")
     axes.set_ylabel("change of energy / mean kinetic energy")
@@ -144,5 +146,6 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
     axes.margins(x=0.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    picture.legend(loc="outside lower center", ncols=2, frameon=False)
+    log_numbers(axes.yaxis)
+    legend_below(picture)
     return picture

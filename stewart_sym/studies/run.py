@@ -57,10 +57,11 @@ def figure(run: Simulation) -> "Figure":
     grid = picture.subplots(3, 2, sharex=True)
     legs = {f"leg {leg + 1}": leg for leg in range(6)}
     axes_of = dict(zip("xyz", range(3), strict=True))
+    angles = dict(zip(("roll", "pitch", "yaw"), range(3), strict=True))
     # An angle that leaps by a turn is not drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
     _curves(grid[0][0], run.times, run.t, axes_of, "position, m")
-    _curves(grid[0][1], run.times, np.degrees(theta), axes_of, "roll, pitch, yaw, degrees")
+    _curves(grid[0][1], run.times, np.degrees(theta), angles, "attitude, degrees")
     _curves(grid[1][0], run.times, run.F, legs, "force, N")
     _curves(grid[1][1], run.times, run.L, legs, "leg length, m")
     _curves(grid[2][0], run.times, run.omega, axes_of, "angular velocity, rad/s")
