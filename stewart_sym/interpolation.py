@@ -38,12 +38,12 @@ def between(trajectory: Trajectory) -> Path:
     time, motion = trajectory.time, trajectory.motion
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
-    assert motion.alpha is not None
-    assert motion.a is not None
+    alpha, a = motion.alpha, motion.a
+    assert alpha is not None
+    assert a is not None
 
     def picked(i: NDArray[np.int64]) -> Motion:
-        R, alpha, a = motion.R[i], motion.alpha[i], motion.a[i]
-        return Motion.unchecked(R, motion.t[i], motion.omega[i], motion.v[i], alpha, a)
+        return Motion.unchecked(motion.R[i], motion.t[i], motion.omega[i], motion.v[i], alpha[i], a[i])
 
     def at(times: ArrayLike) -> Motion:
         when = real_array(times, "times")
@@ -56,15 +56,15 @@ def between(trajectory: Trajectory) -> Path:
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
         start, end = picked(i), picked(i + 1)
         places = _quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
-        t, v, a = _values(places, share, h)
+        t, *rates = _values(places, share, h)
         phi, phi_dot, phi_ddot = _values(_turning(h, start, end), share, h)
-        omega, alpha = angular_motion_from_vector(phi, phi_dot, phi_ddot)
+        turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
         R = orthonormal(rotation_from_vector(phi) @ start.R)
         loads = {
             name: None if load is None else load[i] + share * (load[i + 1] - load[i])
             for name, load in (("F_ext", motion.F_ext), ("M_ext", motion.M_ext))
         }
-        return Motion(R, t, omega, v, alpha, a, **loads)
+        return Motion(R, t, turning[0], rates[0], turning[1], rates[1], **loads)
 
     return at
 
