@@ -38,22 +38,12 @@ def between(trajectory: Trajectory) -> Path:
     time, motion = trajectory.time, trajectory.motion
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
-    assert motion.alpha is not None
-    assert motion.a is not None
-    step = np.diff(time)
-    start, end = slice(None, -1), slice(1, None)
-    turn = vector_from_rotation(motion.R[end] @ np.swapaxes(motion.R[start], -1, -2))
-    omega, alpha, zero = motion.omega, motion.alpha, np.zeros_like(turn)
-    angles = _quintic(
-        step,
-        (zero, omega[start], alpha[start]),
-        (turn, vector_rate(turn, omega[end]), vector_second_rate(turn, omega[end], alpha[end])),
-    )
-    places = _quintic(
-        step,
-        (motion.t[start], motion.v[start], motion.a[start]),
-        (motion.t[end], motion.v[end], motion.a[end]),
-    )
+    alpha, a = motion.alpha, motion.a
+    assert alpha is not None
+    assert a is not None
+
+    def picked(i: NDArray[np.int64]) -> Motion:
+        return Motion.unchecked(motion.R[i], motion.t[i], motion.omega[i], motion.v[i], alpha[i], a[i])
 
     def at(times: ArrayLike) -> Motion:
         when = real_array(times, "times")
@@ -63,15 +53,18 @@ def between(trajectory: Trajectory) -> Path:
                 f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
             )
         i, share, h = _steps(time, when)
-        t, v, a = _values(places[:, i], share, h)
-        phi, phi_dot, phi_ddot = _values(angles[:, i], share, h)
-        omega, alpha = angular_motion_from_vector(phi, phi_dot, phi_ddot)
-        R = orthonormal(rotation_from_vector(phi) @ motion.R[i])
+        # The polynomials of the steps in question alone: those of all would take as much room as the motion.
+        start, end = picked(i), picked(i + 1)
+        places = _quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
+        t, *rates = _values(places, share, h)
+        phi, phi_dot, phi_ddot = _values(_turning(h, start, end), share, h)
+        turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
+        R = orthonormal(rotation_from_vector(phi) @ start.R)
         loads = {
             name: None if load is None else load[i] + share * (load[i + 1] - load[i])
             for name, load in (("F_ext", motion.F_ext), ("M_ext", motion.M_ext))
         }
-        return Motion(R, t, omega, v, alpha, a, **loads)
+        return Motion(R, t, turning[0], rates[0], turning[1], rates[1], **loads)
 
     return at
 
@@ -89,11 +82,11 @@ def resampled(trajectory: Trajectory, rate: float) -> Trajectory:
     path = between(trajectory)
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
     i, share, h = _steps(time, when)
-    rows = tuple(np.array(trajectory.rows)[i].tolist())
+    rows = tuple(trajectory.rows[int(k)] for k in i)
     noise = trajectory.noise
     if noise is not None:
         start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
-        c = _quintic(np.diff(time), tuple(start), tuple(end))
+        c = _quintic(np.diff(time)[:, None], tuple(start), tuple(end))
         noise = noise._replace(coordinates=np.stack(_values(c[:, i], share, h)))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
 
@@ -108,9 +101,17 @@ def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array, Array]:
 Ends = tuple[Array, Array, Array]
 
 
-def _quintic(step: Array, first: Ends, last: Ends) -> Array:
-    """Coefficients, (6, n, 3), of powers of the share of a step, from values, rates and second rates."""
-    h = step[:, None]
+def _turning(h: Array, start: Motion, end: Motion) -> Array:
+    """Coefficients as of ``_quintic`` of the rotation vector from the start of each step on."""
+    assert start.alpha is not None
+    assert end.alpha is not None
+    turn = vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
+    rates = vector_rate(turn, end.omega), vector_second_rate(turn, end.omega, end.alpha)
+    return _quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
+
+
+def _quintic(h: Array, first: Ends, last: Ends) -> Array:
+    """Coefficients, (6, ..., 3), of powers of the share of a step h, from values, rates and second rates."""
     c_0, c_1, c_2 = first[0], h * first[1], 0.5 * h**2 * first[2]
     d, e, f = last[0] - c_0 - c_1 - c_2, h * last[1] - c_1 - 2.0 * c_2, h**2 * last[2] - 2.0 * c_2
     c_3, c_4, c_5 = 10.0 * d - 4.0 * e + 0.5 * f, -15.0 * d + 7.0 * e - f, 6.0 * d - 3.0 * e + 0.5 * f

@@ -1,6 +1,6 @@
 """How a path passes the machine's singular poses and limits, found between its samples.
 
-Stands on ``singularity``, ``search`` and the kernels' terms; takes any function of time. det H is a smooth
+Stands on ``singular_poses``, ``search`` and the kernels' terms; takes any function of time. det H is a smooth
 function of time, so its roots are found from its sign at all its turning points. Which intervals are searched
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
@@ -25,7 +25,7 @@ from .motion import Motion
 from .robot import Robot
 from .rotation import cross
 from .search import minimum, root, turning_points
-from .singularity import Singularity, last_directions, singularity
+from .singular_poses import Singularity, last_directions, singularity
 
 Array = NDArray[np.float64]
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.

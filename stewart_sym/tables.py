@@ -50,7 +50,7 @@ def read_text(source: str, what: str, most: int) -> str:
         mode = os.stat(source).st_mode
         if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
             raise ValueError("it is a device")
-        data = b""
+        data = bytearray()
         with open(source, "rb") as stream:
             while len(data) <= most and (chunk := stream.read(_CHUNK)):
                 data += chunk

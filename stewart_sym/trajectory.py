@@ -316,7 +316,7 @@ class Trajectory(NamedTuple):
     time: Array
     motion: Motion
     source: str
-    rows: tuple[int, ...]
+    rows: Sequence[int]
     noise: Uncertainty | None = None
 
 
@@ -334,7 +334,7 @@ class JointTrajectory(NamedTuple):
     F_ext: Array | None
     M_ext: Array | None
     source: str
-    rows: tuple[int, ...]
+    rows: Sequence[int]
     noise: Uncertainty | None = None
 
 
@@ -369,8 +369,7 @@ def read_any_csv(
     else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
     """
     source = file_name(path)
-    text = read_text(source, "trajectory", _MOST_BYTES)
-    columns, rows = read_columns(text, source, _check_header, form)
+    columns, rows = read_columns(read_text(source, "trajectory", _MOST_BYTES), source, _check_header, form)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     log = _Log(
         source, rows, columns["time"], {name: _stack(columns, name) for name in names}, form, smoothing
@@ -396,7 +395,7 @@ def from_poses(
     for name, values in poses.items():
         if values.shape != (len(when), 3):
             raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
-    return _pose_trajectory(_Log(source, tuple(range(len(when))), when, poses, smoothing=smoothing))
+    return _pose_trajectory(_Log(source, range(len(when)), when, poses, smoothing=smoothing))
 
 
 def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
@@ -423,7 +422,7 @@ class _Log:
     """A trajectory as read: vectors by name, (n, 3), (n, 4) or (n, 6), as written."""
 
     source: str
-    rows: tuple[int, ...]
+    rows: Sequence[int]
     time: Array
     written: Mapping[str, Array]
     form: LogFormat = dataclasses.field(default_factory=LogFormat)

@@ -18,8 +18,10 @@ import stewart_sym as ss
 from stewart_sym import cli, kernel
 from stewart_sym.cli import main
 from stewart_sym.publish import RECORD, replaced_file, staged_folder
+from stewart_sym.rotation import rpy_from_rotation
 from stewart_sym.studies import track
 from stewart_sym.studies.output import csv_lines
+from stewart_sym.trajectory import read_csv
 
 POSES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 
@@ -236,7 +238,7 @@ def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) 
     output = robot.parent / "forces.csv"
     assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
     rows = read(output)
-    time, motion, *_ = ss.trajectory.read_csv(trajectory)
+    time, motion, *_ = read_csv(trajectory)
     expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
     for i, row in enumerate(rows):
         assert float(row["time"]) == time[i]
@@ -259,7 +261,7 @@ def test_forces_takes_formulation_backend_and_reactions(
     assert len(header) == 1 + 12 + 2 + 6 * 16
     values = np.array([[line.split(",") for line in lines[1:]] for lines in written], dtype=np.float64)
     np.testing.assert_allclose(values[1:], np.broadcast_to(values[0], values[1:].shape), rtol=1e-9, atol=1e-9)
-    motion = ss.trajectory.read_csv(trajectory)[1]
+    motion = read_csv(trajectory)[1]
     reactions = ss.joint_reactions(ss.Robot.from_toml(robot), motion, formulation)  # type: ignore[arg-type]
     np.testing.assert_array_equal(values[0][:, header.index("F_u3_y")], reactions.F_u[:, 2, 1])
     np.testing.assert_array_equal(values[0][:, header.index("M_u5")], reactions.M_u[:, 4])
@@ -399,7 +401,7 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
         return real(*arguments, **options, bearing=1e308)  # type: ignore[arg-type]
 
     monkeypatch.setattr(track, "joint_reactions", far)
-    read_back = ss.trajectory.read_csv(trajectory)
+    read_back = read_csv(trajectory)
     machine = ss.Robot.from_toml(robot)
     with pytest.raises(ValueError, match=r"csv: row 2: an input is not finite, or a result overflows"):
         track.track(machine, read_back, reactions=True)
@@ -574,7 +576,7 @@ def crossing(tmp_path: Path) -> Path:
     path = ss.PATHS["III"].path
     time = path.times(0.3)
     motion = path.sample(time)
-    theta = ss.motion.rpy_from_rotation(motion.R)
+    theta = rpy_from_rotation(motion.R)
     rates = np.gradient(theta, time, axis=0, edge_order=2)
     vectors = {"t": motion.t, "theta": theta, "v": motion.v, "theta_dot": rates, "a": motion.a}
     vectors["theta_ddot"] = np.zeros_like(theta)

@@ -39,6 +39,7 @@ from stewart_sym.studies.charts import charts
 from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, economy
 from stewart_sym.studies.output import csv_lines
 from stewart_sym.studies.truth import Truth, deviation
+from stewart_sym.trajectory import read_csv
 
 Array = NDArray[np.float64]
 
@@ -110,7 +111,7 @@ def test_a_scene_is_what_its_file_says(scene: Path) -> None:
     turn = {"theta_x": 0 * time, "theta_y": 0 * time, "theta_z": 0.1 * time}
     (scene.parent / "poses.csv").write_text("".join(csv_lines({"time": time} | pose | turn)))
     robot = Robot.from_toml(scene.parent / "robots" / "robot.toml")
-    motion = ss.trajectory.read_csv(scene.parent / "poses.csv").motion
+    motion = read_csv(scene.parent / "poses.csv").motion
     legs = ss.inverse_kinematics(robot, motion)
     columns = {"time": time} | {f"L_{leg + 1}": legs.L[:, leg] for leg in range(6)}
     (scene.parent / "legs.csv").write_text("".join(csv_lines(columns)))

@@ -19,7 +19,7 @@ from stewart_sym.cli import main
 from stewart_sym.forward import jacobian, solve
 from stewart_sym.rotation import rotation_from_rpy, rotation_from_vector
 from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import read_any_csv, read_csv
+from stewart_sym.trajectory import JointTrajectory, read_any_csv, read_csv
 
 Array = NDArray[np.float64]
 Poses = tuple[Array, Array]
@@ -622,7 +622,7 @@ def test_lengths_without_rates_are_differentiated(robot_file: Path, tmp_path: Pa
     trajectory = tmp_path / "legs.csv"
     trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
     read = read_any_csv(trajectory)
-    assert isinstance(read, ss.trajectory.JointTrajectory)
+    assert isinstance(read, JointTrajectory)
     slope = np.gradient(L, time, axis=0, edge_order=2)
     np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)
     output = tmp_path / "forces.csv"

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.interpolation import between
 from stewart_sym.rotation import angular_motion_from_vector, rotation_from_vector, vector_second_rate
-from stewart_sym.trajectory import Trajectory
+from stewart_sym.trajectory import Trajectory, read_csv
 
 Array = NDArray[np.float64]
 FIELDS = ("R", "t", "omega", "v", "alpha", "a")
@@ -60,7 +60,7 @@ def test_positions_are_the_spline_that_gave_the_rates(tmp_path) -> None:
     rows = np.hstack([time[:, None], t, 0.1 * t])
     header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
     np.savetxt(tmp_path / "t.csv", rows, delimiter=",", header=header, comments="", fmt="%.17g")
-    path = between(ss.trajectory.read_csv(tmp_path / "t.csv"))
+    path = between(read_csv(tmp_path / "t.csv"))
     times = np.linspace(time[0], time[-1], 200)
     spline = make_interp_spline(time - time[0], t, k=5)
     np.testing.assert_allclose(path(times).t, spline(times - time[0]), atol=1e-9)

@@ -18,7 +18,7 @@ from stewart_sym.joint_space import on_platform
 from stewart_sym.rotation import rpy_from_rotation
 from stewart_sym.smoothing import rounding_step, white_noise
 from stewart_sym.studies.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
-from stewart_sym.trajectory import JointTrajectory, Trajectory, from_poses
+from stewart_sym.trajectory import JointTrajectory, Trajectory, from_poses, read_any_csv, read_csv
 
 Array = NDArray[np.float64]
 NOISES = ("3", "4", "5", "white")
@@ -195,7 +195,7 @@ def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -
     )
     table = np.round(np.hstack([one.time[:, None], *one.true]), 4)
     np.savetxt(tmp_path / "log.csv", table, fmt="%.9g", delimiter=",", header=header, comments="")
-    trajectory = ss.trajectory.read_csv(tmp_path / "log.csv")
+    trajectory = read_csv(tmp_path / "log.csv")
     F = ss.inverse_dynamics(one.robot, trajectory.motion).F
     runs = [(one, F, ss.force_deviations(one.robot, trajectory))]
     assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.05)
@@ -211,7 +211,7 @@ def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
         header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
         np.savetxt(path, table, fmt="%.9g", delimiter=",", header=header, comments="")
         with pytest.warns(ss.LogWarning, match="smoothed"):
-            log = ss.trajectory.read_any_csv(path)
+            log = read_any_csv(path)
         assert isinstance(log, JointTrajectory)
         log = log._replace(time=one.time)
         trajectory = on_platform(one.robot, log, (motion(one.true).R[0], one.true[0, 0, :3]))

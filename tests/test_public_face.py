@@ -1,8 +1,12 @@
 """What a reader of help(ss), dir(ss) and of a result at the prompt sees."""
 
+import importlib
 import importlib.metadata
 import inspect
+import subprocess
+import sys
 import types
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,6 +27,61 @@ def test_the_version_is_that_of_the_package() -> None:
     assert ss.__version__ == importlib.metadata.version("stewart-sym")
     with pytest.raises(AttributeError, match="module 'stewart_sym' has no attribute 'version'"):
         _ = ss.version  # type: ignore[attr-defined]
+
+
+def test_every_public_name_is_what_its_module_defines() -> None:
+    for name, module in ss._MODULES.items():
+        found = importlib.import_module(module, "stewart_sym")
+        assert getattr(ss, name) is (found if module == f".{name}" else getattr(found, name)), name
+
+
+def test_no_public_name_is_hidden_by_the_module_of_that_name() -> None:
+    """Importing a submodule sets it as an attribute of the package, whatever was there."""
+    modules = {path.stem for path in Path(ss.__file__).parent.iterdir()} - {"results", "robots"}
+    assert not modules & set(dir(ss))
+
+
+def run(code: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+
+
+def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> None:
+    done = run(
+        "import sys, stewart_sym as ss; dir(ss)\n"
+        "print(sorted(m for m in sys.modules if m == 'numpy' or m.startswith('stewart_sym.')))"
+    )
+    assert done.stdout == "[]\n", done.stderr
+
+
+@pytest.mark.parametrize(
+    "module", ["stewart_sym.cli", "argparse", "stewart_sym.extras", "importlib.metadata"]
+)
+def test_an_interrupt_while_the_command_line_is_imported_is_a_clean_exit(module: str) -> None:
+    done = run(f"""
+import os, signal, sys
+class Interrupting:
+    def find_spec(self, name, path=None, target=None):
+        if name == {module!r}:
+            os.kill(os.getpid(), signal.SIGINT)
+from stewart_sym.__main__ import main
+sys.modules.pop({module!r}, None)
+sys.meta_path.insert(0, Interrupting())
+sys.argv = ["stewart-sym", "--version"]
+sys.exit(main())
+""")
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
+
+
+def test_a_subinterpreter_imports_the_package() -> None:
+    done = run("""
+try:
+    import _interpreters as interpreters
+except ImportError:
+    import _xxsubinterpreters as interpreters
+code = "import stewart_sym as ss; print(ss.__version__, len(dir(ss)))"
+interpreters.run_string(interpreters.create(), code)
+""")
+    assert done.stdout == f"{ss.__version__} {len(dir(ss))}\n", done.stderr
 
 
 def test_signatures_name_their_types_and_fit_a_screen() -> None:

@@ -5,6 +5,7 @@
 writes the README's tables anew; without DIR it only writes the tables.
 """
 
+import ast
 import copy
 import json
 import re
@@ -305,12 +306,75 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
             )
 
 
-def test_python_example_runs_as_printed() -> None:
-    blocks = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+SHAPE = re.compile(r"\((\d+(?:, \d+)*),?\)")
+NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
+ROUNDING = 1e-9
+"""Largest of what a comment calls 0 but for rounding, N and m/s^2."""
+
+
+def compared(value: object, comment: str) -> int:
+    """Check a value against the shape, the number or both that its comment begins with; returns how many."""
+    text, count = comment, 0
+    if shape := SHAPE.match(text):
+        assert np.shape(value) == tuple(int(length) for length in shape[1].split(", ")), comment
+        text, count = text[shape.end() :].lstrip(":, "), 1
+    if number := NUMBER.match(text):
+        within = ROUNDING if "but for rounding" in text else 0.5 * 10.0 ** -len(number[1] or "")
+        assert np.abs(np.asarray(value) - float(number[0])).max() <= within, comment
+        count += 1
+    return count
+
+
+def run_and_compare(text: str, names: dict[str, Any]) -> int:
+    """Run statements in order, each compared with the comment at its end; returns how many were compared."""
+    lines, count = text.splitlines(), 0
+    for statement in ast.parse(text).body:
+        assert statement.end_lineno is not None
+        comment = lines[statement.end_lineno - 1].encode()[statement.end_col_offset :].decode()
+        comment = comment.strip().removeprefix("#").strip()
+        if isinstance(statement, ast.Expr):
+            value = eval(compile(ast.Expression(statement.value), "README.md", "eval"), names)
+        else:
+            exec(compile(ast.Module([statement], []), "README.md", "exec"), names)
+            target = statement.targets[0] if isinstance(statement, ast.Assign) else None
+            value = names[target.id] if isinstance(target, ast.Name) else None
+        count += compared(value, comment)
+    return count
+
+
+def test_python_examples_run_in_order_and_give_what_their_comments_say() -> None:
+    blocks = "".join(re.findall(r"```python\n(.*?)```", README, re.DOTALL))
     names: dict[str, Any] = {}
-    exec("\n".join(blocks), names)
-    assert np.isfinite(names["r"].F).all()
-    assert names["status"] == 0
+    assert run_and_compare(blocks, names) >= 20
+    assert names["code"] == 0
+    comments = re.findall(r"#(.*)", blocks)
+    assert not [comment for comment in comments if SHAPE.search(comment) and not SHAPE.match(comment.strip())]
+
+
+def test_no_name_of_the_examples_changes_from_one_pose_to_many() -> None:
+    """An array of another batch meets it without an error, by broadcasting."""
+    kept: dict[str, tuple[int, ...]] = {}
+    names: dict[str, Any] = {}
+    for block in re.findall(r"```python\n(.*?)```", README, re.DOTALL):
+        run_and_compare(block, names)
+        for name, value in names.items():
+            if isinstance(value, ss.Motion):
+                assert kept.setdefault(name, value.shape) == value.shape, name
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x = [1.0, 2.0]  # (3,)",
+        "[[1.0, 2.0]]  # (2, 1)",
+        "1.25  # 1.26 s",
+        "3  # 4: four",
+        "[0.0, 1e-6]  # (2,): 0 but for rounding",
+    ],
+)
+def test_a_comment_that_says_something_else_is_found(text: str) -> None:
+    with pytest.raises(AssertionError):
+        run_and_compare(text, {})
 
 
 def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:

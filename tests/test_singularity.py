@@ -10,7 +10,7 @@ from test_bad_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.passage import crossings
-from stewart_sym.singularity import screw
+from stewart_sym.singular_poses import screw
 
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps

@@ -44,7 +44,7 @@ def report(found: Benchmark) -> str:
     machine, software = found.machine, found.software
     sets = ", ".join(machine["instruction_sets"]) or "unknown instruction sets"
     head = [
-        f"Inverse dynamics of {found.robot}, `exact`, one pose: F with friction, load and solve",
+        f"Inverse dynamics of {found.robot}, exact, one pose: F with friction, load and solve",
         "",
         f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
         *_others(machine["taken_by_others"]),

@@ -108,7 +108,7 @@ def summary(data: Bounds) -> str:
     """One line for each precision: whether the bounds hold, and how far above the errors they lie."""
     return "\n".join(
         f"{precision:<6}  {found.error.size} poses: bound over error at least {found.ratio.min():.1f}, "
-        f"{np.median(found.ratio):.0f} in the middle, {np.percentile(found.ratio, 95):.0f} at 95 %; "
+        f"{np.median(found.ratio):.0f} in the median, {np.percentile(found.ratio, 95):.0f} at 95 %; "
         f"{np.count_nonzero(~found.covered)} forces beyond their bound"
         for precision, found in data.items()
     )
@@ -128,7 +128,9 @@ def figure(data: Bounds) -> "Figure":
     """Bound over true error of every pose, with the lines of 1 and of 1000 times the error."""
     from matplotlib.figure import Figure
 
-    picture = Figure(figsize=(6.4, 5.2), layout="constrained")
+    from .drawing import legend_below, log_numbers
+
+    picture = Figure(figsize=(6.4, 5.6), layout="constrained")
     axes = picture.subplots()
     for precision, found in data.items():
         color, mark = _MARKS[precision]
@@ -141,7 +143,7 @@ def figure(data: Bounds) -> "Figure":
             markersize=2.6,
             markeredgewidth=0.0,
             alpha=0.45,
-            label=f"{precision}: {np.median(found.ratio):.0f} times the error in the middle\n"
+            label=f"{precision}: bound {np.median(found.ratio):.0f} times the error in the median\n"
             + _undrawn(found),
         )
     _draw_limits(axes, data)
@@ -151,14 +153,16 @@ def figure(data: Bounds) -> "Figure":
     axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    picture.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=8.0, markerscale=2.5)
+    for axis in (axes.xaxis, axes.yaxis):
+        log_numbers(axis)
+    legend_below(picture, fontsize=8.0, markerscale=2.5)
     return picture
 
 
 def _undrawn(found: Precise) -> str:
     """How many poses the picture leaves out; its axes have no place for an error of zero either."""
     count = found.left_out + int(np.count_nonzero(found.error == 0.0))
-    return f"{count} of {found.left_out + found.error.size} poses left out: no answer, bound or error"
+    return f"{count} of {found.left_out + found.error.size} poses left out: no force, bound or error"
 
 
 def _draw_limits(axes: "Axes", data: Bounds) -> None:

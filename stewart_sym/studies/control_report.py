@@ -95,25 +95,28 @@ def figure(study: Study) -> "Figure":
     """Errors, on logarithmic axes, and the force of the hardest working leg over time, a column a path."""
     from matplotlib.figure import Figure
 
+    from .drawing import legend_below, log_numbers
+
     picture = Figure(figsize=(10.0, 8.0), layout="constrained")
     grid = picture.subplots(3, len(study.runs), sharex="col", sharey="row", squeeze=False)
     for column, (path, runs) in zip(grid.T, study.runs.items(), strict=True):
         column[0].set_title(f"Path {path}", fontsize=10.0)
         for name, run in runs.items():
-            style = {**_STYLE[name], "label": NAMES[name]}
+            style = {**_STYLE[name], "label": NAMES[name].replace("`", "")}
             column[0].semilogy(run.time, 1e3 * run.position, **style)
             column[1].semilogy(run.time, 1e3 * run.orientation, **style)
             column[2].plot(run.time, run.largest_force, **style)
         column[2].set_xlabel("time, s")
         for axes in column:
             _tidy(axes)
+        for axes in column[:2]:
+            log_numbers(axes.yaxis)
     for row, label in zip(
         grid, ("position error, mm", "orientation error, mrad", "largest force, N"), strict=True
     ):
         row[0].set_ylabel(label)
-    handles, labels = grid[0][0].get_legend_handles_labels()
     picture.suptitle(study.robot.name, fontsize=10.0)
-    picture.legend(handles, labels, loc="outside lower center", ncols=len(handles), frameon=False)
+    legend_below(picture)
     return picture
 
 

@@ -132,12 +132,12 @@ def figure(found: Economy) -> "Figure":
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
     with matplotlib.rc_context(_STYLE):
         picture = Figure(figsize=(12.4, 7.8), layout="constrained")
-        left, right = picture.subplots(1, 2, width_ratios=(1.3, 1.0))
+        left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
         picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
         _draw(left, _of(every, TOTAL), marks)
         _draw(right, _of(every, ROUNDING), marks)
         left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
-        right.set_title("error of rounding: `exact`, general", fontsize="medium")
+        right.set_title("error of rounding: exact, general", fontsize="medium")
         left.set_ylabel("largest error, share of the motion's peak force")
         _legend(picture, left, marks)
         for axes, panel in ((left, TOTAL), (right, ROUNDING)):
@@ -222,7 +222,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     axes.yaxis.set_major_locator(FixedLocator(sorted(ticks)))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ticks.get(y, "")))
     axes.yaxis.set_minor_locator(NullLocator())
-    axes.set_ylim(10.0 ** (low - 0.7), 10.0 ** (high + 1.3))
+    axes.set_ylim(10.0 ** (low - 0.7), 10.0 ** (high + 2.3))
     decades = math.log10(axes.get_xlim()[1] / axes.get_xlim()[0])
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0) if decades < 1.5 else (1.0,)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.0f}"))
@@ -232,13 +232,15 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
 def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
     from matplotlib.lines import Line2D
 
+    from .drawing import legend_below
+
     handles = [
         Line2D([], [], color=_OTHER, marker=mark, linestyle="", markersize=5.0, label=_motion_name(name))
         for name, mark in marks.items()
     ]
     colors = (
-        ("`exact`, double", _EXACT),
-        ("`paper`, double", _PAPER),
+        ("exact, double", _EXACT),
+        ("paper, double", _PAPER),
         ("float", _FLOAT),
     )
     handles += [
@@ -251,7 +253,7 @@ def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
     handles.append(
         Line2D([], [], color=_FRONT, linewidth=4.0, alpha=0.35, label="Pareto front, worst motion")
     )
-    picture.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False)
+    legend_below(picture, handles)
 
 
 def _motion_name(name: str) -> str:

@@ -127,6 +127,8 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
     """The drifts over time, their magnitudes on a logarithmic axis; None where no run has two instants."""
     from matplotlib.figure import Figure
 
+    from .drawing import legend_below, log_numbers
+
     drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
     if not drifts:
         return None
@@ -139,7 +141,7 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
             np.maximum(np.abs(drift.drift[1:]), np.finfo(np.float64).eps),
             color=COLORS[name],
             linewidth=1.3,
-            label=f"`{name}`, largest {drift.worst:.1e}",
+            label=f"{name}, largest {drift.worst:.1e}",
         )
     axes.set_xlabel("time, s")
     axes.set_ylabel("change of energy / mean kinetic energy")
@@ -147,5 +149,6 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
     axes.margins(x=0.0)
     axes.grid(alpha=0.35, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    picture.legend(loc="outside lower center", ncols=2, frameon=False)
+    log_numbers(axes.yaxis)
+    legend_below(picture)
     return picture

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Place = tuple[float, float]
 
-MARKER, ROOM, SIDES = 3.0, 2.0, 9.0
+MARKER, ROOM, SIDES = 3.0, 4.0, 12.0
 """Points (1/72 inch) from the middle of a marker to its edge; around markers and labels that stay free; and
 that stay free at both sides of a label."""
 

@@ -10,12 +10,17 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+_ROWS = 4096
+
 
 def csv_lines(columns: Mapping[str, NDArray[Any]]) -> Iterator[str]:
     """Lines of a CSV file, header first; columns (n,) by name, floats with all their digits."""
     yield ",".join(columns) + "\n"
-    for row in zip(*(column.tolist() for column in columns.values()), strict=True):
-        yield ",".join(map(repr, row)) + "\n"
+    # A part of the rows as Python's numbers at a time: they take four times the room of the arrays.
+    for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
+        part = (column[start : start + _ROWS].tolist() for column in columns.values())
+        for row in zip(*part, strict=True):
+            yield ",".join(map(repr, row)) + "\n"
 
 
 def csv_text(rows: Iterable[Sequence[object]]) -> str:

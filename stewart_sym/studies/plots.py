@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..extras import needed_for
+from .drawing import legend_below, log_numbers
 from .reproduce import PathRun, Reproduction
 
 with needed_for("drawing"):
@@ -86,7 +87,7 @@ def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     handles = [
         _handle(f"{c.letter}: {c.meaning}", color=c.color, linestyle=c.dash, **_PAPER_LINE) for c in _CURVES
     ]
-    _legend(figure, [*handles, *_formulation_handles("same for S")])
+    legend_below(figure, [*handles, *_formulation_handles("same for S")])
     return figure
 
 
@@ -100,7 +101,7 @@ def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
         low, high = _fraction_limits((paper, exact), leg)
         axes.set_ylim(low, high)
         axes.axhline(0.0, color="black", linewidth=0.6, zorder=1)
-    _legend(figure, _formulation_handles("gaps where $F$ crosses zero; cut off at ±1"))
+    legend_below(figure, _formulation_handles("gaps where $F$ crosses zero; cut off at ±1"))
     return figure
 
 
@@ -116,14 +117,15 @@ def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     axes.set(xlabel="time, s", ylabel="condition number", xlim=(paper.time[0], paper.time[-1]))
     if paper.condition.max() > 1e3:
         axes.set_yscale("log")
+        log_numbers(axes.yaxis)
     else:
         axes.set_ylim(bottom=0)
     handles = [
-        _handle("the paper's, moments in N m (`paper`)", color=color, **_PAPER_LINE),
-        _handle("`exact`: the same H", color=color, **_EXACT_LINE),
+        _handle("the paper's, moments in N m (paper)", color=color, **_PAPER_LINE),
+        _handle("exact: the same H", color=color, **_EXACT_LINE),
         _handle("unitless, moments by characteristic length", color=scaled, linestyle="--", **_PAPER_LINE),
     ]
-    _legend(figure, handles, columns=2)
+    legend_below(figure, handles)
     return figure
 
 
@@ -193,14 +195,10 @@ def _fraction_limits(runs: tuple[PathRun, ...], leg: int) -> tuple[float, float]
 def _formulation_handles(note: str) -> list[Line2D]:
     grey = "#555555"
     return [
-        _handle("thin: `paper`, as printed", color=grey, **_PAPER_LINE),
-        _handle(f"band: `exact` ({note})", color=grey, **_EXACT_LINE),
+        _handle("thin: paper, as printed", color=grey, **_PAPER_LINE),
+        _handle(f"band: exact ({note})", color=grey, **_EXACT_LINE),
     ]
 
 
 def _handle(label: str, **style: Any) -> Line2D:
     return Line2D([], [], label=label, **style)
-
-
-def _legend(figure: Figure, handles: list[Line2D], columns: int = 5) -> None:
-    figure.legend(handles=handles, loc="outside lower center", ncols=min(columns, len(handles)))

@@ -63,13 +63,14 @@ def figure(run: Simulation) -> "Figure | None":
         return None
     axes_of = dict(zip("xyz", range(3), strict=True))
     legs = {f"leg {leg + 1}": leg for leg in range(6)}
+    angles = dict(zip(("roll", "pitch", "yaw"), range(3), strict=True))
     # An angle that leaps by a turn is not drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
     gained = run.potential - run.potential[0]
     energies = np.stack([run.kinetic, gained, run.kinetic + gained], axis=-1)
     panels = (
         (run.t, axes_of, "position, m"),
-        (np.degrees(theta), axes_of, "roll, pitch, yaw, degrees"),
+        (np.degrees(theta), angles, "attitude, degrees"),
         (run.F, legs, "force, N"),
         (run.L, legs, "leg length, m"),
         (run.omega, axes_of, "angular velocity, rad/s"),

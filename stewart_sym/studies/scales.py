@@ -310,9 +310,11 @@ def figure(data: Scales) -> "Figure":
     from matplotlib.figure import Figure
     from matplotlib.ticker import LogLocator
 
+    from .drawing import legend_below, log_numbers
+
     picture = Figure(figsize=(10.0, 4.4), layout="constrained")
     picture.suptitle(
-        f"Rounding error of the leg forces, `{data.formulation}`, machines similar to {data.robot}:\n"
+        f"Rounding error of the leg forces, {data.formulation}, machines similar to {data.robot}:\n"
         r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
         fontsize=10.0,
     )
@@ -338,8 +340,8 @@ def figure(data: Scales) -> "Figure":
         ha="center",
         fontsize=8.0,
     )
-    handles, names = panels[0].get_legend_handles_labels()
-    picture.legend(handles, names, loc="outside lower center", ncols=4, frameon=False, fontsize=9.0)
+    log_numbers(panels[0].yaxis)
+    legend_below(picture, fontsize=9.0)
     return picture
 
 

@@ -18,7 +18,7 @@ from ..kinematics import ROUNDING, leg_vectors, wrench_matrix
 from ..passage import Crossing, LegExtreme, Passage, crossings, force_pole, singularities_along
 from ..results import OK
 from ..robot import LEGS, Robot
-from ..singularity import Singularity
+from ..singular_poses import Singularity
 from ..trajectory import Trajectory
 from .table import aligned
 

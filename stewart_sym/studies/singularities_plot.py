@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from ..extras import needed_for
 from ..motion import Motion
 from ..robot import LEGS, Robot
-from ..singularity import Singularity
+from ..singular_poses import Singularity
+from .drawing import log_numbers
 from .run import save
 from .singularities import Columns, Examination, curves
 
@@ -59,6 +60,8 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     for axes, values in zip(panels, (columns["scaled_condition"], time, largest), strict=True):
         _if_empty(axes, values)
         _plain(axes)
+        if axes.get_yscale() == "log":
+            log_numbers(axes.yaxis)
         for crossing in found.passage.crossings:
             axes.axvline(crossing.time, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
     count = len(found.passage.crossings)

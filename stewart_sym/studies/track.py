@@ -38,6 +38,9 @@ NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
 
 
+_PART = 1 << 16
+
+
 class Track(NamedTuple):
     """A trajectory run through the dynamics.
 
@@ -67,30 +70,42 @@ def track(
     leaves nan and a status there and warns instead.
     """
     time, motion = trajectory.time, trajectory.motion
-    forces = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
-    status, more = forces.status, None
+    F, condition, status, L, L_dot = _in_parts(robot, motion, formulation, backend)
+    more = None
     if reactions:
         more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
         status = np.where(status == OK, more.status, status)
     if status.any():
         _tell(trajectory, *first_fault(status, robot, motion), allow_singular)
-    L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(forces.status, (SHORT_LEG, NOT_FINITE)))
     F_sd = None
     if trajectory.noise is not None:
         F_sd = force_deviations(robot, trajectory, formulation, backend)
     columns: Columns = {"time": time}
-    columns |= {f"F{i + 1}": forces.F[:, i] for i in range(6)}
+    columns |= {f"F{i + 1}": F[:, i] for i in range(6)}
     if F_sd is not None:
         columns |= {f"F{i + 1}_sd": F_sd[:, i] for i in range(6)}
     columns |= {f"L{i + 1}": L[:, i] for i in range(6)}
-    condition = condition_number(forces.H)
     columns |= {"condition_number": condition, "status": status}
     if more is not None:
         columns |= _reaction_columns(more)
-    doubts = exceeded(robot, time, forces.F, L, L_dot, F_sd)
+    doubts = exceeded(robot, time, F, L, L_dot, F_sd)
     if F_sd is not None:
-        doubts += _noisy(time, forces.F, F_sd, noise_share)
-    return Track(columns, doubts, _summary(robot, time, forces.F, F_sd, L, L_dot, condition))
+        doubts += _noisy(time, F, F_sd, noise_share)
+    return Track(columns, doubts, _summary(robot, time, F, F_sd, L, L_dot, condition))
+
+
+def _in_parts(
+    robot: Robot, motion: Motion, formulation: Formulation, backend: Backend
+) -> tuple[Array, Array, NDArray[np.int32], Array, Array]:
+    """F, condition number of H, status, L and L_dot; all outputs of the kernels at once would fill memory."""
+    parts = []
+    for start in range(0, max(1, motion.shape[0]), _PART):
+        part = motion[start : start + _PART]
+        found = inverse_dynamics(robot, part, formulation, backend, on_singular="nan")
+        lengths = _lengths_and_rates(robot, part, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
+        parts.append((found.F, condition_number(found.H), found.status, *lengths))
+    F, condition, status, L, L_dot = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return F, condition, status, L, L_dot
 
 
 def exceeded(

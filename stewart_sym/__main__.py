@@ -1,0 +1,17 @@
+"""Where ``stewart-sym`` and ``python -m stewart_sym`` begin; Ctrl-C during imports exits with 130."""
+
+import sys
+
+
+def main() -> int:
+    """Run the command line of this process; returns the exit code, 130 where it was interrupted."""
+    try:
+        from .cli import main as run
+
+        return run()
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())
