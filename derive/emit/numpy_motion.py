@@ -163,8 +163,18 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST
-from .assembly import Array, eliminate_many, singular_status
+from .assembly import (
+    NOT_FINITE,
+    OK,
+    POLE,
+    POLE_SINE,
+    ROUNDING,
+    SHORT_LEG,
+    SHORTEST,
+    Array,
+    eliminate_many,
+    singular_status,
+)
 
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.
