@@ -163,5 +163,6 @@ _PACKAGE = '''\
 """Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.
 
 Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
 """
 '''

@@ -1,6 +1,7 @@
 """Closed form of the Stewart platform's equations of motion, formulation and joint `exact`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
 
     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
 
