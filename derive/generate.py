@@ -15,6 +15,7 @@ from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
+from .emit import rotation as rotation_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
@@ -23,6 +24,7 @@ from .operations import force_operations, kernel_operations
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel
+from .rotation import quaternion, rpy
 
 
 def generator_version() -> str:
@@ -95,6 +97,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     files["c/stewart_kinematics.h"] = kinematics_text.header(blocks, version)
     files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
+    files["c/stewart_rotation.h"] = rotation_text.header(version)
+    files["c/stewart_rotation.c"] = rotation_text.source(share(rpy()), share(quaternion()), version)
     return files
 
 

@@ -603,7 +603,7 @@ def test_archive_holds_description_page_all_sources_and_the_binary() -> None:
     assert {name: held[name] for name in code} == code
     own = {"sources/stewart_fmi2.c", "sources/stewart_fmi2.h"}
     binary = f"{binary_folder()}/{made('lanes').symbol}.so"
-    page = {"modelDescription.xml", "documentation/index.html"}
+    page = {"modelDescription.xml", "documentation/index.html", "documentation/licenses/license.txt"}
     assert set(held) == set(code) | own | page | {binary}
     listed = re.findall(rb'<File name="(.*?)"', held["modelDescription.xml"])
     assert [name.decode() for name in listed] == sorted(

@@ -42,6 +42,8 @@ FORMULATIONS = ("exact", "paper")
 NAMES = {
     *("stewart.h", "stewart_robot.h", "stewart_robot.c", "test/selftest.c", "example/main.c", "README.md"),
     *(
+        "stewart_rotation.h",
+        "stewart_rotation.c",
         "manifest.json",
         "Makefile",
         "robot.toml",

@@ -56,6 +56,7 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
     "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
     "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
+    "rotation": (lambda: committed("stewart_rotation"), r"_rotation\.c"),
     "robot": (lambda: of_kit(scalar=True), r"^stewart_robot\.c"),
 }
 """Kind of source -> how its files are made, and which of them is looked at."""

@@ -189,7 +189,7 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
     figures = {
         function.stem: Figures(
-            error=_error(found[function.stem]) * _EPSILON[choice.precision],
+            *(_errors(found[function.stem]) * _EPSILON[choice.precision]),
             stack=_stack()["bytes"].get(stack_key(function, choice)),
             batch_stack=_stack()["bytes"].get(stack_key(function, choice, "_batch")),
         )
@@ -219,17 +219,21 @@ def _deviations(made: Parts) -> list[tuple[str, str, str]]:
     return [(each.rule, each.what, each.reason) for each in deviations(kinds)]
 
 
-def _error(vectors_of: list[Vector]) -> float:
-    """Largest bound over the largest answer of its array, in rounding units; nan without vectors."""
-    return max(
-        (
+def _errors(vectors_of: list[Vector]) -> Array:
+    """Median and worst vector by its largest bound over the largest answer of an array, in rounding units.
+
+    (2,), nan without vectors.
+    """
+    found = [
+        max(
             float(np.max(vector.bounds[name]) / np.max(np.abs(answer)))
-            for vector in vectors_of
             for name, answer in vector.answers.items()
             if np.any(answer)
-        ),
-        default=math.nan,
-    )
+        )
+        for vector in vectors_of
+        if any(np.any(answer) for answer in vector.answers.values())
+    ]
+    return np.array([np.median(found), np.max(found)] if found else [math.nan, math.nan])
 
 
 def stack_key(function: Function, choice: Choice, suffix: str = "") -> str:

@@ -19,11 +19,13 @@ from .words import filled, in_markdown, shape, table
 class Figures:
     """What a README says of one function.
 
-    error: the largest bound of its test vectors over the largest answer of the same array, nan without
-    vectors. stack, batch_stack: bytes, None where nobody measured them or there is no batch.
+    error, worst: bounds of its test vectors over the largest answer of the same array, the largest of each
+    vector: their median and largest, nan without vectors.
+    stack, batch_stack: bytes, None where nobody measured them or there is no batch.
     """
 
     error: float
+    worst: float
     stack: int | None
     batch_stack: int | None
 
@@ -97,7 +99,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
     return [
         ("stewart.h", "types and status codes"),
-        *((f"{part.header}`, `{part.source}", _stems(part)) for part in kit.parts),
+        *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
         *robot,
         ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
         ("example/main.c", "an example: every function once"),
@@ -111,13 +113,17 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
 
 
 def _stems(part: Part) -> str:
-    return ", ".join(f"`{function.stem}`" for function in part.functions) or "constants, prepared once"
+    return ", ".join(f"`{function.stem}`" for function in part.functions)
 
 
 def _summary(function: Function, figures: Figures) -> str:
     stack = "" if figures.stack is None else f"{figures.stack:,}"
     stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
-    error = "not tested: no pose settles it" if math.isnan(figures.error) else f"{figures.error:.0e}"
+    error = (
+        "not tested: no pose settles it |"
+        if math.isnan(figures.error)
+        else f"{figures.error:.0e} | {figures.worst:.0e}"
+    )
     return f"| `{function.symbol}` | {function.operations} | {stack} | {error} |"
 
 
@@ -229,12 +235,13 @@ and is an error, unless `STEWART_ALLOW_FAST_MATH` is defined.
 
 ## Functions
 
-| function | operations of a pose | stack, bytes | error |
-|---|---|---|---|
+| function | operations of a pose | stack, bytes | error, median | worst |
+|---|---|---|---|---|
 @summary@
 
-Error: the largest that the self-test lets pass, over the largest number of the same array, at its
-well-conditioned poses. Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
+Error: bound of the rounding errors, as the self-test takes it, over the largest number of the same array:
+median and worst of its poses; the worst of the forces is that of a leg near its joint singularity.
+Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
 
 All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at
 once. That R is a rotation is not checked. Outputs of one pose may overlap the motion and
