@@ -187,9 +187,11 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
+    errors = {stem: _errors(group) * _EPSILON[choice.precision] for stem, group in found.items()}
     figures = {
         function.stem: Figures(
-            *(_errors(found[function.stem]) * _EPSILON[choice.precision]),
+            error=float(errors[function.stem][0]),
+            worst=float(errors[function.stem][1]),
             stack=_stack()["bytes"].get(stack_key(function, choice)),
             batch_stack=_stack()["bytes"].get(stack_key(function, choice, "_batch")),
         )
