@@ -15,6 +15,7 @@ from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
+from .emit import rotation as rotation_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
@@ -23,6 +24,7 @@ from .operations import force_operations, kernel_operations
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel
+from .rotation import quaternion, rpy
 
 
 def generator_version() -> str:
@@ -98,6 +100,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
     files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
     files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
+    files["c/stewart_rotation.h"] = rotation_text.header(version)
+    files["c/stewart_rotation.c"] = rotation_text.source(share(rpy()), share(quaternion()), version)
     return files
 
 
@@ -164,5 +168,6 @@ _PACKAGE = '''\
 """Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.
 
 Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
 """
 '''

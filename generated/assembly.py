@@ -1,6 +1,7 @@
 """What every NumPy kernel shares: stacking components, assembling H x = c, solving it, status.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
 """
 
 from typing import Any

@@ -1,6 +1,7 @@
 """Closed form of the Stewart platform's equations of motion, formulation and joint `exact`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
 
     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
 
@@ -15,8 +16,18 @@ from typing import Any
 
 import numpy as np
 
-from .assembly import NOT_FINITE, OK, POLE, POLE_SINE, ROUNDING, SHORT_LEG, SHORTEST
-from .assembly import Array, eliminate_many, singular_status
+from .assembly import (
+    NOT_FINITE,
+    OK,
+    POLE,
+    POLE_SINE,
+    ROUNDING,
+    SHORT_LEG,
+    SHORTEST,
+    Array,
+    eliminate_many,
+    singular_status,
+)
 
 INDEFINITE = 6
 # Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has.

@@ -1,6 +1,7 @@
 """The regressor of the Stewart platform, formulation `exact`, universal base joints.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
 
 ``robot`` and ``motion`` as in exact.py; of the robot, the points, the axes and gravity alone are read.
 """

@@ -1,6 +1,7 @@
 """Inverse dynamics and joint reactions of the Stewart platform, formulation and joint `paper`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
 
 ``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.

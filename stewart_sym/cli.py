@@ -209,7 +209,7 @@ def _generate(arguments: argparse.Namespace) -> int:
         return 0
     with _progress() as progress:
         progress("generating")
-        made, written = write_kit(robot, arguments.output, choice, arguments.force)
+        made, written = write_kit(robot, arguments.output, choice, arguments.force, [Path(arguments.robot)])
     for path in written:
         print(path)
     if made.operations is not None:

@@ -147,10 +147,10 @@ def must_replace(
         return True
     if path.exists() and not path.is_file():
         raise ValueError(f"{path}: expected a file or nothing, found {_kind(path)}")
-    if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
-        raise ValueError(f"{path}: is an input, name another folder")
     if content is not None and path.exists() and path.read_bytes() == content:
         return False
+    if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
+        raise ValueError(f"{path}: is an input, name another folder")
     if not force and digest(path) != ours.get(name, ""):
         raise ValueError(f"{path}: exists with other content; use --force to overwrite")
     return True

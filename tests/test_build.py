@@ -79,6 +79,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
 def written(files: dict[str, str], folder: Path) -> Path:
     folder.mkdir(exist_ok=True)
     for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(text, encoding="utf-8")
     return folder
 
@@ -196,12 +197,12 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     assert "generating" in made.make()
     after = made.stamps()
     changed = {name for name, stamp in after.items() if stamp != before[name]}
-    assert {"robot.c", "robot.c.o", "libhexapod.a", "loop"} <= changed
+    assert {"stewart_robot.c", "stewart_robot.c.o", "libhexapod.a", "loop"} <= changed
     assert "loop.c.o" not in changed
     assert float(made.loop(20)["largest force"].split()[0]) > 1.3 * force
 
     fails = 1 if tool == "Ninja" else 2
-    edited = made.kit / "robot.c"
+    edited = made.kit / "stewart_robot.c"
     text = edited.read_text(encoding="utf-8")
     edited.write_text(text + "/* mine */\n", encoding="utf-8")
     said = f"  stewart-sym: error: {edited}: exists with other content; use --force to overwrite\n"
@@ -238,7 +239,7 @@ def test_custom_command_of_ones_own_follows_the_robot_file(
     made.make()
 
     def stamps() -> list[int]:
-        return [path.stat().st_mtime_ns for path in (made.library, made.build / "kit" / "robot.c")]
+        return [path.stat().st_mtime_ns for path in (made.library, made.build / "kit" / "stewart_robot.c")]
 
     before = stamps()
     made.make()
@@ -304,7 +305,7 @@ def test_verb_prints_the_folder_of_the_package(capsys: pytest.CaptureFixture[str
 
 USER_C = f"""
 #include <stdio.h>
-#include "robot.h"
+#include "stewart_robot.h"
 #include "stewart_exact_forces.h"
 int main(void)
 {{
@@ -381,7 +382,7 @@ def test_cross_compiling_runs_nothing_and_builds_the_library_alone(
     assert (build / f"lib{SYMBOL}.a").exists()
     assert not (build / "selftest").exists()
     compiled = [line for line in output.splitlines() if " -c " in line]
-    assert len(compiled) == 3
+    assert len(compiled) == 4
     assert all("-ffp-contract=off" in line and "-std=c99" in line for line in compiled)
 
 
@@ -390,7 +391,7 @@ def test_kit_is_built_proved_and_installed_by_plain_make(tmp_path: Path, files: 
     kit = written(files, tmp_path / "kit")
     before = contents(kit)
     assert "warning" not in run("make", "CFLAGS=-O0 -Wall -Wextra -Wconversion -Werror", cwd=kit)
-    run(kit / "example")
+    run(kit / "example" / "example")
     objects = {path.name: path.stat().st_mtime_ns for path in kit.glob("*.o")}
     run("make", cwd=kit)
     assert {path.name: path.stat().st_mtime_ns for path in kit.glob("*.o")} == objects
@@ -418,7 +419,7 @@ def test_make_tells_the_stack_of_every_function(tmp_path: Path, files: dict[str,
 
 def test_make_fails_where_the_self_test_does(tmp_path: Path, files: dict[str, str]) -> None:
     needed("make", "cmake", "ninja")
-    wrong = files | {"robot.c": files["robot.c"].replace("REAL(40.0)", "REAL(40.5)")}
+    wrong = files | {"stewart_robot.c": files["stewart_robot.c"].replace("REAL(40.0)", "REAL(40.5)")}
     kit = written(wrong, tmp_path / "kit")
     assert wrong != files
     run("make", "CFLAGS=-O0", cwd=kit, code=2)
@@ -472,7 +473,7 @@ USER_CPP = f"""
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include "robot.h"
+#include "stewart_robot.h"
 #include "stewart.hpp"
 
 using stewart::status;
@@ -557,9 +558,7 @@ def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFac
     files = texts(robot, Choice(("forces", "reactions", "motion", "derivatives"), precision=request.param))
     baked = texts(robot, Choice(bake=True, precision=request.param))
     more = {name: text for name, text in baked.items() if name.startswith(BAKED)}
-    sources = [
-        name for name in (files | more) if name.endswith(".c") and name not in ("main.c", "selftest.c")
-    ]
+    sources = [name for name in (files | more) if name.endswith(".c") and "/" not in name]
     package = kit_build.Package("all", "0", tuple(sources), ("stewart.h",), has_cpp=True)
     more |= {"Makefile": kit_build.makefile(package), "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")}
     folder = written(files | more, tmp_path_factory.mktemp("wrapped"))

@@ -527,9 +527,9 @@ def test_generate_writes_a_kit_and_replaces_changed_files_only_by_force(
     assert re.fullmatch(r"operations of a pose: \d+", count)
     assert listed == sorted(str(path) for path in target.iterdir())
     written = folder_state(target)
-    (target / "robot.c").write_text("mine")
-    assert "robot.c" in fails_in_one_line(capsys, *asked)
-    assert (target / "robot.c").read_text() == "mine"
+    (target / "stewart_robot.c").write_text("mine")
+    assert "stewart_robot.c" in fails_in_one_line(capsys, *asked)
+    assert (target / "stewart_robot.c").read_text() == "mine"
     assert main([*asked, "--force"]) == 0
     assert folder_state(target) == written
 

@@ -40,8 +40,18 @@ COMPILERS = {
 }
 FORMULATIONS = ("exact", "paper")
 NAMES = {
-    *("stewart.h", "robot.h", "robot.c", "selftest.c", "main.c", "README.md", "manifest.json", "Makefile"),
-    *("CMakeLists.txt", "Config.cmake.in", "stewart.hpp"),
+    *("stewart.h", "stewart_robot.h", "stewart_robot.c", "test/selftest.c", "example/main.c", "README.md"),
+    *(
+        "stewart_rotation.h",
+        "stewart_rotation.c",
+        "manifest.json",
+        "Makefile",
+        "robot.toml",
+        "LICENSE",
+        "CMakeLists.txt",
+        "Config.cmake.in",
+        "stewart.hpp",
+    ),
 }
 
 
@@ -67,9 +77,9 @@ def build(folder: Path, compiler: str, level: str = "-O1") -> dict[str, Path]:
     """Compile the kit with all warnings as errors and not a word printed; return its programs."""
     flags = (*COMPILERS[compiler], *STRICT, level, "-ffp-contract=off")
     objects = {}
-    for source in sorted(folder.glob("*.c")):
+    for source in sorted(folder.rglob("*.c")):
         objects[source.stem] = folder.parent / f"{compiler}-{source.stem}.o"
-        silently([*flags, "-c", str(source), "-o", str(objects[source.stem])])
+        silently([*flags, f"-I{folder}", "-c", str(source), "-o", str(objects[source.stem])])
     programs = ("selftest", "main")
     library = [str(path) for name, path in objects.items() if name not in programs]
     made = {}
@@ -99,7 +109,9 @@ def proves_itself(folder: Path, compiler: str = "gcc", level: str = "-O1") -> No
 
 
 def contents(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+    }
 
 
 # ---------------------------------------------------------------- what a kit does
@@ -213,10 +225,10 @@ def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
 @pytest.mark.parametrize(
     ("good", "bad", "file"),
     [
-        ("REAL(40.0)", "REAL(40.1)", "robot.c"),
-        ("REAL(-9.81)", "REAL(9.81)", "robot.c"),
-        ("{REAL(0.0696)", "{(stewart_real)NAN", "selftest.c"),
-        ("REAL(0.3)", "REAL(0.3000001)", "selftest.c"),
+        ("REAL(40.0)", "REAL(40.1)", "stewart_robot.c"),
+        ("REAL(-9.81)", "REAL(9.81)", "stewart_robot.c"),
+        ("{REAL(0.0696)", "{(stewart_real)NAN", "test/selftest.c"),
+        ("REAL(0.3)", "REAL(0.3000001)", "test/selftest.c"),
     ],
 )
 def test_selftest_fails_with_other_constants_or_motions(
@@ -234,7 +246,7 @@ def test_selftest_fails_with_other_constants_or_motions(
 
 def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Path) -> None:
     put(kit_of(choice=Choice(scalar=True)), tmp_path)
-    command = ["gcc", "-std=c99", *STRICT, "-DSTEWART_NO_STDIO", "-c", "selftest.c"]
+    command = ["gcc", "-std=c99", *STRICT, "-DSTEWART_NO_STDIO", "-I.", "-c", "test/selftest.c"]
     subprocess.run(command, cwd=tmp_path, check=True)
     names = subprocess.run(
         ["nm", "-u", "selftest.o"], cwd=tmp_path, check=True, capture_output=True, text=True
@@ -246,7 +258,9 @@ def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Pat
 def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
     robot = machine(which)
     files = {name: text.decode() for name, text in kit(robot).files.items() if name.endswith((".h", ".c"))}
-    library = native.load("kit_robot", {name: files[name] for name in ("stewart.h", "robot.h", "robot.c")})
+    library = native.load(
+        "kit_robot", {name: files[name] for name in ("stewart.h", "stewart_robot.h", "stewart_robot.c")}
+    )
     numbers = kernel.robot_numbers(robot)
     found = (ctypes.c_double * numbers.size).in_dll(library, robot_symbol(robot.name))
     np.testing.assert_array_equal(np.array(found), numbers)
@@ -276,7 +290,9 @@ write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True)
     env = {**os.environ, "PYTHONHASHSEED": "12345"}
     subprocess.run([sys.executable, "-c", program], env=env, check=True)
     assert contents(tmp_path / "a") == contents(tmp_path / "b")
-    assert sorted(path.name for path in first) == sorted(contents(tmp_path / "a"))
+    assert sorted(path.relative_to(tmp_path / "a").as_posix() for path in first) == sorted(
+        contents(tmp_path / "a")
+    )
 
 
 def test_digest_follows_name_and_every_constant() -> None:
@@ -286,7 +302,7 @@ def test_digest_follows_name_and_every_constant() -> None:
     for variant in variants:
         files = kit(variant).files
         digest = json.loads(files["manifest.json"])["robot"]["sha256"]
-        assert all(digest.encode() in files[name] for name in ("README.md", "robot.c"))
+        assert all(digest.encode() in files[name] for name in ("README.md", "stewart_robot.c"))
         digests.add(digest)
     assert len(digests) == 3
 
@@ -362,7 +378,7 @@ def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
 def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Path) -> None:
     put(kit_of(), tmp_path)
     fresh = contents(tmp_path)
-    (tmp_path / "robot.c").write_text("mine", encoding="utf-8")
+    (tmp_path / "stewart_robot.c").write_text("mine", encoding="utf-8")
     (tmp_path / "README.md").unlink()
     (tmp_path / "notes.txt").write_text("mine too", encoding="utf-8")
     edited = contents(tmp_path)
@@ -383,10 +399,10 @@ def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> N
 
 def test_files_that_the_new_kit_has_not_are_removed_unless_edited(tmp_path: Path) -> None:
     put(kit_of(), tmp_path)
-    (tmp_path / "robot.h").write_text("mine", encoding="utf-8")
+    (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
     baked = kit_of(choice=Choice(bake=True, scalar=True))
     put(baked, tmp_path)
-    assert contents(tmp_path) == {**baked.files, "robot.h": b"mine"}
+    assert contents(tmp_path) == {**baked.files, "stewart_robot.h": b"mine"}
 
 
 @pytest.mark.parametrize(
@@ -489,10 +505,10 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
 
 
 def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path) -> None:
-    (tmp_path / "robot.h").mkdir()
+    (tmp_path / "stewart_robot.h").mkdir()
     with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
         put(kit_of(), tmp_path, force=True)
-    assert os.listdir(tmp_path) == ["robot.h"]
+    assert os.listdir(tmp_path) == ["stewart_robot.h"]
 
 
 @pytest.mark.parametrize(
@@ -586,8 +602,9 @@ def test_emitter_names_the_field_it_cannot_print(field: str, value: object, mess
     robot = machines.dasgupta()
     names = [quantity.name for quantity in (*notation.LEG, *notation.PLATFORM)]
     numbers = {name: np.asarray(getattr(robot, name)).tolist() for name in names}
+    limits = dict.fromkeys(("shortest", "longest", "force", "speed"), [1.0] * 6)
     with pytest.raises(ValueError, match=re.escape(message)):
-        robot_files("x", {**numbers, field: value}, "0")
+        robot_files("x", {**numbers, field: value}, limits, "0")
     del numbers[field]
     with pytest.raises(ValueError, match=f"^robot: {field}: missing$"):
-        robot_files("x", numbers, "0")
+        robot_files("x", numbers, limits, "0")

@@ -42,7 +42,7 @@ def closed_form(functions: tuple[str, ...]) -> dict[str, str]:
 def of_kit(**choice: bool) -> dict[str, str]:
     """The files of a kit of the paper's machine, its programs left out."""
     files = kit(ss.robots.dasgupta1998(), Choice(**choice)).files
-    own = re.compile(r"(stewart|robot)\w*\.[ch]$")
+    own = re.compile(r"stewart\w*\.[ch]$")
     return {name: text.decode() for name, text in files.items() if own.match(name)}
 
 
@@ -56,7 +56,8 @@ SOURCES: dict[str, tuple[Callable[[], dict[str, str]], str]] = {
     "motion": (lambda: closed_form(MOTION), r"_motion\.c"),
     "derivatives": (lambda: closed_form(DERIVATIVES), r"_motion\.c"),
     "kinematics": (lambda: committed("stewart_kinematics"), r"_kinematics\.c"),
-    "robot": (lambda: of_kit(scalar=True), r"^robot\.c"),
+    "rotation": (lambda: committed("stewart_rotation"), r"_rotation\.c"),
+    "robot": (lambda: of_kit(scalar=True), r"^stewart_robot\.c"),
 }
 """Kind of source -> how its files are made, and which of them is looked at."""
 ANY = [

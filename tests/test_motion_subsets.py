@@ -51,7 +51,7 @@ def test_a_subset_has_the_functions_asked_for_and_their_batches(written, functio
     folder = written(functions)
     names = {f"stewart_exact_{name}{batch}" for name in functions for batch in ("", "_batch")}
     header, source = ((folder / f"stewart_exact_motion{end}").read_text() for end in (".h", ".c"))
-    assert set(re.findall(r"^int (\w+)\(", header, re.M)) == names
+    assert set(re.findall(r"^STEWART_NODISCARD int (\w+)\(", header, re.M)) == names
     assert set(re.findall(r"^int (\w+)\(", source, re.M)) == names
 
 

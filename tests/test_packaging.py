@@ -3,7 +3,10 @@
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
+
+import pytest
 
 REPOSITORY = Path(__file__).parent.parent
 FOLDERS = ("stewart_sym", "derive", "generated")
@@ -19,11 +22,52 @@ print(ss.inverse_dynamics(ss.robots.dasgupta1998(), path.sample([0.0, 1.0])).F.s
 """
 
 
+SDIST = """
+import sys
+from setuptools import build_meta
+print(build_meta.build_sdist(sys.argv[1]))
+"""
+
+
+@pytest.mark.slow
+def test_tests_run_from_the_sdist(tmp_path: Path) -> None:
+    """A copy of what git tracks, so that nothing is written beside the package."""
+    if not (REPOSITORY / ".git").exists():
+        pytest.skip("no git repository: setuptools-scm takes the list of files from it")
+    subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(tmp_path / "clone")], check=True)
+    shutil.copy(REPOSITORY / "pyproject.toml", tmp_path / "clone")
+    run = [sys.executable, "-c", SDIST, str(tmp_path)]
+    subprocess.run(run, check=True, capture_output=True, cwd=tmp_path / "clone")
+    (archive,) = tmp_path.glob("*.tar.gz")
+    shutil.unpack_archive(archive, tmp_path, filter="data")
+    unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
+    tracked = subprocess.run(["git", "ls-files"], check=True, capture_output=True, text=True, cwd=REPOSITORY)
+    missing = [name for name in tracked.stdout.splitlines() if not (unpacked / name).exists()]
+    assert missing == []
+    test = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-n",
+        "0",
+        "tests/test_conventions.py",
+        "tests/test_kinematics.py",
+    ]
+    subprocess.run(test, check=True, capture_output=True, cwd=unpacked)
+
+
+def test_licences_are_spdx_expressions_with_their_files(tmp_path: Path) -> None:
+    project = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
+    assert project["license"] == "BSD-3-Clause"
+    assert [REPOSITORY / name for name in project["license-files"]] == [REPOSITORY / "LICENSE"]
+
+
 def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
     source, target = tmp_path / "source", tmp_path / "installed"
     for folder in FOLDERS:
         shutil.copytree(REPOSITORY / folder, source / folder, ignore=shutil.ignore_patterns("__pycache__"))
-    for file in ("pyproject.toml", "README.md"):
+    for file in ("pyproject.toml", "README.md", "LICENSE"):
         shutil.copy(REPOSITORY / file, source)
     install = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--no-build-isolation"]
     subprocess.run([sys.executable, *install, "--target", str(target), str(source)], check=True, cwd=tmp_path)

@@ -99,7 +99,7 @@ def need(target: Target, folder: Path) -> None:
 
 def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> None:
     """Builds the kit's self-test without a warning and runs it: it returns 0 if all answers are in bounds."""
-    sources = [str(path) for path in sorted(kit.glob("*.c")) if path.name != "main.c"]
+    sources = [f"-I{kit}", *(str(path) for path in sorted(kit.glob("*.c"))), str(kit / "test" / "selftest.c")]
     chosen = [flag for flag in flags if flag]
     program = folder / "_".join([kit.name, target.compiler, *target.flags, *chosen]).replace("=", "double")
     promoted = ["-Wno-double-promotion"] if target.evaluation == 1 else []

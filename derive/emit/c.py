@@ -48,6 +48,7 @@ def common_header(version: str) -> str:
     """``stewart.h``: arithmetic, status codes and data types, the same for every kernel."""
     return _COMMON.format(
         version=version,
+        release=version.split()[0],
         thresholds=comment(),
         status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
         leg="\n".join(_member(quantity) for quantity in n.LEG),
@@ -256,6 +257,7 @@ _COMMON = """\
 /* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
  * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
@@ -265,6 +267,27 @@ _COMMON = """\
 #define STEWART_H
 
 #include <stddef.h>
+
+#define STEWART_SYM_VERSION "{release}" /* of the generator */
+
+/* Compilers that take every number for finite remove the checks of inputs and results, and a bad input then
+ * gives STEWART_OK. -DSTEWART_ALLOW_FAST_MATH: the caller checks all inputs and results. */
+#if (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \\
+     (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ != 0))) && !defined(STEWART_ALLOW_FAST_MATH)
+#error "compile without -ffast-math and -ffinite-math-only, or define STEWART_ALLOW_FAST_MATH (see stewart.h)"
+#endif
+
+/* Before functions that return a status: compilers that can warn where it is ignored. */
+#if !defined(STEWART_NODISCARD)
+#if (defined(__cplusplus) && (__cplusplus >= 201703L)) || \\
+    (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 202311L))
+#define STEWART_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define STEWART_NODISCARD __attribute__((warn_unused_result))
+#else
+#define STEWART_NODISCARD
+#endif
+#endif
 
 /* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
  * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
@@ -276,7 +299,10 @@ typedef float stewart_real;
 typedef double stewart_real;
 #endif
 
-/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were. */
+/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were.
+ *
+ * Functions of one pose write their outputs last: an output may overlap the motion and every other input but
+ * robot and model, and no other output. Batches: no output may overlap an input or another output. */
 {status}
 
 {thresholds}
@@ -292,6 +318,14 @@ typedef struct {{
     stewart_leg leg[6];
 {platform}
 }} stewart_robot;
+
+/* Limits of the robot file, which no function checks; 0 and the largest number where it states none. */
+typedef struct {{
+    stewart_real shortest[6]; /* m: shortest leg */
+    stewart_real longest[6]; /* m: longest leg */
+    stewart_real force[6]; /* N: largest magnitude of the actuator force */
+    stewart_real speed[6]; /* m/s: largest magnitude of the sliding velocity */
+}} stewart_limits;
 
 /* Motion of the platform and its load at one instant. */
 typedef struct {{
@@ -330,6 +364,7 @@ _HEADER = """\
 /* stewart_{name}.h: inverse dynamics and joint reactions of the Stewart platform.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * {about}
  *
@@ -348,21 +383,21 @@ extern "C" {{
 #endif
 
 /* Actuator forces of one pose. Returns a status. */
-int stewart_{name}_inverse_dynamics(
+STEWART_NODISCARD int stewart_{name}_inverse_dynamics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
 
 /* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point to
  * where M_p is taken, m; null: at the base point. Returns a status. */
-int stewart_{name}_joint_reactions(
+STEWART_NODISCARD int stewart_{name}_joint_reactions(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
     stewart_forces *forces, stewart_reactions *reactions);
 
 /* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first code
  * other than STEWART_OK, or STEWART_OK. */
-int stewart_{name}_inverse_dynamics_batch(
+STEWART_NODISCARD int stewart_{name}_inverse_dynamics_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions,
     const stewart_forces_arrays *forces, int *status);
-int stewart_{name}_joint_reactions_batch(
+STEWART_NODISCARD int stewart_{name}_joint_reactions_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
     const stewart_reactions_arrays *reactions, int *status);
 
@@ -424,6 +459,7 @@ _SOURCE_TOP = """\
 /* stewart_{name}.c: see stewart_{name}.h.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_{name}.h"
 

@@ -38,6 +38,7 @@ _MODULE = '''\
 """The levels of fidelity of the force kernels of ``exact``, from everything to nothing but the platform.
 
 Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
 """
 
 from typing import Any

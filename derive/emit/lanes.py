@@ -684,6 +684,7 @@ _HEADER = """\
 /* stewart_{name}_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
@@ -712,14 +713,15 @@ typedef struct {{
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
-int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
+STEWART_NODISCARD int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-int stewart_{name}_forces(const stewart_{name}_model *model, const stewart_motion *motion, stewart_real F[6]);
+STEWART_NODISCARD int stewart_{name}_forces(
+    const stewart_{name}_model *model, const stewart_motion *motion, stewart_real F[6]);
 
 /* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
  * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
-int stewart_{name}_forces_batch(
+STEWART_NODISCARD int stewart_{name}_forces_batch(
     const stewart_{name}_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     int *status);
 
@@ -736,6 +738,7 @@ _TOP = """\
 /* stewart_{name}_forces.c: see stewart_{name}_forces.h.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_{name}_forces.h"
 
@@ -792,6 +795,7 @@ _BAKED_HEADER = """\
 /* stewart_{name}_forces.h: the actuator forces of one machine, its numbers folded in.
  *
  * Written by stewart-sym {version}; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
@@ -811,11 +815,11 @@ extern "C" {{
 #endif
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-int stewart_{name}_forces(const stewart_motion *motion, stewart_real F[6]);
+STEWART_NODISCARD int stewart_{name}_forces(const stewart_motion *motion, stewart_real F[6]);
 
 /* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
  * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
-int stewart_{name}_forces_batch(
+STEWART_NODISCARD int stewart_{name}_forces_batch(
     size_t count, const stewart_motions *motions, stewart_real *F, int *status);
 
 #ifdef __cplusplus

@@ -354,6 +354,7 @@ _HEADER = """\
 /* stewart_@NAME@_motion.h: the closed form of the equations of motion and what follows from it.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
  *
@@ -402,25 +403,25 @@ _MEANINGS = {
 
 _DECLARATIONS = {
     "equations": """\
-int stewart_@NAME@_equations(
+STEWART_NODISCARD int stewart_@NAME@_equations(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_equations *out);""",
     "bias": """\
-int stewart_@NAME@_bias(
+STEWART_NODISCARD int stewart_@NAME@_bias(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real bias[6]);""",
     "forward_dynamics": """\
-int stewart_@NAME@_forward_dynamics(
+STEWART_NODISCARD int stewart_@NAME@_forward_dynamics(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6]);
 """,
     "joint_inertia": """\
 /* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
-int stewart_@NAME@_joint_inertia(
+STEWART_NODISCARD int stewart_@NAME@_joint_inertia(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real inertia[36]);""",
     "derivatives": """\
-int stewart_@NAME@_derivatives(
+STEWART_NODISCARD int stewart_@NAME@_derivatives(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_derivatives *out);""",
     "linearisation": """\
-int stewart_@NAME@_linearisation(
+STEWART_NODISCARD int stewart_@NAME@_linearisation(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearisation *out);""",
 }
@@ -447,7 +448,7 @@ def _batch_declarations(functions: Collection[str]) -> list[str]:
             continue
         argument = "const stewart_real *F, " if what in _FORCED else ""
         lines.append(
-            f"int stewart_@NAME@_{what}_batch(\n"
+            f"STEWART_NODISCARD int stewart_@NAME@_{what}_batch(\n"
             "    const stewart_@NAME@_model *model, size_t count, const stewart_motions *motions,\n"
             f"    {argument}{_out(what)}, int *status);"
         )
@@ -458,6 +459,7 @@ _TOP = """\
 /* stewart_@NAME@_motion.c: see stewart_@NAME@_motion.h.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_@NAME@_motion.h"
 

@@ -133,6 +133,7 @@ _MODULE = '''\
 """Inverse dynamics and joint reactions of the Stewart platform, formulation and joint `{name}`.
 
 Written by stewart-sym {version}; do not edit.
+SPDX-License-Identifier: 0BSD
 
 ``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
 ``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
@@ -179,6 +180,7 @@ ASSEMBLY = '''\
 """What every NumPy kernel shares: stacking components, assembling H x = c, solving it, status.
 
 Written by stewart-sym {version}; do not edit.
+SPDX-License-Identifier: 0BSD
 """
 
 from typing import Any

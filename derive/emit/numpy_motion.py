@@ -149,6 +149,7 @@ _MODULE = '''\
 """Closed form of the Stewart platform's equations of motion, formulation and joint `@NAME@`.
 
 Written by stewart-sym @VERSION@; do not edit.
+SPDX-License-Identifier: 0BSD
 
     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
 

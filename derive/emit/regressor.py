@@ -46,6 +46,7 @@ _MODULE = '''\
 """The regressor of the Stewart platform, formulation `exact`, universal base joints.
 
 Written by stewart-sym {version}; do not edit.
+SPDX-License-Identifier: 0BSD
 
 ``robot`` and ``motion`` as in exact.py; of the robot, the points, the axes and gravity alone are read.
 """

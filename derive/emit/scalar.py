@@ -399,6 +399,7 @@ _HEADER = """\
 /* stewart_@NAME@_pose.h: the actuator forces of one pose, for processors without vector registers.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
 @FIDELITY@
  *
@@ -416,9 +417,9 @@ extern "C" {
 
 @MODEL@
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-int stewart_@NAME@_pose_forces( //M
+STEWART_NODISCARD int stewart_@NAME@_pose_forces( //M
     const stewart_@NAME@_pose_model *model, const stewart_motion *motion, stewart_real F[6]); //M
-int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]); //B
+STEWART_NODISCARD int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]); //B
 
 #ifdef __cplusplus
 }
@@ -445,13 +446,15 @@ typedef struct {
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
-int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_model *model);
+STEWART_NODISCARD int stewart_@NAME@_pose_prepare(
+    const stewart_robot *robot, stewart_@NAME@_pose_model *model);
 """
 
 _TOP = """\
 /* stewart_@NAME@_pose.c: see stewart_@NAME@_pose.h.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_@NAME@_pose.h"
 

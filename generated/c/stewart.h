@@ -1,6 +1,7 @@
 /* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
  * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
@@ -10,6 +11,27 @@
 #define STEWART_H
 
 #include <stddef.h>
+
+#define STEWART_SYM_VERSION "0.1.0" /* of the generator */
+
+/* Compilers that take every number for finite remove the checks of inputs and results, and a bad input then
+ * gives STEWART_OK. -DSTEWART_ALLOW_FAST_MATH: the caller checks all inputs and results. */
+#if (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \
+     (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ != 0))) && !defined(STEWART_ALLOW_FAST_MATH)
+#error "compile without -ffast-math and -ffinite-math-only, or define STEWART_ALLOW_FAST_MATH (see stewart.h)"
+#endif
+
+/* Before functions that return a status: compilers that can warn where it is ignored. */
+#if !defined(STEWART_NODISCARD)
+#if (defined(__cplusplus) && (__cplusplus >= 201703L)) || \
+    (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 202311L))
+#define STEWART_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define STEWART_NODISCARD __attribute__((warn_unused_result))
+#else
+#define STEWART_NODISCARD
+#endif
+#endif
 
 /* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
  * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
@@ -21,7 +43,10 @@ typedef float stewart_real;
 typedef double stewart_real;
 #endif
 
-/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were. */
+/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were.
+ *
+ * Functions of one pose write their outputs last: an output may overlap the motion and every other input but
+ * robot and model, and no other output. Batches: no output may overlap an input or another output. */
 #define STEWART_OK 0 /* solved */
 #define STEWART_NOT_FINITE 1 /* an input is not finite, or a result overflows */
 #define STEWART_SHORT_LEG 2 /* a leg has length zero */
@@ -63,6 +88,14 @@ typedef struct {
     stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame, order xx xy xz yy yz zz */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
 } stewart_robot;
+
+/* Limits of the robot file, which no function checks; 0 and the largest number where it states none. */
+typedef struct {
+    stewart_real shortest[6]; /* m: shortest leg */
+    stewart_real longest[6]; /* m: longest leg */
+    stewart_real force[6]; /* N: largest magnitude of the actuator force */
+    stewart_real speed[6]; /* m/s: largest magnitude of the sliding velocity */
+} stewart_limits;
 
 /* Motion of the platform and its load at one instant. */
 typedef struct {

@@ -1,6 +1,7 @@
 /* stewart_exact_bounds.c: see stewart_exact_bounds.h.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Of each quantity x the code below may keep
  *     x_err, which bounds its error;

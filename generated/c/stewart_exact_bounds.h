@@ -1,6 +1,7 @@
 /* stewart_exact_bounds.h: the actuator forces with a bound of their rounding error.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * The forces are those of stewart_exact_forces.h, operation for operation: the same to the last bit with
  * -ffp-contract=off. The bound is rigorous: the rounding of every operation is counted, in all orders, and so
@@ -62,20 +63,21 @@ typedef struct {
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
-int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model);
+STEWART_NODISCARD int stewart_exact_bounds_prepare(
+    const stewart_robot *robot, stewart_exact_bounds_model *model);
 
 /* Actuator forces F, N, of one pose, (37), with `bound`, N: no force is farther from the exact one. A bound
  * is infinite where H is so near to singular that none can be had in this arithmetic. `rcond`: reciprocal
  * condition of H, 1/(|H| |1/H|) in the norm of largest column sums, moments about the reference point over
  * the model's length; 1 is best, near STEWART_EPSILON nothing is left of the digits. `bound` and `rcond` may
  * be null: not wanted. Returns a status; the outputs are written only if it is STEWART_OK. */
-int stewart_exact_forces_bounded(
+STEWART_NODISCARD int stewart_exact_forces_bounded(
     const stewart_exact_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
     stewart_real bound[6], stewart_real *rcond);
 
 /* The same for `count` poses: F[count][6], bound[count][6], rcond[count]. `status` takes one code for each
  * pose; null: not wanted. Returns the first code other than STEWART_OK, or STEWART_OK. */
-int stewart_exact_forces_bounded_batch(
+STEWART_NODISCARD int stewart_exact_forces_bounded_batch(
     const stewart_exact_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     stewart_real *bound, stewart_real *rcond, int *status);
 

@@ -1,6 +1,7 @@
 /* stewart_exact_motion.h: the closed form of the equations of motion and what follows from it.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
  *
@@ -76,42 +77,42 @@ typedef struct {
 } stewart_linearisation_arrays;
 
 /* One pose. All return a status; outputs are written only if it is STEWART_OK. */
-int stewart_exact_equations(
+STEWART_NODISCARD int stewart_exact_equations(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out);
-int stewart_exact_bias(
+STEWART_NODISCARD int stewart_exact_bias(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6]);
-int stewart_exact_forward_dynamics(
+STEWART_NODISCARD int stewart_exact_forward_dynamics(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6]);
 
 /* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
-int stewart_exact_joint_inertia(
+STEWART_NODISCARD int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36]);
-int stewart_exact_derivatives(
+STEWART_NODISCARD int stewart_exact_derivatives(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_derivatives *out);
-int stewart_exact_linearisation(
+STEWART_NODISCARD int stewart_exact_linearisation(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearisation *out);
 
 /* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
  * read. `status` takes one code for each pose; null: not wanted. Return the first
  * code other than STEWART_OK, or STEWART_OK. */
-int stewart_exact_equations_batch(
+STEWART_NODISCARD int stewart_exact_equations_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_equations_arrays *out, int *status);
-int stewart_exact_derivatives_batch(
+STEWART_NODISCARD int stewart_exact_derivatives_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_derivatives_arrays *out, int *status);
-int stewart_exact_linearisation_batch(
+STEWART_NODISCARD int stewart_exact_linearisation_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_real *F, const stewart_linearisation_arrays *out, int *status);
-int stewart_exact_bias_batch(
+STEWART_NODISCARD int stewart_exact_bias_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     stewart_real *out, int *status);
-int stewart_exact_forward_dynamics_batch(
+STEWART_NODISCARD int stewart_exact_forward_dynamics_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_real *F, stewart_real *out, int *status);
-int stewart_exact_joint_inertia_batch(
+STEWART_NODISCARD int stewart_exact_joint_inertia_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     stewart_real *out, int *status);
 

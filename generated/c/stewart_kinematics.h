@@ -1,6 +1,7 @@
 /* stewart_kinematics.h: lengths and rates of the legs, and the platform's pose and velocity from them.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * One pose at a time, for a controller. Of the robot, the points b and p are read and nothing else. The spin
  * of a leg about its own axis has no part in this: it serves both formulations and either base joint.
@@ -39,7 +40,7 @@ typedef struct {
  * nothing else of it is read. L_dot may be null: then neither v nor omega is read. Returns a status:
  * STEWART_SHORT_LEG if a leg is no longer than the rounding of the terms of S = q + t - b,
  * STEWART_NOT_FINITE. */
-int stewart_inverse_kinematics(
+STEWART_NODISCARD int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
 
 /* Pose in which the legs have the lengths L, m, > 0, from a guess: `pose` in. Newton's steps on (2), none
@@ -56,12 +57,13 @@ int stewart_inverse_kinematics(
  *     less than the one by largest and smallest singular value, and no more than six times it.
  * STEWART_SHORT_LEG: a length is not > 0, or a leg has length zero at the guess.
  * STEWART_NOT_FINITE: an input is not finite, or the lengths at the guess overflow. */
-int stewart_forward_kinematics(const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
+STEWART_NODISCARD int stewart_forward_kinematics(
+    const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
 
 /* Velocity v, m/s, of the reference point and angular velocity omega, rad/s, of the platform, base frame,
  * from the rates of the legs, m/s, at a pose: L_dot = H^T [v; omega], (5). Returns a status:
  * STEWART_SINGULAR as above, STEWART_SHORT_LEG and STEWART_NOT_FINITE. */
-int stewart_forward_velocity(
+STEWART_NODISCARD int stewart_forward_velocity(
     const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
     stewart_real omega[3]);
 

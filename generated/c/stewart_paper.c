@@ -1,6 +1,7 @@
 /* stewart_paper.c: see stewart_paper.h.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include "stewart_paper.h"
 

@@ -1,6 +1,7 @@
 /* stewart_paper_spherical.h: inverse dynamics and joint reactions of the Stewart platform.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Formulation `paper`: the equations as printed, faults included.
  * Base joint: spherical; legs must be axisymmetric; M_u is zero.
@@ -33,21 +34,21 @@ extern "C" {
 #endif
 
 /* Actuator forces of one pose. Returns a status. */
-int stewart_paper_spherical_inverse_dynamics(
+STEWART_NODISCARD int stewart_paper_spherical_inverse_dynamics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
 
 /* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point to
  * where M_p is taken, m; null: at the base point. Returns a status. */
-int stewart_paper_spherical_joint_reactions(
+STEWART_NODISCARD int stewart_paper_spherical_joint_reactions(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
     stewart_forces *forces, stewart_reactions *reactions);
 
 /* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first code
  * other than STEWART_OK, or STEWART_OK. */
-int stewart_paper_spherical_inverse_dynamics_batch(
+STEWART_NODISCARD int stewart_paper_spherical_inverse_dynamics_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions,
     const stewart_forces_arrays *forces, int *status);
-int stewart_paper_spherical_joint_reactions_batch(
+STEWART_NODISCARD int stewart_paper_spherical_joint_reactions_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
     const stewart_reactions_arrays *reactions, int *status);
 

@@ -1,6 +1,7 @@
 /* stewart_paper_spherical_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
@@ -59,14 +60,15 @@ typedef struct {
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
-int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_spherical_model *model);
+STEWART_NODISCARD int stewart_paper_spherical_prepare(const stewart_robot *robot, stewart_paper_spherical_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-int stewart_paper_spherical_forces(const stewart_paper_spherical_model *model, const stewart_motion *motion, stewart_real F[6]);
+STEWART_NODISCARD int stewart_paper_spherical_forces(
+    const stewart_paper_spherical_model *model, const stewart_motion *motion, stewart_real F[6]);
 
 /* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
  * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
-int stewart_paper_spherical_forces_batch(
+STEWART_NODISCARD int stewart_paper_spherical_forces_batch(
     const stewart_paper_spherical_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     int *status);
 

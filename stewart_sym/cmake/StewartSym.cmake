@@ -77,7 +77,6 @@ function(stewart_generate target)
   # Programs of the kit, and what lies in folders of its own, are not for the library.
   set(sources ${files})
   list(FILTER sources INCLUDE REGEX "_kit/[^/]*\\.[ch]$")
-  list(FILTER sources EXCLUDE REGEX "_kit/(main|selftest|example)\\.c$")
   add_library(${target} STATIC ${sources})
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${folder}>")
   set_target_properties(${target} PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
@@ -90,7 +89,7 @@ function(stewart_generate target)
   endif()
 
   # Built and run on demand: cmake --build ... --target <target>_selftest
-  add_executable(${target}_selftest EXCLUDE_FROM_ALL "${folder}/selftest.c")
+  add_executable(${target}_selftest EXCLUDE_FROM_ALL "${folder}/test/selftest.c")
   target_link_libraries(${target}_selftest PRIVATE ${target})
 endfunction()
 

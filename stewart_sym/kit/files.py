@@ -16,17 +16,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..derive import notation
-from ..derive.emit.kit import build, cpp
+from ..derive.emit.kit import build, cpp, licence
 from ..derive.emit.kit.deviations import deviations
 from ..derive.emit.kit.example import example
 from ..derive.emit.kit.functions import SIGNATURES, Function
 from ..derive.emit.kit.readme import Figures, readme
 from ..derive.emit.kit.readme import Kit as ReadmeKit
-from ..derive.emit.kit.robot import robot_digest, robot_files
+from ..derive.emit.kit.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
 from ..derive.emit.kit.selftest import Case, Refusal, selftest
 from ..derive.emit.kit.words import robot_symbol
 from ..derive.generate import generator_version
+from ..home import home_pose
 from ..kernel import MOTION
+from ..motion import Motion
+from ..results import OK
 from ..robot import Robot
 from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
@@ -36,11 +39,22 @@ from .vectors import Vector, refused, vectors
 
 Array = NDArray[np.float64]
 
+LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
 _EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
-_TEXTS = ("selftest.c", "main.c", "README.md", "Makefile", "CMakeLists.txt", "Config.cmake.in", "stewart.hpp")
+_TEXTS = (
+    build.SELFTEST,
+    build.EXAMPLE,
+    LICENCE,
+    ROBOT,
+    "README.md",
+    "Makefile",
+    "CMakeLists.txt",
+    "Config.cmake.in",
+    "stewart.hpp",
+)
 
 
 @dataclass(frozen=True)
@@ -62,9 +76,11 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
-    texts["selftest.c"] = selftest(robot.name, symbol, tested, cases, _refusals(robot, choice), generator())
-    texts["main.c"] = example(robot.name, symbol, tested, cases, generator())
+    texts[build.SELFTEST] = selftest(robot.name, symbol, tested, cases, _refusals(robot, choice), generator())
+    texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
+    texts[LICENCE] = licence.TEXT
+    texts[ROBOT] = robot_toml(robot.to_dict(), options(choice))
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
         files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts)
@@ -86,8 +102,15 @@ def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
     if choice.precision == "float":
         texts["stewart.h"] = _in_float(texts["stewart.h"])
     if _has_robot(made):
-        texts |= robot_files(robot.name, robot_numbers(robot), generator())
+        texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator())
     return texts
+
+
+def _limits(robot: Robot) -> dict[str, list[float]]:
+    """Members of ``stewart_limits``."""
+    shortest, longest = robot.length_limits.T.tolist()
+    force, speed = robot.force_limit.tolist(), robot.speed_limit.tolist()
+    return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
 
 
 def _has_robot(made: Parts) -> bool:
@@ -153,7 +176,7 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
     package = build.Package(
         symbol,
         generator(),
-        sources=tuple(sorted(n for n in texts if n.endswith(".c") and n not in ("selftest.c", "main.c"))),
+        sources=tuple(sorted(n for n in texts if n.endswith(".c") and "/" not in n)),
         headers=tuple(sorted(n for n in texts if n.endswith(".h"))),
         precision=choice.precision,
         has_cpp=True,
@@ -164,9 +187,11 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
+    errors = {stem: _errors(group) * _EPSILON[choice.precision] for stem, group in found.items()}
     figures = {
         function.stem: Figures(
-            error=_error(found[function.stem]) * _EPSILON[choice.precision],
+            error=float(errors[function.stem][0]),
+            worst=float(errors[function.stem][1]),
             stack=_stack()["bytes"].get(stack_key(function, choice)),
             batch_stack=_stack()["bytes"].get(stack_key(function, choice, "_batch")),
         )
@@ -196,17 +221,21 @@ def _deviations(made: Parts) -> list[tuple[str, str, str]]:
     return [(each.rule, each.what, each.reason) for each in deviations(kinds)]
 
 
-def _error(vectors_of: list[Vector]) -> float:
-    """Largest bound over the largest answer of its array, in rounding units; nan without vectors."""
-    return max(
-        (
+def _errors(vectors_of: list[Vector]) -> Array:
+    """Median and worst vector by its largest bound over the largest answer of an array, in rounding units.
+
+    (2,), nan without vectors.
+    """
+    found = [
+        max(
             float(np.max(vector.bounds[name]) / np.max(np.abs(answer)))
-            for vector in vectors_of
             for name, answer in vector.answers.items()
             if np.any(answer)
-        ),
-        default=math.nan,
-    )
+        )
+        for vector in vectors_of
+        if any(np.any(answer) for answer in vector.answers.values())
+    ]
+    return np.array([np.median(found), np.max(found)] if found else [math.nan, math.nan])
 
 
 def stack_key(function: Function, choice: Choice, suffix: str = "") -> str:
@@ -231,15 +260,23 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
     return (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode()
 
 
+def _start(robot: Robot, formulation: str) -> Motion:
+    """The pose of inputs that nobody connects: home, or the example's where home has no forces."""
+    home, still = home_pose(robot), np.zeros(3)
+    if home.status != OK:
+        return sample(robot, formulation)[0]
+    return Motion(np.eye(3), home.t, still, still, still, still)
+
+
 def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:
-    """The co-simulation unit of the forces; it starts at the pose of the self-test's first vector."""
+    """The co-simulation unit of the forces; it starts at rest at home."""
     part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
     (forces,) = part.functions
-    start = sample(robot, choice.formulation)[0]
+    start = _start(robot, choice.formulation)
     needed = {"stewart.h", part.header, part.source}
     payload = None
     if forces.subject:
-        needed |= {"robot.h", "robot.c"}
+        needed |= {HEADER, SOURCE}
         numbers = robot_numbers(robot)
         payload = {quantity.name: numbers[quantity.name] for quantity in notation.PLATFORM}
     return fmu_unit(

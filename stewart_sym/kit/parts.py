@@ -80,6 +80,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
         found.append(_motion(choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
+    found.append(_rotation())
     return Parts(tuple(_with_batches(part) for part in found), before, after)
 
 
@@ -207,6 +208,11 @@ def _kinematics() -> Part:
     ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
     return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says)
+
+
+def _rotation() -> Part:
+    says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
+    return Part("stewart_rotation", _committed("stewart_rotation"), (), ("rotation",), says)
 
 
 def _committed(file: str) -> dict[str, str]:

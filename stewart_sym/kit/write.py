@@ -3,6 +3,7 @@
 Stands above ``files``; what a manifest says of the files there tells ours from edited ones.
 """
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from ..publish import digest, must_replace, recorded, staged_folder
@@ -12,7 +13,11 @@ from .files import MANIFEST, Kit, kit
 
 
 def write_kit(
-    robot: Robot, directory: Path, choice: Choice = DEFAULT, force: bool = False
+    robot: Robot,
+    directory: Path,
+    choice: Choice = DEFAULT,
+    force: bool = False,
+    inputs: Iterable[Path] = (),
 ) -> tuple[Kit, list[Path]]:
     """Write the C kit of ``robot`` into ``directory``, made if missing, and return it and its files.
 
@@ -20,15 +25,16 @@ def write_kit(
     a robot without a pose for the self-test, and as ``put``.
     """
     made = kit(robot, choice)
-    return made, put(made, directory, force)
+    return made, put(made, directory, force, inputs)
 
 
-def put(made: Kit, directory: Path, force: bool = False) -> list[Path]:
+def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] = ()) -> list[Path]:
     """Put the files of a kit into ``directory``, made if missing, and return them.
 
     Files that are there already and equal stay as they are. Files of an older kit there, as its manifest
     tells, are replaced, and removed where the new kit has none of their name, unless somebody changed them
-    since: then, as for files of other origin, only ``force`` replaces them. Further files are left alone.
+    since: then, as for files of other origin, only ``force`` replaces them. Further files are left alone, and
+    ``inputs`` are never replaced.
     When anything fails the folder is as it was before.
 
     Raises ValueError of one line: a file that would be overwritten, a folder that cannot be written.
@@ -40,7 +46,7 @@ def put(made: Kit, directory: Path, force: bool = False) -> list[Path]:
         changed = [
             name
             for name, content in made.files.items()
-            if must_replace(directory, name, content, ours, force)
+            if must_replace(directory, name, content, ours, force, inputs)
         ]
         gone = [
             name
@@ -50,6 +56,7 @@ def put(made: Kit, directory: Path, force: bool = False) -> list[Path]:
         if changed or gone:
             with staged_folder(directory, [Path(name) for name in gone]) as folder:
                 for name in changed:
+                    (folder / name).parent.mkdir(exist_ok=True)
                     (folder / name).write_bytes(made.files[name])
     except OSError as error:
         reason = error.strerror or str(error)

@@ -21,7 +21,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "robot.h"
+#include "stewart_robot.h"
 #include "stewart_exact_forces.h"
 #include "stewart_exact_motion.h"
 

@@ -12,6 +12,8 @@ CONFIG_IN = "Config.cmake.in"
 """File name of ``config_in`` in a kit: its CMakeLists.txt asks for it."""
 WRAPPER = "stewart.hpp"
 """File name of the C++ wrapper in a kit."""
+EXAMPLE, SELFTEST = "example/main.c", "test/selftest.c"
+"""Sources with a main of their own, in folders of their own: ``*.c`` of a kit is a library."""
 
 _WARNINGS = "-Wall -Wextra -pedantic -Wconversion -Wdouble-promotion"
 
@@ -32,8 +34,8 @@ class Package:
     headers: tuple[str, ...]
     precision: str = "double"
     has_cpp: bool = False
-    example: str = "main.c"
-    selftest: str = "selftest.c"
+    example: str = EXAMPLE
+    selftest: str = SELFTEST
 
     @property
     def installed(self) -> tuple[str, ...]:
@@ -114,6 +116,7 @@ _CMAKE = """\
 #     target_link_libraries(controller PRIVATE <symbol>::<symbol>)
 #
 # Written by stewart-sym <version>; do not edit.
+# SPDX-License-Identifier: 0BSD
 cmake_minimum_required(VERSION 3.15...3.31)
 project(<symbol> VERSION <number> LANGUAGES C)
 
@@ -188,6 +191,7 @@ _CONFIG = """\
 # What find_package(<symbol>) runs: defines the target <symbol>::<symbol>.
 #
 # Written by stewart-sym <version>; do not edit.
+# SPDX-License-Identifier: 0BSD
 @PACKAGE_INIT@
 
 include("${CMAKE_CURRENT_LIST_DIR}/<symbol>Targets.cmake")
@@ -203,10 +207,11 @@ _MAKEFILE = """\
 #     make install PREFIX=/opt/x DESTDIR=pkg   library and headers
 #
 # Written by stewart-sym <version>; do not edit.
+# SPDX-License-Identifier: 0BSD
 .POSIX:
 .SUFFIXES:
 .SUFFIXES: .c .o
-.PHONY: all check stack clean install
+.PHONY: all example check stack clean install
 
 CC = cc
 AR = ar
@@ -232,13 +237,15 @@ $(LIBRARY): $(OBJECTS)
 selftest: <selftest_object> $(LIBRARY)
 \t$(CC) $(CFLAGS) $(LDFLAGS) -o selftest <selftest_object> $(LIBRARY) $(LDLIBS)
 
-example: <example_object> $(LIBRARY)
-\t$(CC) $(CFLAGS) $(LDFLAGS) -o example <example_object> $(LIBRARY) $(LDLIBS)
+example: example/example
+
+example/example: <example_object> $(LIBRARY)
+\t$(CC) $(CFLAGS) $(LDFLAGS) -o example/example <example_object> $(LIBRARY) $(LDLIBS)
 
 $(OBJECTS) <selftest_object> <example_object>: $(HEADERS)
 
 .c.o:
-\t$(CC) $(ARITHMETIC) $(CFLAGS) -c -o $@ $<
+\t$(CC) $(ARITHMETIC) $(CFLAGS) -I. -c -o $@ $<
 
 check: selftest
 \t./selftest
@@ -260,5 +267,5 @@ install: $(LIBRARY)
 
 clean:
 \trm -rf stack.tmp
-\trm -f $(LIBRARY) $(OBJECTS) <selftest_object> <example_object> selftest example
+\trm -f $(LIBRARY) $(OBJECTS) <selftest_object> <example_object> selftest example/example
 """

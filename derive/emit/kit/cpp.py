@@ -273,6 +273,7 @@ _WRAPPER = """\
 // stewart.hpp: the functions of this kit for C++17 and later.
 //
 // Written by stewart-sym @version@; do not edit.
+// SPDX-License-Identifier: 0BSD
 //
 // Only types around the C: no heap, no exceptions, no state but a robot's prepared constants. Any number of
 // threads may call a const object at once. On a status other than ok the outputs are left as they were.

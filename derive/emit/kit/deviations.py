@@ -10,7 +10,7 @@ from dataclasses import dataclass
 LANES = ("forces", "forces baked")
 SCALAR = ("forces scalar", "forces scalar baked")
 CLOSED_FORM = ("motion", "derivatives")
-KINDS = (*LANES, *SCALAR, "reactions", *CLOSED_FORM, "kinematics", "robot")
+KINDS = (*LANES, *SCALAR, "reactions", *CLOSED_FORM, "kinematics", "rotation", "robot")
 """Kinds of sources: forces in lanes or scalar, with a model or baked; the rest by the function asked for;
 "robot" holds the robot's constants."""
 
@@ -96,7 +96,7 @@ DEVIATIONS = (
         "15.5",
         "more than one return in a function",
         "a bad status returns at once, so that nothing is computed from what is not finite",
-        tuple(kind for kind in _CODE if kind != "kinematics"),
+        tuple(kind for kind in _CODE if kind not in ("kinematics", "rotation")),
     ),
 )
 
@@ -105,7 +105,7 @@ TOGETHER = Deviation(
     "5.9",
     "static names that several sources use",
     "each source stands alone, and the same helper has the same name in each",
-    _CODE,
+    tuple(kind for kind in _CODE if kind != "rotation"),
 )
 """What sources depart from only side by side."""
 
@@ -114,7 +114,7 @@ def deviations(kinds: Collection[str]) -> tuple[Deviation, ...]:
     """The deviations of a kit whose sources are of these kinds. Raises ValueError for unknown ones."""
     if not set(kinds) <= set(KINDS):
         raise ValueError(f"kinds: expected some of {', '.join(KINDS)}, got {list(kinds)}")
-    several = len(set(kinds) & set(_CODE)) > 1
+    several = len(set(kinds) & set(TOGETHER.kinds)) > 1
     return tuple(
         each for each in (*DEVIATIONS, *([TOGETHER] if several else [])) if set(kinds) & set(each.kinds)
     )

@@ -1,4 +1,4 @@
-"""``main.c``: an example of a kit, one call of each of its functions with what it prints.
+"""``example/main.c``: an example of a kit, one call of each of its functions with what it prints.
 
 One of the kit's texts. Takes the functions of a kit and one of their calls; knows no equation.
 """
@@ -6,6 +6,7 @@ One of the kit's texts. Takes the functions of a kit and one of their calls; kno
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from . import robot
 from .functions import MODEL, NOTHING, ROBOT, Function
 from .selftest import Case
 from .words import EPSILON, braces, filled, in_comment, literal, motion_members
@@ -14,7 +15,7 @@ from .words import EPSILON, braces, filled, in_comment, literal, motion_members
 def example(
     name: str, symbol: str, functions: Sequence[Function], cases: Mapping[str, Sequence[Case]], version: str
 ) -> str:
-    """``main.c``. Arguments and errors as of ``selftest``; the first case of each function is shown."""
+    """``example/main.c``. Arguments and errors as of ``selftest``; the first case of each is shown."""
     shown = [(function, cases[function.stem][0]) for function in functions]
     motions = [case.motion for _, case in shown if case.motion is not None]
     uses_robot = any(function.subject != NOTHING for function in functions)
@@ -23,7 +24,7 @@ def example(
         "name": in_comment(name),
         "version": version,
         "includes": "".join(
-            f'#include "{file}"\n' for file in ([*(["robot.h"] if uses_robot else []), *headers])
+            f'#include "{file}"\n' for file in ([*([robot.HEADER] if uses_robot else []), *headers])
         ),
         "real": EPSILON.split("\n\n")[0],
         "motion": f"static const stewart_motion motion = {{\n{motion_members(motions[0], '    ')}\n}};\n"
@@ -140,9 +141,10 @@ _CALLS = {
 _EXAMPLE = """\
 /* main.c: an example: each function of the kit of "@name@", called once.
  *
- * Build it with `make example`, or link it with the other sources but selftest.c.
+ * Build it with `make example`, or link it with the kit's library, or with the sources beside this folder.
  *
  * Written by stewart-sym @version@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include <stdio.h>
 

@@ -17,6 +17,8 @@ from typing import Any
 from ... import notation as n
 from ...block import AXES, Quantity
 from ..c import FORCES, STATUS
+from . import licence
+from . import robot as robot_text
 
 Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""
@@ -68,8 +70,8 @@ def unit(
 ) -> dict[str, str]:
     """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
 
-    name: the robot's. symbol: the identifier of its constants in ``robot.h``, also of the unit. sources: file
-    name -> text of the C that the kernel needs, ``robot.h`` and ``robot.c`` too unless it is baked. pose:
+    name: the robot's. symbol: the identifier of its constants, also of the unit. sources: file name -> text
+    of the C that the kernel needs, the robot's too unless it is baked. pose:
     R (3, 3) and t (3,), that the inputs have until they are set; rates, accelerations and loads start at
     zero. payload: M, R_0, I_p and g, the tunable parameters; None for a baked kernel. digest: of name and
     constants. version: of the generator.
@@ -80,7 +82,7 @@ def unit(
     bare = kernel.baked
     if bare != (payload is None):
         raise ValueError(f"payload: expected {'None' if bare else 'M, R_0, I_p and g'} for this kernel")
-    for file in (kernel.header, *(() if bare else ("robot.h", "robot.c"))):
+    for file in (kernel.header, *(() if bare else (robot_text.HEADER, robot_text.SOURCE))):
         if file not in sources:
             raise ValueError(f"sources: expected {file} among them")
     variables = _variables(pose, payload)
@@ -95,6 +97,7 @@ def unit(
         compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
         return held | {
             "modelDescription.xml": _description(name, symbol, kernel, variables, compiled, digest, common),
+            "documentation/licenses/license.txt": licence.TEXT,
             "documentation/index.html": _page(name, kernel, variables, digest, common),
         }
 
@@ -212,6 +215,7 @@ def _description(
         "IDENTIFIER": model_identifier(symbol),
         "SAYS": escape(_says(kernel, digest)),
         "STEP": repr(STEP),
+        "LICENCE": escape(licence.SAYS),
         "REFERENCE": str(len(variables)),
         **common,
         **{mark: ("; " if mark == "CODES" else "\n").join(rows) for mark, rows in lines.items()},
@@ -256,6 +260,7 @@ def _page(
         **common,
         "NAME": escape(name),
         "SAYS": escape(_says(kernel, digest)),
+        "LICENCE": escape(licence.SAYS),
         "REAL": kernel.precision,
         "INPUTS": rows["input"],
         "OUTPUTS": rows["output"],
@@ -342,6 +347,7 @@ _DESCRIPTION = """\
   modelName="@NAME@"
   guid="@GUID@"
   description="Actuator forces of a Stewart platform. @SAYS@"
+  license="@LICENCE@"
   generationTool="stewart-sym @VERSION@"
   variableNamingConvention="structured">
   <CoSimulation
@@ -406,6 +412,8 @@ Arithmetic is @REAL@ within, double at the interface.</p>
 <table>
 @STATUS@
 </table>
+<h2>Licence</h2>
+<p>@LICENCE@ Text: <a href="licenses/license.txt">license.txt</a>.</p>
 <h2>Another platform</h2>
 <p>The binary is for the kind of machine on which the unit was made. All of its C is in <code>sources</code>,
 C99 that needs no other files: <code>fmudialog.compileFMUSources</code> in MATLAB R2024a and later,
@@ -427,6 +435,7 @@ _HEADER = """\
 /* stewart_fmi2.h: what a co-simulation unit takes of the binary interface of FMI 2.0.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Names, order and kinds are the standard's. With -DFMI2_FUNCTION_PREFIX=<prefix>, as for a unit that is
  * linked statically, every function's name begins with the prefix.
@@ -556,6 +565,7 @@ _SOURCE = """\
 /* stewart_fmi2.c: the actuator forces as a co-simulation unit of FMI 2.0.
  *
  * Written by stewart-sym @VERSION@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * A step computes the forces of the motion that the inputs have at its start; where there are none, they stay
  * what they were and `status` says why. An instance is one piece of memory from the importer's allocator, and
@@ -565,7 +575,7 @@ _SOURCE = """\
 #include "stewart_fmi2.h"
 
 #include "@HEADER@"
-#include "robot.h" //M
+#include "stewart_robot.h" //M
 
 #include <float.h>
 #include <string.h>

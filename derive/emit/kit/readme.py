@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from ... import notation as n
 from ..c import STATUS
+from . import licence
 from .functions import MODEL, Function, Part
 from .words import filled, in_markdown, shape, table
 
@@ -18,11 +19,13 @@ from .words import filled, in_markdown, shape, table
 class Figures:
     """What a README says of one function.
 
-    error: the largest bound of its test vectors over the largest answer of the same array, nan without
-    vectors. stack, batch_stack: bytes, None where nobody measured them or there is no batch.
+    error, worst: bounds of its test vectors over the largest answer of the same array, the largest of each
+    vector: their median and largest, nan without vectors.
+    stack, batch_stack: bytes, None where nobody measured them or there is no batch.
     """
 
     error: float
+    worst: float
     stack: int | None
     batch_stack: int | None
 
@@ -33,7 +36,8 @@ class Kit:
 
     name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
     command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
-    has_robot: whether robot.h is among the files. deviations: rule, what it is about, why it is not kept.
+    has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
+    kept.
     unit: file name of an FMI unit, "" without one.
     """
 
@@ -59,6 +63,7 @@ def readme(kit: Kit) -> str:
         "title": in_markdown(kit.name),
         "symbol": kit.symbol,
         "options": kit.options,
+        "licence": licence.SAYS,
         "version": kit.version,
         "arithmetic": _ARITHMETIC[kit.precision],
         "parts": "\n".join(f"- {part.says}" for part in kit.parts),
@@ -81,29 +86,44 @@ def readme(kit: Kit) -> str:
 
 
 def _files(kit: Kit) -> list[tuple[str, str]]:
-    robot = [("robot.h`, `robot.c", f"this robot's constants, `{kit.symbol}`")] if kit.has_robot else []
+    robot = (
+        [
+            (
+                "stewart_robot.h`, `stewart_robot.c",
+                f"this robot's constants, `{kit.symbol}`, and limits, `{kit.symbol}_limits`",
+            )
+        ]
+        if kit.has_robot
+        else []
+    )
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
     return [
         ("stewart.h", "types and status codes"),
-        *((f"{part.header}`, `{part.source}", _stems(part)) for part in kit.parts),
+        *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
         *robot,
-        ("selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
-        ("main.c", "an example: every function once"),
+        ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
+        ("example/main.c", "an example: every function once"),
         ("stewart.hpp", "the same functions for C++17"),
         ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
+        ("robot.toml", "the robot file, all defaults and units written out"),
+        ("LICENSE", "terms of use: none"),
         ("manifest.json", "options, digests of robot and files, version"),
         *unit,
     ]
 
 
 def _stems(part: Part) -> str:
-    return ", ".join(f"`{function.stem}`" for function in part.functions) or "constants, prepared once"
+    return ", ".join(f"`{function.stem}`" for function in part.functions)
 
 
 def _summary(function: Function, figures: Figures) -> str:
     stack = "" if figures.stack is None else f"{figures.stack:,}"
     stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
-    error = "not tested: no pose settles it" if math.isnan(figures.error) else f"{figures.error:.0e}"
+    error = (
+        "not tested: no pose settles it |"
+        if math.isnan(figures.error)
+        else f"{figures.error:.0e} | {figures.worst:.0e}"
+    )
     return f"| `{function.symbol}` | {function.operations} | {stack} | {error} |"
 
 
@@ -126,7 +146,7 @@ def _function(function: Function, header: str) -> str:
 
 
 def _prototypes(function: Function, header: str) -> str:
-    found = re.findall(rf"^int {function.symbol}(?:_batch)?\([^;]*\);", header, re.M)
+    found = re.findall(rf"^STEWART_NODISCARD (int {function.symbol}(?:_batch)?\([^;]*\);)", header, re.M)
     assert found, function.symbol
     return "\n".join(found)
 
@@ -177,12 +197,17 @@ _README = """\
 
 @parts@
 
-C99, also valid C++; no heap, no global state, no input or output; needs only `sqrt` and `fabs`.
-@arithmetic@ Written by stewart-sym @version@; regenerate with
+`*.c` of this folder is the library. C99, also valid C++; no heap, no global state, no input or output;
+needs only `sqrt` and `fabs`.
+@arithmetic@ Written by stewart-sym @version@; regenerate in this
+folder with
 
-    stewart-sym generate ROBOT.toml @options@
+    stewart-sym generate robot.toml -o . @options@
 
-and do not edit: a second run replaces what it wrote and refuses where a file was changed by hand.
+or with a robot file of your own, and do not edit: a second run replaces what it wrote, and nothing where a
+file was changed by hand.
+
+@licence@ Text: `LICENSE`.
 
 | file | what it is |
 |---|---|
@@ -200,25 +225,28 @@ add_subdirectory(this_folder)                 # or, after `cmake --install`: fin
 target_link_libraries(controller PRIVATE @symbol@::@symbol@)
 ```
 
-On a target: link `selftest.c` with the other sources, `-DSTEWART_NO_STDIO` where nothing can be
+On a target: link `test/selftest.c` with the sources of this folder, `-DSTEWART_NO_STDIO` where nothing can be
 printed; `main` returns 0 only if every answer is within its bound and every wrong call was refused.
 With `-DSTEWART_NO_MAIN` there is `stewart_selftest()` to call at start-up. With `-ffp-contract=off` one
 pose and a batch agree to the last bit; the bounds hold with fused multiply-add as well, which saves a
 fifth of the instructions of a `float` pose on a Cortex-M4F. `-fno-math-errno` lets a square root be one
-instruction. Never give `-ffast-math`.
+instruction. `-ffast-math` removes the checks of inputs
+and is an error, unless `STEWART_ALLOW_FAST_MATH` is defined.
 
 ## Functions
 
-| function | operations of a pose | stack, bytes | error |
-|---|---|---|---|
+| function | operations of a pose | stack, bytes | error, median | worst |
+|---|---|---|---|---|
 @summary@
 
-Error: the largest that the self-test lets pass, over the largest number of the same array, at its
-well-conditioned poses. Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
+Error: bound of the rounding errors, as the self-test takes it, over the largest number of the same array:
+median and worst of its poses; the worst of the forces is that of a leg near its joint singularity.
+Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
 
 All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at
-once. That R is a rotation is not checked. @batches@One kit to a program: kits share names, and a `double`
-and a `float` one must not be linked together.
+once. That R is a rotation is not checked. Outputs of one pose may overlap the motion and
+other inputs, but not one another, robot or model; those of a batch overlap nothing. @batches@One kit to
+a program: kits share names, and a `double` and a `float` one must not be linked together.
 
 @prepared@@functions@
 `stewart_motion`, input:

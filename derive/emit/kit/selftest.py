@@ -7,6 +7,7 @@ how answers and bounds came about.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from . import robot as robot_text
 from .functions import MODEL, NOTHING, ROBOT, Function
 from .words import EPSILON, Numbers, filled, in_comment, literal, motion_members
 
@@ -52,6 +53,8 @@ def selftest(
         "epsilon": EPSILON,
         "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
         "models": _models(functions),
+        "prepared": "".join(filled(_PREPARED, {"prefix": p}) for p in _prefixes(functions)),
+        "of_robot": _OF_ROBOT if any(f.subject == ROBOT for f in functions) else "",
         "motions": ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions),
         "motion_count": str(len(motions)),
         "most": str(max(function.signature.count for function in functions)),
@@ -75,8 +78,8 @@ def selftest(
 
 
 def _headers(functions: Sequence[Function]) -> list[str]:
-    robot = ["robot.h"] if any(function.subject != NOTHING for function in functions) else []
-    return [*robot, *dict.fromkeys(function.header for function in functions)]
+    own = [robot_text.HEADER] if any(function.subject != NOTHING for function in functions) else []
+    return [*own, *dict.fromkeys(function.header for function in functions)]
 
 
 def _motions(cases: Sequence[Case]) -> tuple[list[Numbers], dict[int, int]]:
@@ -96,21 +99,32 @@ def _prefixes(functions: Sequence[Function]) -> list[str]:
 
 
 def _models(functions: Sequence[Function]) -> str:
-    return "".join(f"static {prefix}_model {prefix}_of;\n" for prefix in _prefixes(functions))
+    return (_ROBOT_OF if _has_robot(functions) else "") + "".join(
+        f"static {prefix}_model {prefix}_of;\n" for prefix in _prefixes(functions)
+    )
+
+
+def _has_robot(functions: Sequence[Function]) -> bool:
+    return any(function.subject != NOTHING for function in functions)
 
 
 def _prepare(functions: Sequence[Function], symbol: str) -> str:
-    return "".join(
+    copied = f"    robot_of.robot = {symbol};\n" if _has_robot(functions) else ""
+    return copied + "".join(
         f"    if ({prefix}_prepare(&{symbol}, &{prefix}_of) != STEWART_OK) {{\n"
         f'        said("{prefix}_prepare", 0, 1, 0);\n'
         "        return -1;\n"
+        "    }\n"
+        f"    if (!{prefix}_needs_finite(&{symbol})) {{\n"
+        f'        said("{prefix}_prepare", 0, 1, 0);\n'
+        "        return 1;\n"
         "    }\n"
         for prefix in _prefixes(functions)
     )
 
 
 def _call(function: Function, symbol: str) -> str:
-    first = {ROBOT: f"&{symbol}, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
+    first = {ROBOT: "&robot_of.robot, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
     signature = function.signature
     body = signature.call.replace("@symbol@", function.symbol).replace("@subject@", first)
     unused = "" if signature.inputs else "    (void)in;\n"
@@ -137,7 +151,7 @@ def _batch(function: Function, symbol: str) -> str:
     """The function's batch, of one pose: what it computes stands apart from what one pose computes."""
     if not function.batch:
         return ""
-    first = {ROBOT: f"&{symbol}, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
+    first = {ROBOT: "&robot_of.robot, ", MODEL: f"&{function.prefix}_of, ", NOTHING: ""}[function.subject]
     arrays = _ARRAYS.get(function.stem)
     further = "in, " if function.signature.inputs else ""
     lines = ["    const stewart_motions poses = pointers_to(motion);"]
@@ -171,6 +185,43 @@ def _refusals(refusals: Sequence[Refusal]) -> str:
         f"static const int refused_status[REFUSALS] = {{{statuses}}};\n"
     )
 
+
+_ROBOT_OF = """\
+#define ROBOT_NUMBERS ((int)(sizeof(stewart_robot) / sizeof(stewart_real)))
+
+/* The robot's constants, to be spoilt one by one. */
+static union {
+    stewart_robot robot;
+    stewart_real numbers[sizeof(stewart_robot) / sizeof(stewart_real)];
+} robot_of;
+"""
+
+_OF_ROBOT = """\
+    sound &= needs_finite(test, &at.motion, in, robot_of.numbers, ROBOT_NUMBERS);
+"""
+
+_PREPARED = """\
+/* Whether every number of the robot that is prepared has to be finite, and the model is else as it was. */
+static int @prefix@_needs_finite(const stewart_robot *robot)
+{
+    static @prefix@_model made, before;
+    int i, which, sound = 1;
+    (void)memset(&before, 0, sizeof before);
+    for (i = 0; i < ROBOT_NUMBERS; ++i) {
+        for (which = 0; which < 3; ++which) {
+            int status;
+            robot_of.robot = *robot;
+            robot_of.numbers[i] = not_finite(which);
+            made = before;
+            status = @prefix@_prepare(&robot_of.robot, &made);
+            sound &= !memcmp(&made, status != STEWART_OK ? &before : &@prefix@_of, sizeof made);
+        }
+    }
+    robot_of.robot = *robot;
+    return sound;
+}
+
+"""
 
 _POINTERS = """\
 static stewart_motions pointers_to(const stewart_motion *motion)
@@ -266,6 +317,7 @@ _SELFTEST = """\
  * there is stewart_selftest() alone.
  *
  * Written by stewart-sym @version@; do not edit.
+ * SPDX-License-Identifier: 0BSD
  */
 #include <float.h>
 #include <stddef.h>
@@ -363,23 +415,68 @@ static int is_right(
     return right;
 }
 
-/* Whether an input that is no number gives a status and leaves the outputs as they were. */
-static int refuses_nan(const function_test *test)
+/* NaN, infinity and minus infinity by number; stored, since registers may hold larger numbers. */
+static stewart_real not_finite(int which)
 {
-    /* Stored, since registers may hold larger numbers. */
-    volatile stewart_real huge = STEWART_MAX;
-    volatile stewart_real infinite;
-    stewart_motion motion = motions[test->motion[0]];
-    stewart_real in[@most_inputs@];
-    int i;
+    volatile stewart_real number = STEWART_MAX;
+    number = number * 2;
+    if (which == 0) {
+        number = number - number;
+    }
+    return which == 2 ? -number : number;
+}
+
+/* Whether a call was rejected with its outputs as they were, or answered as `expected`, to the bit: then it
+ * does not read what was spoilt. Bits, as a compiler told that all is finite takes NaN for equal. */
+static int is_sound(int status, const stewart_real *expected, int count)
+{
+    return status != STEWART_OK ? is_blank(count)
+                                : !memcmp(found, expected, (size_t)count * sizeof(stewart_real));
+}
+
+/* Whether no number of `count` in `numbers`, read by a call of the function, can be other than finite. */
+static int needs_finite(
+    const function_test *test, const stewart_motion *motion, const stewart_real *in, stewart_real *numbers,
+    int count)
+{
+    static stewart_real expected[@most@];
+    int i, which, sound;
+    sound = test->call(motion, in, found) == STEWART_OK;
+    (void)memcpy(expected, found, (size_t)test->answers * sizeof(stewart_real));
+    for (i = 0; i < count; ++i) {
+        const stewart_real good = numbers[i];
+        for (which = 0; which < 3; ++which) {
+            numbers[i] = not_finite(which);
+            blank(test->answers);
+            sound &= is_sound(test->call(motion, in, found), expected, test->answers);
+            if (test->batch) {
+                blank(test->answers);
+                sound &= is_sound(test->batch(motion, in, found), expected, test->answers);
+            }
+        }
+        numbers[i] = good;
+    }
+    return sound;
+}
+
+#define NUMBERS(type) ((int)(sizeof(type) / sizeof(stewart_real)))
+
+/* The same of every number of motion, further inputs and, where a function reads it, robot. */
+static int rejects_not_finite(const function_test *test)
+{
+    static union {
+        stewart_motion motion;
+        stewart_real numbers[NUMBERS(stewart_motion)];
+    } at;
+    static stewart_real in[@most_inputs@];
+    int i, sound;
+    at.motion = motions[test->motion[0]];
     for (i = 0; i < test->inputs; ++i) {
         in[i] = test->in[i];
     }
-    infinite = huge * 2;
-    motion.t[0] = infinite - infinite;
-    in[0] = motion.t[0];
-    blank(test->answers);
-    return test->call(&motion, in, found) != STEWART_OK && is_blank(test->answers);
+    sound = needs_finite(test, &at.motion, in, at.numbers, NUMBERS(stewart_motion));
+    sound &= needs_finite(test, &at.motion, in, in, test->inputs);
+@of_robot@    return sound;
 }
 
 /* The same of a motion that is not there. */
@@ -396,8 +493,8 @@ static int refuses_unprepared(const function_test *test)
     return test->call(&motions[test->motion[0]], test->in, found) != STEWART_OK && is_blank(test->answers);
 }
 
-@told@/* Runs all checks. checks: how many there were, may be null; worst: the largest error over its bound,
- * may be null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
+@told@@prepared@/* Runs all checks. checks: how many there were, may be null; worst: largest error over its
+ * bound, may be null. Returns how many failed, or -1 if the robot's constants could not be prepared. */
 int stewart_selftest(int *checks, stewart_real *worst)
 {
     stewart_real largest = 0;
@@ -419,7 +516,7 @@ int stewart_selftest(int *checks, stewart_real *worst)
             }
         }
         count += tests[test].batch ? tests[test].calls : 0;
-@refused@        right += refuses_nan(&tests[test]);
+@refused@        right += rejects_not_finite(&tests[test]);
         if (tests[test].moved) {
             right += refuses_null(&tests[test]);
         }

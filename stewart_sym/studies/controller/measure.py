@@ -167,7 +167,7 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
     with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
         folder = Path(name)
         for file, content in made.items():
-            (folder / file).write_bytes(content)
+            (folder / Path(file).name).write_bytes(content)
         for file in _OWN:
             shutil.copyfile(str(files(__package__) / file), folder / file)
         kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
@@ -175,7 +175,7 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
         (folder / "cases.h").write_text(_cases_header(cases, kernel, symbol), encoding="utf-8")
         objects = [toolchain.compiled(core, folder / f"{kernel}.c")]
         if not bake:
-            objects.append(toolchain.compiled(core, folder / "robot.c"))
+            objects.append(toolchain.compiled(core, folder / "stewart_robot.c"))
         start = toolchain.compiled(core, folder / "start.c", ["-Wno-pedantic"])
         # The test itself compares in double, on whatever processor.
         count = toolchain.compiled(core, folder / "count.c", ["-Wno-unused-parameter"])
@@ -278,7 +278,11 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
     if not symbol:
         names.append("#define BAKED")
     else:
-        names += ['#include "robot.h"', f"#define MODEL {kernel}_model", f"#define PREPARE {kernel}_prepare"]
+        names += [
+            '#include "stewart_robot.h"',
+            f"#define MODEL {kernel}_model",
+            f"#define PREPARE {kernel}_prepare",
+        ]
         names.append(f"#define ROBOT {symbol}")
     axes = cases.near_poles() if symbol else None
     given = _motions(test.inputs for test in cases.tests)

@@ -1,0 +1,232 @@
+"""What a user does with a kit beside building it: other flags, folders, overlapping arguments, terms."""
+
+import ctypes
+import os
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import machines
+import numpy as np
+import pytest
+
+from stewart_sym import kernel, native
+from stewart_sym.derive.emit.kit.licence import SPDX
+from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.kit import Choice, Kit, kit, put
+from stewart_sym.kit.poses import sample
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
+
+GENERATED = Path(kernel.__file__).parent.parent / "generated"
+EVERYTHING = Choice(("forces", "reactions", "motion", "kinematics"), fmu=True)
+
+
+@cache
+def made(choice: Choice = EVERYTHING) -> Kit:
+    return kit(machines.dasgupta(), choice)
+
+
+def compiled(folder: Path, *flags: str, source: str = "stewart_robot.c") -> str:
+    """What the compiler says of a source of the kit."""
+    command = ["gcc", "-std=c99", *flags, f"-I{folder}", "-c", source, "-o", os.devnull]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False).stderr
+
+
+# ---------------------------------------------------------------- flags
+
+
+@pytest.mark.parametrize("flag", ["-ffast-math", "-Ofast", "-ffinite-math-only"])
+def test_a_compiler_told_that_all_is_finite_stops_unless_allowed(tmp_path: Path, flag: str) -> None:
+    put(made(), tmp_path)
+    assert "#error" in compiled(tmp_path, flag)
+    assert compiled(tmp_path, flag, "-DSTEWART_ALLOW_FAST_MATH") == ""
+    assert compiled(tmp_path, "-O2", "-fno-math-errno") == ""
+
+
+@pytest.mark.parametrize("choice", [Choice(scalar=True), Choice(bake=True, scalar=True)])
+def test_selftest_fails_where_an_input_that_is_not_finite_is_accepted(tmp_path: Path, choice: Choice) -> None:
+    put(made(choice), tmp_path)
+    (source,) = tmp_path.glob("stewart_*_pose.c")
+    text = source.read_text()
+    # The wrong kernel answers with what is not finite, as fast-math lets it.
+    wrong = re.sub(r"return [^;]*STEWART_NOT_FINITE[^;]*;", "return STEWART_OK;", text)
+    wrong = wrong.replace("status = STEWART_NOT_FINITE", "status = STEWART_OK")
+    assert wrong != text
+    for written, code in ((text, 0), (wrong, 1)):
+        source.write_text(written)
+        sources = [str(path) for path in tmp_path.glob("*.c")]
+        command = ["gcc", "-w", f"-I{tmp_path}", *sources, "test/selftest.c", "-o", "selftest", "-lm"]
+        subprocess.run(command, cwd=tmp_path, check=True)
+        done = subprocess.run([tmp_path / "selftest"], capture_output=True, check=False)
+        assert done.returncode == code
+
+
+def test_a_status_that_is_ignored_is_warned_of(tmp_path: Path) -> None:
+    put(made(), tmp_path)
+    (tmp_path / "user.c").write_text(
+        '#include "stewart_exact.h"\n'
+        "void f(const stewart_robot *r, const stewart_motion *m, stewart_forces *f);\n"
+        "void f(const stewart_robot *r, const stewart_motion *m, stewart_forces *f)\n"
+        "{\n    stewart_exact_inverse_dynamics(r, m, f);\n}\n"
+    )
+    assert "warn_unused_result" in compiled(tmp_path, source="user.c")
+    assert "ignoring return value" in compiled(tmp_path, "-x", "c++", "-std=c++17", source="user.c")
+
+
+def test_every_function_that_returns_a_status_is_marked() -> None:
+    for path in (GENERATED / "c").glob("*.h"):
+        text = path.read_text()
+        declared = re.findall(r"^(.*)int stewart_\w+\(", text, re.M)
+        assert set(declared) <= {"STEWART_NODISCARD "}, path
+
+
+# ---------------------------------------------------------------- files
+
+
+def test_the_sources_of_a_kit_are_a_library_without_a_main() -> None:
+    sources = {name: text for name, text in made().files.items() if name.endswith(".c")}
+    with_main = {name for name, text in sources.items() if re.search(rb"^int main\(", text, re.M)}
+    assert with_main == {"example/main.c", "test/selftest.c"}
+    assert all(name.startswith("stewart") for name in sources if name not in with_main)
+
+
+def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
+    for robot in (machines.dasgupta(), machines.random_robot(np.random.default_rng(8), "spherical")):
+        wish = Choice(scalar=True, precision="float")
+        first = kit(robot, wish)
+        (tmp_path / "robot.toml").write_bytes(first.files["robot.toml"])
+        assert kit(Robot.from_toml(tmp_path / "robot.toml"), wish) == first
+
+
+def test_a_robot_file_that_is_an_input_is_not_replaced(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text("mine")
+    with pytest.raises(ValueError, match=r"robot\.toml: is an input, name another folder$"):
+        put(made(), tmp_path, force=True, inputs=[tmp_path / "robot.toml"])
+    assert (tmp_path / "robot.toml").read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["robot.toml", "manifest.json", "stewart.h"])
+def test_a_pipe_in_place_of_a_file_is_an_error_and_nothing_waits(tmp_path: Path, name: str) -> None:
+    os.mkfifo(tmp_path / name)
+    for force in (False, True):
+        with pytest.raises(ValueError, match=rf"{name}: expected a file or nothing, found a device"):
+            put(made(), tmp_path, force)
+    assert os.listdir(tmp_path) == [name]
+
+
+def test_generated_code_says_under_which_terms_it_may_be_used() -> None:
+    line = f"SPDX-License-Identifier: {SPDX}\n"
+    for path in GENERATED.rglob("*.[chp]*"):
+        if path.suffix in (".c", ".h", ".py"):
+            assert line in path.read_text(), path
+    for name, text in made().files.items():
+        if name.endswith((".c", ".h", ".hpp", ".txt", ".toml", ".in", "Makefile")):
+            assert line.encode() in text, name
+    assert b"any condition" in made().files["README.md"]
+
+
+def test_version_and_limits_are_in_the_headers() -> None:
+    robot = machines.dasgupta()
+    files = {
+        name: made().files[name].decode() for name in ("stewart.h", "stewart_robot.h", "stewart_robot.c")
+    }
+    assert re.search(r'^#define STEWART_SYM_VERSION "\d+\.\d+', files["stewart.h"], re.M)
+    library = native.load("kit_robot", files)
+    found = np.array((ctypes.c_double * 24).in_dll(library, f"{robot_symbol(robot.name)}_limits"))
+    stated = np.concatenate([*robot.length_limits.T, robot.force_limit, robot.speed_limit])
+    np.testing.assert_array_equal(found, np.where(np.isinf(stated), np.finfo(np.float64).max, stated))
+
+
+# ---------------------------------------------------------------- overlap
+
+
+def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
+    robot = machines.dasgupta()
+    at = sample(robot, "exact")[0]
+    motion = np.concatenate([np.ravel(getattr(at, name)) for name in kernel.MOTION])
+    files = {
+        name: text.decode() for name, text in made().files.items() if re.match(r"stewart\w*\.[ch]$", name)
+    }
+    library = native.load("kit_of_all", files)
+    constants = kernel.robot_numbers(robot)
+    model = np.zeros(4096)
+    assert library.stewart_exact_prepare(kernel.address(constants), kernel.address(model)) == 0
+    functions = {
+        "stewart_exact_forces": (model, 6),
+        "stewart_exact_bias": (model, 6),
+        "stewart_exact_joint_inertia": (model, 36),
+        "stewart_exact_equations": (model, 162),
+        "stewart_exact_inverse_dynamics": (constants, 78),
+    }
+    for name, (first, count) in functions.items():
+        call = getattr(library, name)
+        apart = np.zeros(count)
+        assert call(kernel.address(first), kernel.address(motion), kernel.address(apart)) == 0
+        for offset in (0, 5, 9, 24):
+            both = np.concatenate([motion, np.zeros(count)])
+            out = both[offset : offset + count]
+            assert call(kernel.address(first), kernel.address(both), kernel.address(out)) == 0
+            np.testing.assert_array_equal(out, apart, err_msg=f"{name} at {offset}")
+    force = apart[:6].copy()
+    assert library.stewart_exact_forward_dynamics(*map(kernel.address, (model, motion, force, apart))) == 0
+    assert library.stewart_exact_forward_dynamics(*map(kernel.address, (model, motion, force, force))) == 0
+    np.testing.assert_array_equal(force, apart[:6])
+
+
+# ---------------------------------------------------------------- orientation
+
+
+def oriented(function: str, *given: np.ndarray, precision: type = np.float64) -> tuple[int, np.ndarray]:
+    """Status, and a motion that was all ones before."""
+    defines = {"STEWART_FLOAT": 1} if precision is np.float32 else {}
+    library = native.load("stewart_rotation", kernel.c_sources("rotation"), defines=defines)
+    motion = np.ones(30, dtype=precision)
+    arrays = [np.ascontiguousarray(each, dtype=precision) for each in given]
+    return getattr(library, function)(*map(kernel.address, (*arrays, motion))), motion
+
+
+def expected(motion: Motion) -> np.ndarray:
+    ones = {name: np.ones(3) for name in ("t", "v", "a", "F_ext", "M_ext")}
+    fields = {**ones, "R": motion.R.ravel(), "omega": motion.omega, "alpha": motion.alpha}
+    return np.concatenate([fields[name] for name in kernel.MOTION])
+
+
+@pytest.mark.parametrize("precision", [np.float64, np.float32])
+def test_orientation_and_rates_in_c_are_those_of_motion(precision: type) -> None:
+    rng = np.random.default_rng(4)
+    still = np.zeros(3)
+    for _ in range(50):
+        given = rng.uniform(-3, 3, (3, 3)).astype(precision).astype(np.float64)
+        sine, cosine = np.sin(given[0]), np.cos(given[0])
+        status, found = oriented("stewart_motion_from_rpy", sine, cosine, *given[1:], precision=precision)
+        right = expected(Motion.from_rpy(still, given[0], still, given[1], still, given[2]))
+        assert status == 0
+        np.testing.assert_allclose(found, right, rtol=0, atol=400 * np.finfo(precision).eps)
+        e = rng.standard_normal((3, 4)).astype(precision).astype(np.float64)
+        e[0] *= 3.0 / np.linalg.norm(e[0])
+        e = e.astype(precision).astype(np.float64)
+        status, found = oriented("stewart_motion_from_quaternion", *e, precision=precision)
+        right = expected(Motion.from_quaternion(still, e[0], still, e[1], still, e[2]))
+        assert status == 0
+        np.testing.assert_allclose(found, right, rtol=0, atol=400 * np.finfo(precision).eps)
+
+
+def test_no_orientation_comes_of_what_is_not_finite_or_zero() -> None:
+    rates = np.array([0.1, -0.2, 0.3])
+    cases = {
+        "stewart_motion_from_rpy": [np.sin(rates), np.cos(rates), rates, rates],
+        "stewart_motion_from_quaternion": [np.array([0.9, 0.1, -0.2, 0.3])] * 3,
+    }
+    for function, given in cases.items():
+        assert oriented(function, *given)[0] == 0
+        for number in (np.nan, np.inf, -np.inf):
+            for i, j in np.ndindex(len(given), given[0].size):
+                spoilt = [each.copy() for each in given]
+                spoilt[i][j] = number
+                status, motion = oriented(function, *spoilt)
+                assert (status, set(motion)) == (1, {1.0}), (function, i, j)
+    for size in (0.0, 1e-170, 1e200):
+        status, motion = oriented("stewart_motion_from_quaternion", *(size * cases[function][0],) * 3)
+        assert (status, set(motion)) == (1, {1.0})
