@@ -128,6 +128,7 @@ class _Blocks:
         self.legs = {
             end: rounded(leg, inexact)
             for end, leg in (("", kernel.leg), ("_near_singularity", kernel.leg_near_pole))
+            if leg is not None
         }
 
     def structs(self) -> dict[str, list[str]]:
