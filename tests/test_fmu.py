@@ -107,11 +107,11 @@ def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
 def made(case: str) -> Made:
     robot = robot_of(case)
     files = kit(robot, CASES[case]).files
-    programs = ("example/main.c", "test/selftest.c")
+    unused = ("example/main.c", "test/selftest.c", "stewart_rotation.h", "stewart_rotation.c")
     sources = {
         name: text.decode()
         for name, text in files.items()
-        if name.endswith((".c", ".h")) and name not in programs
+        if name.endswith((".c", ".h")) and name not in unused
     }
     header, prefix = forces_function(sources)
     kernel = UnitKernel(header, prefix, case == "baked", CASES[case].precision)
