@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from ..fidelity import Fidelity
 from ..operations import force_operations
 from ..regroup import ForceKernel
+from .c import wrap_list
 from .lanes import model_numbers
 
 
@@ -27,7 +28,8 @@ def _entry(level: Fidelity, kernel: ForceKernel) -> str:
     }
     lines = "\n".join(f'        "{name}": {_literal(value)},' for name, value in values.items())
     parts = ", ".join(f'"{part}": {count}' for part, count in counts.items())
-    return f'    "{level.name}": {{\n{lines}\n        "operations": {{{parts}}},\n    }},'
+    operations = wrap_list(f"{' ' * 12}{parts},", " " * 12)
+    return f'    "{level.name}": {{\n{lines}\n        "operations": {{\n{operations}\n        }},\n    }},'
 
 
 def _literal(value: object) -> str:
