@@ -193,7 +193,7 @@ def test_control_writes_tables_curves_and_pictures_that_agree(
     assert main(["control", "-o", str(tmp_path), "--path", "II", "--rate", "200"]) == 0
     out = capsys.readouterr().out
     names = {"control.csv", "control.json", "control.txt", "control.png", "control_friction.png"}
-    assert {path.name for path in tmp_path.iterdir()} == names | {"path_II.csv", "path_II_friction.csv"}
+    assert {path.name for path in tmp_path.glob("[!.]*")} == names | {"path_II.csv", "path_II_friction.csv"}
     assert out.startswith((tmp_path / "control.txt").read_text())
     found = json.loads((tmp_path / "control.json").read_text())
     with open(tmp_path / "control.csv", newline="") as stream:
@@ -220,7 +220,7 @@ def test_control_takes_a_robot_and_warns_of_its_limits(
     out = tmp_path / "out"
     arguments = ["control", "-o", str(out), "--path", "II", "--rate", "100", "--robot", str(file)]
     assert main([*arguments, "--no-pictures"]) == 0
-    assert {path.name for path in out.iterdir()} == {
+    assert {path.name for path in out.glob("[!.]*")} == {
         "control.csv",
         "control.json",
         "control.txt",

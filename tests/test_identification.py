@@ -210,7 +210,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(
     assert main(["identify", str(robot_file), *FEW, "--sigma", "0.1", "-o", str(target)]) == 0
     printed = capsys.readouterr().out
     assert (target / "report.txt").read_text() in printed
-    assert sorted(p.name for p in target.iterdir()) == [
+    assert sorted(p.name for p in target.glob("[!.]*")) == [
         "forces.csv",
         "parameters.csv",
         "report.txt",
@@ -248,7 +248,7 @@ def test_measured_forces_are_identified_with_a_wrong_robot_file(
     inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
     assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
     assert (measured / "report.txt").read_text() in capsys.readouterr().out
-    assert sorted(p.name for p in measured.iterdir()) == ["parameters.csv", "report.txt"]
+    assert sorted(p.name for p in measured.glob("[!.]*")) == ["parameters.csv", "report.txt"]
     tables = []
     for folder in (simulated, measured):
         with open(folder / "parameters.csv", newline="") as stream:

@@ -87,9 +87,9 @@ def test_50_digits_of_the_vector_reference_agree_with_the_truth(kind: str) -> No
 
 def test_a_batch_of_calm_and_stiff_poses_gives_what_each_pose_gives() -> None:
     robot, motion, F = case(0, "lean", 6)
-    poses = ss.Motion(*(np.stack([getattr(motion, n)] * 4) for n in ("R", "t", "omega", "v")))
-    poses.t.flags.writeable = True
-    poses.t[1:] += 1e-3 * np.arange(1, 4)[:, None] * np.ptp(robot.b)
+    R, t, omega, v = (np.stack([getattr(motion, n)] * 4) for n in ("R", "t", "omega", "v"))
+    t[1:] += 1e-3 * np.arange(1, 4)[:, None] * np.ptp(robot.b)
+    poses = ss.Motion(R=R, t=t, omega=omega, v=v)
     for form in FORMS.values():
         whole = form(robot).run("linearisation", poses, np.stack([F] * 4))
         for i in range(4):

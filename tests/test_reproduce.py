@@ -182,7 +182,7 @@ def test_pictures_are_drawn_and_their_svg_is_reproducible(found: Reproduction, t
     for folder in folders:
         folder.mkdir()
         plots.draw(found, folder)
-    names = sorted(path.name for path in folders[0].iterdir())
+    names = sorted(path.name for path in folders[0].glob("[!.]*"))
     assert [name[:5] for name in names] == [f"fig{n:02d}" for n in range(4, 11) for _ in range(2)]
     for name in names:
         content = (folders[0] / name).read_bytes()
