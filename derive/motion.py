@@ -193,9 +193,10 @@ def _centripetal(build: Builder) -> sp.Matrix:
 
 @dataclass(frozen=True)
 class _Leg:
-    """A leg on its way: frame with third axis, tip velocity."""
+    """A leg on its way: frame with third axis, omega x q, tip velocity."""
 
     at: JointFrame
+    w_q: sp.Matrix
     S_dot: sp.Matrix
 
     @property
@@ -212,10 +213,9 @@ class _Leg:
 
 def _leg(build: Builder) -> _Leg:
     at = joint_frame(build, with_z=True)
-    S_dot = build.vector(
-        "S_dot", cross(n.omega.value, at.q) + n.v.value, "(4)", "velocity of the platform point"
-    )
-    return _Leg(at, S_dot)
+    w_q = build.vector("w_q", cross(n.omega.value, at.q), "(4)", "omega x q")
+    S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
+    return _Leg(at, w_q, S_dot)
 
 
 def _judged(at: JointFrame) -> list[tuple[Quantity, sp.Expr | sp.Matrix]]:
@@ -421,7 +421,7 @@ def _equations_of_leg(friction: bool, near: bool) -> Block:
         _local(build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M)),
         "Coriolis matrix at the tip, base frame",
     )
-    w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    w_q = leg.w_q
     C_vw = _named(build, "C_q", -C_tip * tip.skew(q) - m * tip.skew(w_q))
     turn = tip.skew(q)
     about_y, about_k = gravity_torques(build, at)
@@ -555,7 +555,7 @@ def _derivatives_of_leg(friction: bool, near: bool) -> Block:
     q, turn = leg.at.q, tip.skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
-    w_q = build.vector("w_q", leg.S_dot - n.v.value, "(4)", "omega x q")
+    w_q = leg.w_q
     reach = _named(build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip")
     pace = _named(build, "Y", by.S_dot + by.S_ddot * W)
     fr = _named(build, "Z", -reach * turn)

@@ -39,12 +39,12 @@ _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz"
 
 # Operations of a pose before any solve.
 OPERATIONS: dict[str, int] = {
-    "equations": 4652,
+    "equations": 4634,
     "bias": 2031,
     "forward_dynamics": 2913,
-    "derivatives": 11222,
+    "derivatives": 11204,
     "joint_rows": 2223,
-    "joint_slopes": 12542,
+    "joint_slopes": 12530,
 }
 
 _ADDED = ("M_add", "h_add_x", "h_add_y", "h_add_z", "J_add_xx", "J_add_xy", "J_add_xz", "J_add_yy",
@@ -762,7 +762,7 @@ def equations_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M, C, g and friction, its column of H and the column's rate.
 
-    Operations: 681 (422 mul, 255 add, 2 div, 2 sqrt).
+    Operations: 678 (422 mul, 252 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -864,10 +864,14 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -961,10 +965,6 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
     C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x
     C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y
     C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z
-    # (4) omega x q
-    w_q_x = S_dot_x - v_x
-    w_q_y = S_dot_y - v_y
-    w_q_z = S_dot_z - v_z
     c13 = C_tip_xy*q_z
     c14 = m_xy*w_q_z
     c15 = C_tip_xz*q_y
@@ -1120,7 +1120,7 @@ def equations_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) ->
 def equations_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of M, C, g and friction, its column of H and the column's rate.
 
-    Operations: 701 (426 mul, 271 add, 2 div, 2 sqrt).
+    Operations: 698 (426 mul, 268 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -1220,10 +1220,14 @@ def equations_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: An
     # (10) k = (k1, 0, k3) in the leg frame
     k1 = inv_L*zeta
     k3 = inv_L*rho
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
@@ -1332,10 +1336,6 @@ def equations_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: An
     C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x
     C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y
     C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z
-    # (4) omega x q
-    w_q_x = S_dot_x - v_x
-    w_q_y = S_dot_y - v_y
-    w_q_z = S_dot_z - v_z
     c37 = C_tip_xy*q_z
     c38 = m_xy*w_q_z
     c39 = C_tip_xz*q_y
@@ -1690,10 +1690,14 @@ def bias_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -2025,10 +2029,14 @@ def forward_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> d
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -2447,7 +2455,7 @@ def derivatives_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench.
 
-    Operations: 1721 (1020 mul, 697 add, 2 div, 2 sqrt).
+    Operations: 1718 (1020 mul, 694 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -2562,10 +2570,14 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -2918,10 +2930,6 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
     A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x
     A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y
     A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z
-    # (4) omega x q
-    w_q_x = S_dot_x - v_x
-    w_q_y = S_dot_y - v_y
-    w_q_z = S_dot_z - v_z
     # force by rotation about the tip
     X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y
     X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z
@@ -3101,7 +3109,7 @@ def derivatives_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) 
 def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench.
 
-    Operations: 2158 (1283 mul, 871 add, 2 div, 2 sqrt).
+    Operations: 2155 (1283 mul, 868 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -3216,10 +3224,14 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
@@ -3733,10 +3745,6 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
     A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x
     A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y
     A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z
-    # (4) omega x q
-    w_q_x = S_dot_x - v_x
-    w_q_y = S_dot_y - v_y
-    w_q_z = S_dot_z - v_z
     # force by rotation about the tip
     X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y
     X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z
@@ -4158,10 +4166,14 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = omega_y*q_z + v_x - omega_z*q_y
-    S_dot_y = omega_z*q_x + v_y - omega_x*q_z
-    S_dot_z = omega_x*q_y + v_z - omega_y*q_x
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -4564,7 +4576,7 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives.
 
-    Operations: 1941 (1235 mul, 702 add, 2 div, 2 sqrt).
+    Operations: 1939 (1234 mul, 701 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -4677,42 +4689,39 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     k3 = inv_L*rho
     # (10) k1 / k3
     kappa = inv_rho*zeta
-    c1 = omega_y*q_z - omega_z*q_y
-    c2 = omega_x*q_z
-    c3 = omega_x*q_y - omega_y*q_x
+    # (4) omega x q
+    w_q_x = omega_y*q_z - omega_z*q_y
+    w_q_y = omega_z*q_x - omega_x*q_z
+    w_q_z = omega_x*q_y - omega_y*q_x
     # (4) velocity of the platform point
-    S_dot_x = c1 + v_x
-    S_dot_y = omega_z*q_x + v_y - c2
-    S_dot_z = c3 + v_z
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
-    c4 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
+    c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
-    phi_dot = c4*inv_rho
+    phi_dot = c1*inv_rho
     theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
-    c5 = L_dot*inv_L
+    c2 = L_dot*inv_L
     # L_dot / L
-    L_share = c5
-    c6 = theta_dot*theta_dot
-    theta_dot2 = c6
+    L_share = c2
+    c3 = theta_dot*theta_dot
+    theta_dot2 = c3
     phi_dot2 = phi_dot*phi_dot
     inv_k3 = L*inv_rho
     # (6) leg's turning about z
-    W_z = c4*inv_L
-    # (4) omega x q
-    w_q_x = c1
-    w_q_y = omega_z*q_x - c2
-    w_q_z = c3
+    W_z = c1*inv_L
     # (7) acceleration of the platform point
     S_ddot_x = omega_y*w_q_z - omega_z*w_q_y
     S_ddot_y = omega_z*w_q_x - omega_x*w_q_z
     S_ddot_z = omega_x*w_q_y - omega_y*w_q_x
     # (8) acceleration of the length
     L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + turned_x
-    c7 = 2*L_share
+    c4 = 2*L_share
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z - W_z*c7
+    own_y = turned_y - c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z - W_z*c4
     # gravity along k x y and along y
     gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
     gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
@@ -4722,206 +4731,205 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     normal_z = k_x*y_y - k_y*y_x
     # omega along k x y, y and k
     w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z
-    c8 = inv_rho*net_z
-    c9 = inv_L*net_y
+    c5 = inv_rho*net_z
+    c6 = inv_L*net_y
     # force at the tip, less the actuator's
-    R_tip_x = c8*y_x + net_x*s_x - c9*z_x
-    R_tip_y = c8*y_y + net_x*s_y - c9*z_y
-    R_tip_z = c8*y_z + net_x*s_z - c9*z_z
-    c10 = h_z*own_y
-    c11 = W_z*W_z
-    c12 = inv_L*inv_L
-    c13 = L_dot*c12
-    c14 = 2*h_y
-    c15 = W_z*c14
-    c16 = h_y*inv_L
-    c17 = inv_k3*k1
-    c18 = c16*c17
-    c19 = 4*W_z
-    c20 = c19*theta_dot
-    c21 = c11*h_z
-    c22 = c21*inv_L
-    c23 = 4*c17
+    R_tip_x = c5*y_x + net_x*s_x - c6*z_x
+    R_tip_y = c5*y_y + net_x*s_y - c6*z_y
+    R_tip_z = c5*y_z + net_x*s_z - c6*z_z
+    c7 = h_z*own_y
+    c8 = W_z*W_z
+    c9 = inv_L*inv_L
+    c10 = L_dot*c9
+    c11 = 2*h_y
+    c12 = W_z*c11
+    c13 = h_y*inv_L
+    c14 = inv_k3*k1
+    c15 = c13*c14
+    c16 = 4*W_z
+    c17 = c16*theta_dot
+    c18 = c8*h_z
+    c19 = c18*inv_L
+    c20 = 4*c14
     tau_S_leg_11 = (
-        2*L_dot*c12*h_z*theta_dot + 2*c11*h_x*inv_L + 2*c6*h_x*inv_L + h_y*inv_L*own_z - c10*inv_L - c13*c15
-        - c18*c20 - c22*c23
+        2*L_dot*c9*h_z*theta_dot + 2*c3*h_x*inv_L + 2*c8*h_x*inv_L + h_y*inv_L*own_z - c10*c12 - c15*c17
+        - c19*c20 - c7*inv_L
     )
-    c24 = L_ddot*c12
-    c25 = c16*c6
-    c26 = h_z*inv_L
-    c27 = 2*theta_dot
-    c28 = c26*c27
-    c29 = h_y*own_y
-    c30 = inv_L*inv_k3
-    c31 = c30*k1
-    c32 = h_z*own_z
-    c33 = c11*c16
-    c34 = 2*h_x
-    c35 = W_z*c13
-    c36 = L_dot*L_dot
-    c37 = inv_L*inv_L*inv_L
-    c38 = c36*c37
-    c39 = inv_k3*inv_k3
-    c40 = 2*c39
-    c41 = h_y*k1
-    c42 = c41*inv_k3
+    c21 = L_ddot*c9
+    c22 = c13*c3
+    c23 = h_z*inv_L
+    c24 = 2*theta_dot
+    c25 = c23*c24
+    c26 = h_y*own_y
+    c27 = inv_L*inv_k3
+    c28 = c27*k1
+    c29 = h_z*own_z
+    c30 = c13*c8
+    c31 = 2*h_x
+    c32 = W_z*c10
+    c33 = L_dot*L_dot
+    c34 = inv_L*inv_L*inv_L
+    c35 = c33*c34
+    c36 = inv_k3*inv_k3
+    c37 = 2*c36
+    c38 = h_y*k1
+    c39 = c38*inv_k3
     tau_S_leg_12 = (
-        C_p*W_z + W_z*c28 + c24*h_y + c25 + c29*c31 + c31*c32 + c33*c40 + c34*c35 - c13*c27*c42 - c14*c38
-        - c20*c26*c39 - c23*c35*h_z - c25*c40 - c33
+        C_p*W_z + W_z*c25 + c21*h_y + c22 + c26*c28 + c28*c29 + c30*c37 + c31*c32 - c10*c24*c39 - c11*c35
+        - c17*c23*c36 - c20*c32*h_z - c22*c37 - c30
     )
-    c43 = W_z*c27
-    c44 = c34*theta_dot
-    c45 = 2*h_z
+    c40 = W_z*c24
+    c41 = c31*theta_dot
+    c42 = 2*h_z
     tau_S_leg_13 = (
-        L_ddot*c12*h_z + 2*L_dot*W_z*c12*h_y*inv_k3*k1 + 2*W_z*c39*h_y*inv_L*theta_dot + 2*c11*c39*h_z*inv_L
-        + c6*h_z*inv_L - C_p*theta_dot - c13*c44 - c16*c43 - c22 - c38*c45
+        L_ddot*c9*h_z + 2*L_dot*W_z*c9*h_y*inv_k3*k1 + 2*W_z*c36*h_y*inv_L*theta_dot + c3*h_z*inv_L
+        + 2*c36*c8*h_z*inv_L - C_p*theta_dot - c10*c41 - c13*c40 - c19 - c35*c42
     )
-    c46 = C_us*inv_L
-    c47 = c46*theta_dot
-    c48 = J_yy*inv_L
-    c49 = J_yz*inv_L
-    c50 = c6*h_z
-    c51 = inv_L*theta_dot
-    c52 = J_xy*c51
-    c53 = J_xy*inv_L
-    c54 = c53*k1
-    c55 = c54*inv_k3
-    c56 = c11*inv_L
-    c57 = 4*J_xz
-    c58 = c14*theta_dot
-    c59 = 2*W_z
-    c60 = 2*J_yy
-    c61 = 2*J_xx
-    c62 = c61 - 2*J_zz
-    c63 = c60 + c62
+    c43 = C_us*inv_L
+    c44 = c43*theta_dot
+    c45 = J_yy*inv_L
+    c46 = J_yz*inv_L
+    c47 = c3*h_z
+    c48 = inv_L*theta_dot
+    c49 = J_xy*c48
+    c50 = J_xy*inv_L
+    c51 = c50*k1
+    c52 = c51*inv_k3
+    c53 = c8*inv_L
+    c54 = 4*J_xz
+    c55 = c11*theta_dot
+    c56 = 2*W_z
+    c57 = 2*J_yy
+    c58 = 2*J_xx
+    c59 = c58 - 2*J_zz
+    c60 = c57 + c59
     tau_S_leg_21 = (
-        2*J_xy*L_dot*W_z*c12*inv_k3*k1 + 4*J_xy*W_z*c39*inv_L*theta_dot + 2*J_xz*c11*c39*inv_L
-        + 2*J_yy*L_dot*c12*theta_dot + 2*J_yz*L_dot*W_z*c12 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
-        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c11*h_z - W_z*c39*c58
-        - c11*c63*inv_L*inv_k3*k1 - c19*c52 - c21*c39 - c42*c5*c59 - c47 - c48*own_y - c49*own_z - c50
-        - c55*own_z - c56*c57
+        2*J_xy*L_dot*W_z*c9*inv_k3*k1 + 4*J_xy*W_z*c36*inv_L*theta_dot + 2*J_xz*c36*c8*inv_L
+        + 2*J_yy*L_dot*c9*theta_dot + 2*J_yz*L_dot*W_z*c9 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
+        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c8*h_z - W_z*c36*c55 - c16*c49 - c18*c36
+        - c2*c39*c56 - c44 - c45*own_y - c46*own_z - c47 - c52*own_z - c53*c54 - c60*c8*inv_L*inv_k3*k1
     )
-    c65 = c53*own_y
-    c66 = W_z*c44
-    c67 = inv_L*w_z
-    c68 = c67*gamma_y
-    c69 = c11*c49
-    c70 = C_s*inv_L
-    c71 = c19*h_z
-    c72 = k1*own_z
-    c73 = c34*c72
-    c74 = W_z*c46*inv_k3
-    c75 = J_yz*c24
-    c76 = c49*c6
-    c77 = k1*own_y
-    c78 = c49*c77
-    c79 = c17*theta_dot
-    c80 = inv_L*w_x
-    c81 = c80*k1
-    c82 = c81*gamma_y
-    c83 = J_xy*c13
-    c84 = c27*c83
-    c85 = W_z*c57
-    c86 = c13*c85
-    c87 = c11*inv_k3
-    c88 = c51*c85
-    c89 = c34*c5
-    c90 = W_z*c89
-    c91 = 2*J_yz
-    c92 = c38*c91
-    c93 = c24*inv_k3
-    c94 = J_xy*k1
-    c95 = W_z*c45
-    c96 = c39*c95
-    c97 = inv_k3*inv_k3*inv_k3
-    c98 = c95*k1
-    c99 = c98*theta_dot
-    c100 = c11*c41
-    c101 = 2*c97
-    c102 = c101*c6
-    c103 = 2*k1
-    c104 = J_xz*c103
-    c105 = W_z*c51
-    c106 = c13*c91
-    c107 = J_xy*c103*c38
-    c108 = c11*c54
-    c109 = J_xz*c59
-    c110 = c109*c39
-    c111 = c12*c36
-    c112 = W_z*c39
-    c113 = c112*c51
+    c62 = c50*own_y
+    c63 = W_z*c41
+    c64 = inv_L*w_z
+    c65 = c64*gamma_y
+    c66 = c46*c8
+    c67 = C_s*inv_L
+    c68 = c16*h_z
+    c69 = k1*own_z
+    c70 = c31*c69
+    c71 = W_z*c43*inv_k3
+    c72 = J_yz*c21
+    c73 = c3*c46
+    c74 = k1*own_y
+    c75 = c46*c74
+    c76 = c14*theta_dot
+    c77 = inv_L*w_x
+    c78 = c77*k1
+    c79 = c78*gamma_y
+    c80 = J_xy*c10
+    c81 = c24*c80
+    c82 = W_z*c54
+    c83 = c10*c82
+    c84 = c8*inv_k3
+    c85 = c48*c82
+    c86 = c2*c31
+    c87 = W_z*c86
+    c88 = 2*J_yz
+    c89 = c35*c88
+    c90 = c21*inv_k3
+    c91 = J_xy*k1
+    c92 = W_z*c42
+    c93 = c36*c92
+    c94 = inv_k3*inv_k3*inv_k3
+    c95 = c92*k1
+    c96 = c95*theta_dot
+    c97 = c38*c8
+    c98 = 2*c94
+    c99 = c3*c98
+    c100 = 2*k1
+    c101 = J_xz*c100
+    c102 = W_z*c48
+    c103 = c10*c88
+    c104 = J_xy*c100*c35
+    c105 = c51*c8
+    c106 = J_xz*c56
+    c107 = c106*c36
+    c108 = c33*c9
+    c109 = W_z*c36
+    c110 = c109*c48
     tau_S_leg_22 = (
-        L_ddot*c18 + W_z*c51*c62 + c100*c101 + c102*c54 + c104*c105*c97 + c106*c79 + c107*inv_k3 + c110*c13
-        + c17*c90 + c29*c39 + c32 + c39*c84 + c40*c76 + c42*c6 + c48*c72*inv_k3 + c5*c58 + c5*c71 + c54*c87
-        + c65 + c69 + c71*c79 + c73*inv_k3 + c74*k1 + c92 - c101*c108 - c102*c41 - 2*c111*c42 - c113*c63
-        - c17*c88 - c29 - c35*c63*inv_k3*k1 - c39*c5*c58 - c39*c65 - c40*c69 - c41*c87 - c5*c96 - c55*c6
-        - c66 - c68 - c70*inv_k3*w_n_omega - c75 - c76 - c78*inv_k3 - c82*inv_k3 - c84 - c86 - c93*c94
-        - c97*c99
+        L_ddot*c15 + W_z*c48*c59 + c10*c107 + c101*c102*c94 + c103*c76 + c104*inv_k3 + c14*c87 + c2*c55
+        + c2*c68 + c26*c36 + c29 + c3*c39 + c36*c81 + c37*c73 + c45*c69*inv_k3 + c51*c84 + c51*c99 + c62
+        + c66 + c68*c76 + c70*inv_k3 + c71*k1 + c89 + c97*c98 - c105*c98 - 2*c108*c39 - c110*c60 - c14*c85
+        - c2*c36*c55 - c2*c93 - c26 - c3*c52 - c32*c60*inv_k3*k1 - c36*c62 - c37*c66 - c38*c84 - c38*c99
+        - c63 - c65 - c67*inv_k3*w_n_omega - c72 - c73 - c75*inv_k3 - c79*inv_k3 - c81 - c83 - c90*c91
+        - c94*c96
     )
-    c114 = h_y*own_z
-    c115 = c51*c97
-    c116 = W_z*c106
-    c117 = c59*c83
-    c118 = c104*c56
-    c119 = J_xx - J_zz
+    c111 = h_y*own_z
+    c112 = c48*c94
+    c113 = W_z*c103
+    c114 = c56*c80
+    c115 = c101*c53
+    c116 = J_xx - J_zz
     tau_S_leg_23 = (
-        C_us*L_dot*c12 + 2*J_xy*L_dot*W_z*c12 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c39*inv_L*own_z
-        + J_yy*L_ddot*c12 + J_yy*c6*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
-        + 2*L_dot*W_z*c39*h_y*inv_L + 4*W_z*c97*h_y*k1*theta_dot + c11*c39*inv_L*(J_yy + c119)
-        + 2*c11*c97*h_z*k1 + gamma_n*inv_L*k3*w_x - c10 - c11*c34 - c11*c48 - c111*c34 - c114*c39
-        - c115*c19*c94 - c116*c17 - c117*c39 - c118*c97 - c15*c5 - c38*c60 - c39*c43*c49 - c42*c43
-        - c67*g_k*k3 - c67*gamma_n*k1 - c81*g_k
+        C_us*L_dot*c9 + 2*J_xy*L_dot*W_z*c9 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c36*inv_L*own_z
+        + J_yy*L_ddot*c9 + J_yy*c3*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
+        + 2*L_dot*W_z*c36*h_y*inv_L + 4*W_z*c94*h_y*k1*theta_dot + c36*c8*inv_L*(J_yy + c116)
+        + 2*c8*c94*h_z*k1 + gamma_n*inv_L*k3*w_x - c108*c31 - c111*c36 - c112*c16*c91 - c113*c14 - c114*c36
+        - c115*c94 - c12*c2 - c31*c8 - c35*c57 - c36*c40*c46 - c39*c40 - c45*c8 - c64*g_k*k3
+        - c64*gamma_n*k1 - c7 - c78*g_k
     )
-    c120 = J_xx*inv_L
-    c121 = c120*inv_k3
-    c122 = c104*inv_L
-    c123 = c49*k3
-    c124 = c95*inv_k3
-    c125 = c51*inv_k3
-    c126 = c34*k3
-    c127 = W_z*c126
-    c128 = 2*k3
-    c129 = c128*c53
-    c130 = inv_L*k3
-    c131 = c61*inv_k3
-    c132 = c103*c83
-    c133 = c106*k3
-    c134 = J_xx*c19
-    c135 = c39*k1
-    c136 = c135*c51
-    c138 = -c62*k3
+    c117 = J_xx*inv_L
+    c118 = c117*inv_k3
+    c119 = c101*inv_L
+    c120 = c46*k3
+    c121 = c92*inv_k3
+    c122 = c48*inv_k3
+    c123 = c31*k3
+    c124 = W_z*c123
+    c125 = 2*k3
+    c126 = c125*c50
+    c127 = inv_L*k3
+    c128 = c58*inv_k3
+    c129 = c100*c80
+    c130 = c103*k3
+    c131 = J_xx*c16
+    c132 = c36*k1
+    c133 = c132*c48
+    c135 = -c59*k3
     tau_S_leg_31 = (
-        c11*c129 + c119*c130*own_z + c125*c85 + c127*c5 + c129*c6 + c131*c35 + c132*theta_dot
-        + c133*theta_dot + c134*c136 + c138*c35 + c86*k1 + c87*h_y - c103*c69 - c103*c76 - c121*own_z
-        - c122*own_z - c123*own_y - c124*theta_dot - c5*c98 - 2*c53*c87 - c65*k1 - c74
+        c116*c127*own_z + c122*c82 + c124*c2 + c126*c3 + c126*c8 + c128*c32 + c129*theta_dot
+        + c130*theta_dot + c131*c133 + c135*c32 + c83*k1 + c84*h_y - c100*c66 - c100*c73 - c118*own_z
+        - c119*own_z - c120*own_y - c121*theta_dot - c2*c95 - 2*c50*c84 - c62*k1 - c71
     )
-    c139 = 2*J_xz
-    c140 = c103*c50
-    c141 = c103*c52
-    c142 = c45*theta_dot
-    c143 = c5*k3
-    c144 = c120*c39
-    c145 = c45*k1
+    c136 = 2*J_xz
+    c137 = c100*c47
+    c138 = c100*c49
+    c139 = c42*theta_dot
+    c140 = c2*k3
+    c141 = c117*c36
+    c142 = c42*k1
     tau_S_leg_32 = (
-        2*J_xx*L_dot*c12*c39*k1*theta_dot + J_xx*c11*inv_L*inv_k3 + 2*J_xx*c36*c37*inv_k3
-        + 2*J_xx*c6*c97*inv_L + 2*J_xy*L_dot*W_z*c12*k3 + J_xy*inv_L*inv_k3*own_z
-        + 2*J_xz*L_dot*c12*inv_k3*theta_dot + 4*J_xz*c36*c37*k1 + 2*J_xz*c39*c6*inv_L*k1
-        + 2*J_xz*c6*inv_L*k1 + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c119*c12*k3
-        + 2*L_ddot*h_z*inv_L*k1 + 2*W_z*c39*h_y*k1*theta_dot + c11*c119*inv_L*k3 + 2*c11*c39*h_z*k1
-        + c119*inv_L*k1*own_y + 2*c12*c36*h_x*k3 + 2*c6*h_x*k3 + gamma_n*inv_L*inv_k3*k1*w_z
-        + gamma_y*inv_L*inv_k3*w_y + 2*h_z*inv_k3*own_y - C_us*c13*inv_k3 - J_xx*c93 - L_ddot*c126*inv_L
-        - W_z*c141 - 2*c10*k3 - c104*c24 - c104*c39*c56 - c111*c145 - c112*c141 - c114*inv_k3 - c116*k1
-        - c117*inv_k3 - c118 - c119*c6*inv_L*k3 - c121*c6 - c123*c43 - c135*c47 - c139*c30*own_y - c140*c39
-        - c140 - c142*c143 - c144*c77 - c34*c77 - c36*c37*c62*k3 - c44*c5*k1 - c53*k3*own_z - c56*c61*c97
-        - c80*gamma_n
+        2*J_xx*L_dot*c36*c9*k1*theta_dot + 2*J_xx*c3*c94*inv_L + 2*J_xx*c33*c34*inv_k3
+        + J_xx*c8*inv_L*inv_k3 + 2*J_xy*L_dot*W_z*c9*k3 + J_xy*inv_L*inv_k3*own_z
+        + 2*J_xz*L_dot*c9*inv_k3*theta_dot + 2*J_xz*c3*c36*inv_L*k1 + 2*J_xz*c3*inv_L*k1 + 4*J_xz*c33*c34*k1
+        + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c116*c9*k3 + 2*L_ddot*h_z*inv_L*k1
+        + 2*W_z*c36*h_y*k1*theta_dot + c116*c8*inv_L*k3 + c116*inv_L*k1*own_y + 2*c3*h_x*k3
+        + 2*c33*c9*h_x*k3 + 2*c36*c8*h_z*k1 + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
+        + 2*h_z*inv_k3*own_y - C_us*c10*inv_k3 - J_xx*c90 - L_ddot*c123*inv_L - W_z*c138 - c101*c21
+        - c101*c36*c53 - c108*c142 - c109*c138 - c111*inv_k3 - c113*k1 - c114*inv_k3 - c115
+        - c116*c3*inv_L*k3 - c118*c3 - c120*c40 - c132*c44 - c136*c27*own_y - c137*c36 - c137 - c139*c140
+        - c141*c74 - c2*c41*k1 - c31*c74 - c33*c34*c59*k3 - c50*k3*own_z - c53*c58*c94 - 2*c7*k3
+        - c77*gamma_n
     )
-    c147 = c112*k1
-    c148 = k1*theta_dot
+    c144 = c109*k1
+    c145 = k1*theta_dot
     tau_S_leg_33 = (
-        c105*c138 + c106*c148 + c108*c39 + c119*c72*inv_L + c124*c5 + c125*c134 + c128*c76 + c130*c139*own_z
-        + c144*c72 + c147*c46 + c148*c96 + c24*c94 + 2*c54*c6 + c65*k3 + c66*k3 + c68*k3 + c75*k3 + c82
-        + c88*k1 - c100*c39 - c104*c113 - c107 - c109*c13*inv_k3 - c115*c134 - c128*c32 - c128*c83*theta_dot
-        - c135*c35*c61 - c143*c95 - c73 - c78 - c90*k1 - c92*k3 - c99
+        c102*c135 + c103*c145 + c105*c36 + c116*c69*inv_L + c121*c2 + c122*c131 + c125*c73 + c127*c136*own_z
+        + c141*c69 + c144*c43 + c145*c93 + c21*c91 + 2*c3*c51 + c62*k3 + c63*k3 + c65*k3 + c72*k3 + c79
+        + c85*k1 - c10*c106*inv_k3 - c101*c110 - c104 - c112*c131 - c125*c29 - c125*c80*theta_dot
+        - c132*c32*c58 - c140*c92 - c36*c97 - c70 - c75 - c87*k1 - c89*k3 - c96
     )
     # generalised forces by the tip's motion
     tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x
@@ -4933,27 +4941,27 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x
     tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y
     tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z
-    tau_S_dot_leg_11 = C_p + c16*c59 - c28
-    c149 = c103*c16*inv_k3
-    tau_S_dot_leg_12 = c13*c14 + c149*theta_dot + c17*c19*c26 - W_z*c34*inv_L
-    tau_S_dot_leg_13 = c13*c45 + c34*c51 - W_z*c149
-    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c44 - c49*c59 - c51*c60 - c55*c59
-    c150 = c103*c49
-    c151 = c150*theta_dot
+    tau_S_dot_leg_11 = C_p + c13*c56 - c25
+    c146 = c100*c13*inv_k3
+    tau_S_dot_leg_12 = c10*c11 + c14*c16*c23 + c146*theta_dot - W_z*c31*inv_L
+    tau_S_dot_leg_13 = c10*c42 + c31*c48 - W_z*c146
+    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c41 - c46*c56 - c48*c57 - c52*c56
+    c147 = c100*c46
+    c148 = c147*theta_dot
     tau_S_dot_leg_22 = (
-        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c39*h_z
-        + W_z*c63*inv_L*inv_k3*k1 + 2*c39*h_y*theta_dot - c106 - c110*inv_L - c132*inv_k3 - c151*inv_k3
-        - 2*c39*c52 - c58 - c95
+        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c36*h_z
+        + W_z*c60*inv_L*inv_k3*k1 + 2*c36*h_y*theta_dot - c103 - c107*inv_L - c129*inv_k3 - c148*inv_k3
+        - 2*c36*c49 - c55 - c92
     )
-    c152 = c53*c59
-    tau_S_dot_leg_23 = W_z*c150*inv_k3 + c13*c60 + c15 + c152*c39 + c89 - c142 - c15*c39 - c152 - c46
-    tau_S_dot_leg_31 = W_z*c62*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c30*c61 - c123*c27 - c127 - c141 - c85*inv_L*k1
+    c149 = c50*c56
+    tau_S_dot_leg_23 = W_z*c147*inv_k3 + c10*c57 + c12 + c149*c36 + c86 - c12*c36 - c139 - c149 - c43
+    tau_S_dot_leg_31 = W_z*c59*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c27*c58 - c120*c24 - c124 - c138 - c82*inv_L*k1
     tau_S_dot_leg_32 = (
-        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c12*c62*k3
-        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c129 - c125*c139 - c126*c5 - c13*c131
-        - c13*c57*k1 - c136*c61 - c15*inv_k3
+        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c59*c9*k3
+        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c126 - c10*c128 - c10*c54*k1 - c12*inv_k3
+        - c122*c136 - c123*c2 - c133*c58
     )
-    tau_S_dot_leg_33 = c109*c30 + c128*c52 + c132 + c133 + c147*c61*inv_L - c124 - c151
+    tau_S_dot_leg_33 = c106*c27 + c125*c49 + c129 + c130 + c144*c58*inv_L - c121 - c148
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x
     tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y
@@ -4964,13 +4972,13 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x
     tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y
     tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z
-    tau_S_ddot_leg_12 = -c16
-    tau_S_ddot_leg_13 = -c26
-    tau_S_ddot_leg_22 = c49 + c55 - c42
-    tau_S_ddot_leg_23 = -c34 - c48
+    tau_S_ddot_leg_12 = -c13
+    tau_S_ddot_leg_13 = -c23
+    tau_S_ddot_leg_22 = c46 + c52 - c39
+    tau_S_ddot_leg_23 = -c31 - c45
     tau_S_ddot_leg_31 = -h_y*k3
-    tau_S_ddot_leg_32 = c121 + c122 + c126 - c119*c130 - c145
-    tau_S_ddot_leg_33 = h_y*k1 - c123 - c54
+    tau_S_ddot_leg_32 = c118 + c119 + c123 - c116*c127 - c142
+    tau_S_ddot_leg_33 = h_y*k1 - c120 - c51
     # generalised forces by the tip's motion
     tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x
     tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y
@@ -5026,17 +5034,17 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz
     Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx
     Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy
-    c153 = net_z*inv_rho*inv_rho
-    bent_leg_12 = -c153*k3
-    c154 = c12*net_y
-    bent_leg_13 = c154
-    c155 = c8*inv_L
-    bent_leg_21 = -c155
-    c156 = inv_rho*k3
-    bent_leg_22 = c156*net_x + c9*inv_rho*k1
-    bent_leg_23 = c155*kappa
-    bent_leg_31 = c154
-    bent_leg_32 = c153*k1
+    c150 = net_z*inv_rho*inv_rho
+    bent_leg_12 = -c150*k3
+    c151 = c9*net_y
+    bent_leg_13 = c151
+    c152 = c5*inv_L
+    bent_leg_21 = -c152
+    c153 = inv_rho*k3
+    bent_leg_22 = c153*net_x + c6*inv_rho*k1
+    bent_leg_23 = c152*kappa
+    bent_leg_31 = c151
+    bent_leg_32 = c150*k1
     bent_leg_33 = inv_L*net_x
     bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x
     bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x
@@ -5057,45 +5065,45 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x
     bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y
     bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z
-    c157 = bent_xy*q_z
-    c158 = bent_xz*q_y
-    Z_xx = c158 - c157
+    c154 = bent_xy*q_z
+    c155 = bent_xz*q_y
+    Z_xx = c155 - c154
     Z_xy = bent_xx*q_z - bent_xz*q_x
-    c159 = bent_xx*q_y
-    Z_xz = bent_xy*q_x - c159
-    c160 = bent_yy*q_z
-    Z_yx = bent_yz*q_y - c160
-    c161 = bent_yx*q_z
-    c162 = -bent_yz*q_x
-    Z_yy = c161 + c162
-    c163 = -bent_yy*q_x
-    Z_yz = -bent_yx*q_y - c163
-    c164 = -bent_zz*q_y
-    Z_zx = -bent_zy*q_z - c164
-    c165 = bent_zz*q_x
-    Z_zy = bent_zx*q_z - c165
-    c166 = bent_zx*q_y
-    c167 = bent_zy*q_x
-    Z_zz = c167 - c166
-    G_dot_21 = -c51
-    c168 = k1*phi_dot
-    G_dot_22 = c168*inv_L
-    G_dot_23 = c13
-    G_dot_31 = -c156*phi_dot
-    c169 = inv_rho*theta_dot
-    G_dot_32 = -c169*kappa - c5*inv_rho
-    G_dot_33 = c168*inv_rho
-    c170 = C_s*k1
-    f_S_leg_11 = G_dot_31*c170
-    f_S_leg_12 = C_s*(G_dot_32*k1 - c156*theta_dot)
-    f_S_leg_13 = G_dot_33*c170
+    c156 = bent_xx*q_y
+    Z_xz = bent_xy*q_x - c156
+    c157 = bent_yy*q_z
+    Z_yx = bent_yz*q_y - c157
+    c158 = bent_yx*q_z
+    c159 = -bent_yz*q_x
+    Z_yy = c158 + c159
+    c160 = -bent_yy*q_x
+    Z_yz = -bent_yx*q_y - c160
+    c161 = -bent_zz*q_y
+    Z_zx = -bent_zy*q_z - c161
+    c162 = bent_zz*q_x
+    Z_zy = bent_zx*q_z - c162
+    c163 = bent_zx*q_y
+    c164 = bent_zy*q_x
+    Z_zz = c164 - c163
+    G_dot_21 = -c48
+    c165 = k1*phi_dot
+    G_dot_22 = c165*inv_L
+    G_dot_23 = c10
+    G_dot_31 = -c153*phi_dot
+    c166 = inv_rho*theta_dot
+    G_dot_32 = -c166*kappa - c2*inv_rho
+    G_dot_33 = c165*inv_rho
+    c167 = C_s*k1
+    f_S_leg_11 = G_dot_31*c167
+    f_S_leg_12 = C_s*(G_dot_32*k1 - c153*theta_dot)
+    f_S_leg_13 = G_dot_33*c167
     f_S_leg_21 = C_s*G_dot_21
     f_S_leg_22 = C_s*G_dot_22
     f_S_leg_23 = C_s*G_dot_23
-    c171 = C_s*k3
-    f_S_leg_31 = G_dot_31*c171
-    f_S_leg_32 = C_s*(G_dot_32*k3 + c169*k1)
-    f_S_leg_33 = G_dot_33*c171
+    c168 = C_s*k3
+    f_S_leg_31 = G_dot_31*c168
+    f_S_leg_32 = C_s*(G_dot_32*k3 + c166*k1)
+    f_S_leg_33 = G_dot_33*c168
     f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x
     f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x
     f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x
@@ -5115,9 +5123,9 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x
     f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y
     f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z
-    f_S_dot_leg_12 = c170*inv_rho
-    f_S_dot_leg_23 = -c70
-    f_S_dot_leg_32 = C_s*c156
+    f_S_dot_leg_12 = c167*inv_rho
+    f_S_dot_leg_23 = -c67
+    f_S_dot_leg_32 = C_s*c153
     f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x
     f_S_dot_T_xz = f_S_dot_leg_23*y_x
     f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y
@@ -5134,18 +5142,18 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x
     f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y
     f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z
-    c172 = R_tip_y*q_y
-    c173 = R_tip_z*q_z
-    c174 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c175 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c176 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c177 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c178 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c179 = R_tip_x*q_x
-    c180 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c181 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c182 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c183 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    c169 = R_tip_y*q_y
+    c170 = R_tip_z*q_z
+    c171 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c172 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c173 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c174 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c175 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c176 = R_tip_x*q_x
+    c177 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c178 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c179 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c180 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": 0,
         "M_vv_xy": 0,
@@ -5186,24 +5194,24 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
         "W_fr_zx": Z_zx,
         "W_fr_zy": Z_zy,
         "W_fr_zz": Z_zz,
-        "W_mt_xx": c166 - c161 - f_S_xx,
-        "W_mt_xy": bent_zy*q_y - c160 - f_S_xy,
-        "W_mt_xz": -bent_yz*q_z - c164 - f_S_xz,
+        "W_mt_xx": c163 - c158 - f_S_xx,
+        "W_mt_xy": bent_zy*q_y - c157 - f_S_xy,
+        "W_mt_xz": -bent_yz*q_z - c161 - f_S_xz,
         "W_mt_yx": bent_xx*q_z - bent_zx*q_x - f_S_yx,
-        "W_mt_yy": c157 - c167 - f_S_yy,
-        "W_mt_yz": bent_xz*q_z - c165 - f_S_yz,
-        "W_mt_zx": bent_yx*q_x - c159 - f_S_zx,
-        "W_mt_zy": -bent_xy*q_y - c163 - f_S_zy,
-        "W_mt_zz": -c158 - c162 - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c175*q_z - Z_yx*q_z - c172 - c173 - c174*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c174*q_x - Z_yy*q_z - c176*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c176*q_y - Z_yz*q_z - c175*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c177*q_z - Z_zx*q_x - c178*q_y,
-        "W_mr_yy": Z_xy*q_z + c178*q_x - Z_zy*q_x - c173 - c179 - c180*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c180*q_y - Z_zz*q_x - c177*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c181*q_z - Z_xx*q_y - c182*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c182*q_x - Z_xy*q_y - c183*q_z,
-        "W_mr_zz": Z_yz*q_x + c183*q_y - Z_xz*q_y - c172 - c179 - c181*q_x,
+        "W_mt_yy": c154 - c164 - f_S_yy,
+        "W_mt_yz": bent_xz*q_z - c162 - f_S_yz,
+        "W_mt_zx": bent_yx*q_x - c156 - f_S_zx,
+        "W_mt_zy": -bent_xy*q_y - c160 - f_S_zy,
+        "W_mt_zz": -c155 - c159 - f_S_zz,
+        "W_mr_xx": Z_zx*q_y + c172*q_z - Z_yx*q_z - c169 - c170 - c171*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c171*q_x - Z_yy*q_z - c173*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c173*q_y - Z_yz*q_z - c172*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c174*q_z - Z_zx*q_x - c175*q_y,
+        "W_mr_yy": Z_xy*q_z + c175*q_x - Z_zy*q_x - c170 - c176 - c177*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c177*q_y - Z_zz*q_x - c174*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c178*q_z - Z_xx*q_y - c179*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c179*q_x - Z_xy*q_y - c180*q_z,
+        "W_mr_zz": Z_yz*q_x + c180*q_y - Z_xz*q_y - c169 - c176 - c178*q_x,
         "W_fv_xx": 0,
         "W_fv_xy": 0,
         "W_fv_xz": 0,

@@ -12,10 +12,10 @@
  * `derivatives` alone.
  *
  * Operations of a pose before any solve      with friction                                without
- * equations         4652 (2625 mul, 2003 add, 12 div, 12 sqrt)   4307
+ * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
  * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
  * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
- * derivatives       11222 (6288 mul, 4910 add, 12 div, 12 sqrt)  8925
+ * derivatives       11204 (6288 mul, 4892 add, 12 div, 12 sqrt)  8907
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H
