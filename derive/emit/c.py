@@ -48,7 +48,7 @@ def common_header(version: str) -> str:
     """``stewart.h``: arithmetic, status codes and data types, the same for every kernel."""
     return _COMMON.format(
         version=version,
-        release=version.split()[0],
+        release=version.partition(" ")[0],
         thresholds=comment(),
         status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
         leg="\n".join(_member(quantity) for quantity in n.LEG),
