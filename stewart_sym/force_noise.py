@@ -40,6 +40,7 @@ def force_deviations(
     To first order in the noise; 0 for a trajectory without noise, NaN where a pose is unsolvable, infinite
     where one within the noise is. Raises ValueError for unknown options.
     """
+    instance(robot, Robot, "robot")
     instance(trajectory, Trajectory, "trajectory")
     forces = _forces(robot, formulation, backend)
     F = forces(trajectory.motion)
@@ -61,8 +62,8 @@ def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callabl
     def full(motion: Motion) -> Array:
         return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
 
-    if backend != "c":
-        return full
+    if not isinstance(backend, str) or backend != "c":
+        return full  # which checks the options
     kernel = with_compiler(lambda: prepare(robot, formulation), lambda: None)
     return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
 

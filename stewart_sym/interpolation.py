@@ -21,6 +21,7 @@ from .rotation import (
     vector_rate,
     vector_second_rate,
 )
+from .tables import positive
 from .trajectory import MOST_STEPS, Trajectory
 
 Array = NDArray[np.float64]
@@ -75,9 +76,11 @@ def resampled(trajectory: Trajectory, rate: float) -> Trajectory:
     Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
     many instants, and as ``between``.
     """
+    instance(trajectory, Trajectory, "trajectory")
+    rate = positive(rate, "rate")
     time = trajectory.time
     count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)
-    if not 0.0 < rate or not count < MOST_STEPS:
+    if not count < MOST_STEPS:
         raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
     path = between(trajectory)
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])

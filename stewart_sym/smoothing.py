@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import real_array
+from .tables import positive
 
 Array = NDArray[np.float64]
 
@@ -90,6 +91,7 @@ def smooth(
         raise ValueError(f"time: expected at least 4 increasing times, got shape {when.shape}")
     if columns.ndim != 2 or len(columns) != len(when) or not np.isfinite(columns).all():
         raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
+    cutoff = None if cutoff is None else positive(cutoff, "cutoff")
     level = noise_level(when, columns)
     if sigma is not None:
         given = real_array(sigma, "sigma")

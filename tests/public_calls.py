@@ -18,6 +18,7 @@ RECORDS = {
     *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "Passage", "Singularity"),
+    *("LogWarning", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -144,6 +145,25 @@ def calls() -> dict[str, Call]:
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),
+        "resampled": Call(ss.resampled, {"trajectory": trajectory, "rate": 20.0}),
+        "force_deviations": Call(
+            ss.force_deviations,
+            {"robot": robot, "trajectory": trajectory, "formulation": "exact", "backend": "numpy"},
+        ),
+        "smooth": Call(
+            ss.smooth,
+            {"time": np.arange(20.0), "values": rng.normal(size=(20, 2)), "sigma": 0.1, "cutoff": 0.2},
+        ),
+        "Smoothing": Call(
+            ss.Smoothing, {"position": 1e-4, "angle": 1e-4, "cutoff": 5.0, "on": True}, free=("on",)
+        ),
+        "LogFormat": Call(
+            ss.LogFormat,
+            {
+                **{"columns": {"t_x": "X"}, "length_unit": "mm", "angle_unit": "deg", "time_unit": "ms"},
+                **{"delimiter": ";", "decimal": ",", "euler_order": "zyx"},
+            },
+        ),
         "base_parameters": Call(ss.base_parameters, {"robot": robot, "motion": motion[None]}),
         "choose_excitation": Call(
             ss.choose_excitation,

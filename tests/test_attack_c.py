@@ -95,11 +95,13 @@ def seeds() -> list[bytes]:
 
 def test_every_kernel_has_an_oracle() -> None:
     attacked = attack_build.oracles()
-    assert {kind for _, kind in attacked.values()} == {"forces", "dynamics", "motion", "bounds", "kinematics"}
+    assert {kind for _, kind in attacked.values()} == {
+        *("forces", "dynamics", "motion", "bounds", "kinematics", "legs")
+    }
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()
         entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
-        function = (entries | {"bounds": "_forces_bounded_batch"}).get(kind)
+        function = (entries | {"bounds": "_forces_bounded_batch", "legs": "_batch"}).get(kind)
         assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
 
 

@@ -199,8 +199,8 @@ def test_every_kernel_is_as_good_as_its_problem_allows_in_many_cases(
 
 
 RARE, FAR = 0.01, 500.0
-"""What is known to remain, in units as ``WITHIN``: at most this share of the poses, and no farther off. Pivots are
-chosen between forces and moments in metres, and a heavy upper part is lumped with the platform."""
+"""What is known to remain, in units as ``WITHIN``: at most this share of poses, and no farther off. Pivots
+are chosen between forces and moments in metres, and a heavy upper part is lumped with the platform."""
 LUMPED = {"heavy leg": "linearisation (A by pose)"}
 """Blocks of which more than ``RARE`` poses are off, of a few."""
 

@@ -198,9 +198,9 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 # points: the pole of the universal joint.
 POLE_SINE = 4096 * np.finfo(np.float64).eps
 # Product of the pivots, moments over the size of the platform, below which H may be singular to rounding.
-SUSPECT = np.sqrt(np.finfo(np.float64).eps)
+SUSPECT = 4 * np.sqrt(np.finfo(np.float64).eps)
 # Below this share of the vectors that it is the sum of, a leg may make H singular while the pivots are large.
-SHORT_SHARE = 256 * SUSPECT
+SHORT_SHARE = 16 * SUSPECT
 # A leg shorter than this has a square that is not held to all its digits.
 SHORTEST = np.sqrt(1 / np.finfo(np.float64).max / np.finfo(np.float64).eps)
 

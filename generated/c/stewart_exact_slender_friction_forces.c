@@ -59,12 +59,12 @@
 
 /* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
 #if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT STEWART_SQRT(STEWART_EPSILON)
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(256) * STEWART_SUSPECT)
+#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
 
 #if !defined(STEWART_CUBE)
 #define STEWART_CUBE(value) ((value) * (value) * (value))

@@ -1,6 +1,7 @@
 /* stewart_legs.h: lengths of the legs, their rates and second rates, and their vectors, of many poses.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
  *
  * Of the robot, the points b and p are read and nothing else. The spin of a leg about its own axis has no
  * part in this: it serves both formulations and either base joint.
@@ -29,7 +30,7 @@ typedef struct {
  * Writes each pose's status unless `status` is null, and returns the first that is not STEWART_OK:
  * STEWART_SHORT_LEG if a leg is no longer than the rounding of the terms of S = q + t - b,
  * STEWART_NOT_FINITE. Outputs of such a pose are left as they were. */
-int stewart_legs_batch(
+STEWART_NODISCARD int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
     int *status);
 
