@@ -28,14 +28,14 @@ CASES = 1_000_000
 
 THRESHOLDS = (
     Threshold(
-        "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 79, "1.0e-14"
+        "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 42, "2.3e-01"
     ),
-    Threshold("POLE", "pole", "sine below 4096 rounding units", 136, "6.5e-11"),
+    Threshold("POLE", "pole", "sine below 4096 rounding units", 40, "3.7e-03"),
     Threshold(
         "SINGULAR",
         "singular",
         "spectral radius of |1/H| times the bounds of its errors above 1/2",
-        152,
+        58,
         "9.9e-08",
     ),
 )

@@ -522,7 +522,8 @@ def solve_pose(about_tip: bool) -> str:
         if below:
             body += [f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
         for i in below:
-            body += [f"if (STEWART_FABS(a{i}) > size) {{", f"    size = STEWART_FABS(a{i});"]
+            body.append(f"if (STEWART_FABS(a{i}) > size) {{")
+            body += [f"    size = STEWART_FABS(a{i});"] if i != below[-1] else []
             body += [f"    pivot = {i};", "}"]
         if below:
             body += _exchange(k, below)

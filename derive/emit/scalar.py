@@ -360,7 +360,8 @@ def _solve() -> str:
         body += [f"size = STEWART_FABS(row[{k}][{k}]);", f"pivot = {k};"] if below else []
         for i in below:
             body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
-            body += ["    size = other;", f"    pivot = {i};", "}"]
+            body += ["    size = other;"] if i != below[-1] else []
+            body += [f"    pivot = {i};", "}"]
         body += _exchanged(k) if below else []
         body += [f"pivots = {'' if k == 0 else 'pivots * '}row[{k}][{k}];"]
         body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
@@ -681,6 +682,7 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
     pose.close = 0;
+    pose.q_1[0] = pose.q_1[1] = pose.q_1[2] = REAL(0);
     /* A leg above this is long beside the vectors that it is the sum of. */
     least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
         * (STEWART_FABS(motion->t[0]) + STEWART_FABS(motion->t[1]) + STEWART_FABS(motion->t[2]) + SIZE));

@@ -698,7 +698,6 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         pivot = 1;
     }
     if (STEWART_FABS(a2) > size) {
-        size = STEWART_FABS(a2);
         pivot = 2;
     }
     if (pivot != 0) {
@@ -735,7 +734,6 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         pivot = 4;
     }
     if (STEWART_FABS(a5) > size) {
-        size = STEWART_FABS(a5);
         pivot = 5;
     }
     if (pivot != 1) {
@@ -773,7 +771,6 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         pivot = 4;
     }
     if (STEWART_FABS(a5) > size) {
-        size = STEWART_FABS(a5);
         pivot = 5;
     }
     if (pivot != 2) {
@@ -803,7 +800,6 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         pivot = 4;
     }
     if (STEWART_FABS(a5) > size) {
-        size = STEWART_FABS(a5);
         pivot = 5;
     }
     if (pivot != 3) {
@@ -825,7 +821,6 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     size = STEWART_FABS(a4);
     pivot = 4;
     if (STEWART_FABS(a5) > size) {
-        size = STEWART_FABS(a5);
         pivot = 5;
     }
     if (pivot != 4) {
@@ -904,7 +899,7 @@ STEWART_APART static int singular_status(
         }
     }
     for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real force = REAL(0), moment = REAL(0), largest = REAL(0);
+        stewart_real force = REAL(0), moment = REAL(0), greatest = REAL(0);
         for (k = 0; k < 6; ++k) {
             force = force + error[k] * v[k];
             moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
@@ -918,10 +913,10 @@ STEWART_APART static int singular_status(
             }
             grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
-            largest = STEWART_LARGER(grown[i], largest);
+            greatest = STEWART_LARGER(grown[i], greatest);
         }
         for (i = 0; i < 6; ++i) {
-            v[i] = STEWART_LARGER(grown[i] / largest, STEWART_EPSILON);
+            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
         }
     }
     return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
