@@ -519,14 +519,8 @@ def solve_pose(about_tip: bool) -> str:
     for k in rows:
         below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_tip]
         body += [f"/* Column {k + 1}. */"]
-        if below:
-            body += [f"size = STEWART_FABS(a{k});", f"pivot = {k};"]
         for i in below:
-            body.append(f"if (STEWART_FABS(a{i}) > size) {{")
-            body += [f"    size = STEWART_FABS(a{i});"] if i != below[-1] else []
-            body += [f"    pivot = {i};", "}"]
-        if below:
-            body += _exchange(k, below)
+            body += _exchange(k, i)
         body.append("pivots = a0;" if k == 0 else f"pivots = pivots * a{k};")
         if below:
             body += _eliminate(k, below)
@@ -538,17 +532,17 @@ def solve_pose(about_tip: bool) -> str:
     return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
 
 
-def _exchange(k: int, below: list[int]) -> list[str]:
-    """Row `pivot` and row k exchanged, with their entries in column k."""
-    taken = f"a{k}"
-    for i in below:
-        taken = f"pivot == {i} ? a{i} : {taken}"
+def _exchange(k: int, i: int) -> list[str]:
+    """Rows k and i exchanged where i has the larger entry in column k: in the order of a block's lanes.
+
+    Rows of equal entries then stand alike in both, and round alike.
+    """
     return [
-        f"if (pivot != {k}) {{",
+        f"if (STEWART_FABS(a{i}) > STEWART_FABS(a{k})) {{",
         f"    const stewart_real moved = a{k};",
-        f"    exchange_rows(A[{k}], A[pivot]);",
-        f"    a{k} = {taken};",
-        *(f"    a{i} = pivot == {i} ? moved : a{i};" for i in below),
+        f"    exchange_rows(A[{k}], A[{i}]);",
+        f"    a{k} = a{i};",
+        f"    a{i} = moved;",
         "}",
     ]
 
@@ -961,9 +955,8 @@ static void subtract_row(
  * updated, so that a row is one vector. Returns the product of the pivots.@WHY@ */
 static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    int pivot;
 @BODY@
     return pivots;
 }

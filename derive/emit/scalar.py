@@ -357,12 +357,11 @@ def _solve() -> str:
     for k in range(6):
         below = range(k + 1, 3 if k == 0 else 6)
         body += [f"/* Column {k + 1}. */"]
-        body += [f"size = STEWART_FABS(row[{k}][{k}]);", f"pivot = {k};"] if below else []
+        body += [f"size = STEWART_FABS(row[{k}][{k}]);"] if below else []
         for i in below:
             body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
             body += ["    size = other;"] if i != below[-1] else []
-            body += [f"    pivot = {i};", "}"]
-        body += _exchanged(k) if below else []
+            body += [f"    lower = row[{i}];", f"    row[{i}] = row[{k}];", f"    row[{k}] = lower;", "}"]
         body += [f"pivots = {'' if k == 0 else 'pivots * '}row[{k}][{k}];"]
         body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
@@ -376,16 +375,6 @@ def _solve() -> str:
         body.append(f"x[{k}] = (row[{k}][6]{known}) * row[{k}][{k}];")
     lines = "\n".join(wrap(f"    {line}", " " * 8) for line in body)
     return _SOLVE.replace("@BODY@", lines)
-
-
-def _exchanged(k: int) -> list[str]:
-    return [
-        f"if (pivot != {k}) {{",
-        "    lower = row[pivot];",
-        f"    row[pivot] = row[{k}];",
-        f"    row[{k}] = lower;",
-        "}",
-    ]
 
 
 def _pose(kernel: ForceKernel) -> str:
@@ -610,7 +599,6 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
     stewart_real factor;
     stewart_real inverse;
     stewart_real pivots;
-    int pivot;
     row[0] = A[0];
     row[1] = A[1];
     row[2] = A[2];
@@ -682,7 +670,9 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
     pose.close = 0;
-    pose.q_1[0] = pose.q_1[1] = pose.q_1[2] = REAL(0);
+    pose.q_1[0] = REAL(0);
+    pose.q_1[1] = REAL(0);
+    pose.q_1[2] = REAL(0);
     /* A leg above this is long beside the vectors that it is the sum of. */
     least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
         * (STEWART_FABS(motion->t[0]) + STEWART_FABS(motion->t[1]) + STEWART_FABS(motion->t[2]) + SIZE));

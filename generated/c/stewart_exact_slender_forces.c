@@ -592,28 +592,23 @@ static void subtract_row(
  * The first column has no moment rows. */
 static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, size, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    int pivot;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
     /* Column 1. */
-    size = STEWART_FABS(a0);
-    pivot = 0;
-    if (STEWART_FABS(a1) > size) {
-        size = STEWART_FABS(a1);
-        pivot = 1;
-    }
-    if (STEWART_FABS(a2) > size) {
-        pivot = 2;
-    }
-    if (pivot != 0) {
+    if (STEWART_FABS(a1) > STEWART_FABS(a0)) {
         const stewart_real moved = a0;
-        exchange_rows(A[0], A[pivot]);
-        a0 = pivot == 2 ? a2 : pivot == 1 ? a1 : a0;
-        a1 = pivot == 1 ? moved : a1;
-        a2 = pivot == 2 ? moved : a2;
+        exchange_rows(A[0], A[1]);
+        a0 = a1;
+        a1 = moved;
+    }
+    if (STEWART_FABS(a2) > STEWART_FABS(a0)) {
+        const stewart_real moved = a0;
+        exchange_rows(A[0], A[2]);
+        a0 = a2;
+        a2 = moved;
     }
     pivots = a0;
     inverse0 = REAL(1) / a0;
@@ -627,31 +622,29 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     subtract_row(A[1], factor1, A[0]);
     subtract_row(A[2], factor2, A[0]);
     /* Column 2. */
-    size = STEWART_FABS(a1);
-    pivot = 1;
-    if (STEWART_FABS(a2) > size) {
-        size = STEWART_FABS(a2);
-        pivot = 2;
-    }
-    if (STEWART_FABS(a3) > size) {
-        size = STEWART_FABS(a3);
-        pivot = 3;
-    }
-    if (STEWART_FABS(a4) > size) {
-        size = STEWART_FABS(a4);
-        pivot = 4;
-    }
-    if (STEWART_FABS(a5) > size) {
-        pivot = 5;
-    }
-    if (pivot != 1) {
+    if (STEWART_FABS(a2) > STEWART_FABS(a1)) {
         const stewart_real moved = a1;
-        exchange_rows(A[1], A[pivot]);
-        a1 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : pivot == 2 ? a2 : a1;
-        a2 = pivot == 2 ? moved : a2;
-        a3 = pivot == 3 ? moved : a3;
-        a4 = pivot == 4 ? moved : a4;
-        a5 = pivot == 5 ? moved : a5;
+        exchange_rows(A[1], A[2]);
+        a1 = a2;
+        a2 = moved;
+    }
+    if (STEWART_FABS(a3) > STEWART_FABS(a1)) {
+        const stewart_real moved = a1;
+        exchange_rows(A[1], A[3]);
+        a1 = a3;
+        a3 = moved;
+    }
+    if (STEWART_FABS(a4) > STEWART_FABS(a1)) {
+        const stewart_real moved = a1;
+        exchange_rows(A[1], A[4]);
+        a1 = a4;
+        a4 = moved;
+    }
+    if (STEWART_FABS(a5) > STEWART_FABS(a1)) {
+        const stewart_real moved = a1;
+        exchange_rows(A[1], A[5]);
+        a1 = a5;
+        a5 = moved;
     }
     pivots = pivots * a1;
     inverse1 = REAL(1) / a1;
@@ -668,26 +661,23 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     subtract_row(A[4], factor4, A[1]);
     subtract_row(A[5], factor5, A[1]);
     /* Column 3. */
-    size = STEWART_FABS(a2);
-    pivot = 2;
-    if (STEWART_FABS(a3) > size) {
-        size = STEWART_FABS(a3);
-        pivot = 3;
-    }
-    if (STEWART_FABS(a4) > size) {
-        size = STEWART_FABS(a4);
-        pivot = 4;
-    }
-    if (STEWART_FABS(a5) > size) {
-        pivot = 5;
-    }
-    if (pivot != 2) {
+    if (STEWART_FABS(a3) > STEWART_FABS(a2)) {
         const stewart_real moved = a2;
-        exchange_rows(A[2], A[pivot]);
-        a2 = pivot == 5 ? a5 : pivot == 4 ? a4 : pivot == 3 ? a3 : a2;
-        a3 = pivot == 3 ? moved : a3;
-        a4 = pivot == 4 ? moved : a4;
-        a5 = pivot == 5 ? moved : a5;
+        exchange_rows(A[2], A[3]);
+        a2 = a3;
+        a3 = moved;
+    }
+    if (STEWART_FABS(a4) > STEWART_FABS(a2)) {
+        const stewart_real moved = a2;
+        exchange_rows(A[2], A[4]);
+        a2 = a4;
+        a4 = moved;
+    }
+    if (STEWART_FABS(a5) > STEWART_FABS(a2)) {
+        const stewart_real moved = a2;
+        exchange_rows(A[2], A[5]);
+        a2 = a5;
+        a5 = moved;
     }
     pivots = pivots * a2;
     inverse2 = REAL(1) / a2;
@@ -701,21 +691,17 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     subtract_row(A[4], factor4, A[2]);
     subtract_row(A[5], factor5, A[2]);
     /* Column 4. */
-    size = STEWART_FABS(a3);
-    pivot = 3;
-    if (STEWART_FABS(a4) > size) {
-        size = STEWART_FABS(a4);
-        pivot = 4;
-    }
-    if (STEWART_FABS(a5) > size) {
-        pivot = 5;
-    }
-    if (pivot != 3) {
+    if (STEWART_FABS(a4) > STEWART_FABS(a3)) {
         const stewart_real moved = a3;
-        exchange_rows(A[3], A[pivot]);
-        a3 = pivot == 5 ? a5 : pivot == 4 ? a4 : a3;
-        a4 = pivot == 4 ? moved : a4;
-        a5 = pivot == 5 ? moved : a5;
+        exchange_rows(A[3], A[4]);
+        a3 = a4;
+        a4 = moved;
+    }
+    if (STEWART_FABS(a5) > STEWART_FABS(a3)) {
+        const stewart_real moved = a3;
+        exchange_rows(A[3], A[5]);
+        a3 = a5;
+        a5 = moved;
     }
     pivots = pivots * a3;
     inverse3 = REAL(1) / a3;
@@ -726,16 +712,11 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     subtract_row(A[4], factor4, A[3]);
     subtract_row(A[5], factor5, A[3]);
     /* Column 5. */
-    size = STEWART_FABS(a4);
-    pivot = 4;
-    if (STEWART_FABS(a5) > size) {
-        pivot = 5;
-    }
-    if (pivot != 4) {
+    if (STEWART_FABS(a5) > STEWART_FABS(a4)) {
         const stewart_real moved = a4;
-        exchange_rows(A[4], A[pivot]);
-        a4 = pivot == 5 ? a5 : a4;
-        a5 = pivot == 5 ? moved : a5;
+        exchange_rows(A[4], A[5]);
+        a4 = a5;
+        a5 = moved;
     }
     pivots = pivots * a4;
     inverse4 = REAL(1) / a4;

@@ -540,7 +540,7 @@ int stewart_selftest(int *checks, stewart_real *worst)
 int main(void)
 {
     int checks;
-    stewart_real worst;
+    stewart_real worst = 0;
     const int failed = stewart_selftest(&checks, &worst);
     if (failed < 0) {
         return 1;
