@@ -521,11 +521,11 @@ def _measured(arguments: argparse.Namespace) -> "tuple[dict[str, str], Estimate]
     from .robot import Robot
     from .smooth_motion import PoseNoise
     from .studies.identify import from_measurement, measured_texts
-    from .trajectory import JointTrajectory, read_any_csv, read_forces_csv
+    from .trajectory import JointTrajectory, Smoothing, read_any_csv, read_forces_csv
 
     robot = Robot.from_toml(arguments.robot)
     poses, forces = arguments.measured
-    trajectory = read_any_csv(poses)
+    trajectory = read_any_csv(poses, smoothing=Smoothing(on=False))  # the fit has its own noise
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
     time, F = read_forces_csv(forces)
