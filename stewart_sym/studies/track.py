@@ -66,7 +66,7 @@ def track(
 
     Columns are in SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number,
     status and, with ``reactions``, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u
-    leg by leg.  Raises ValueError, naming file and row, for a pose without an answer; ``allow_singular``
+    leg by leg.  Raises ValueError, naming file and row, for an unsolvable pose; ``allow_singular``
     leaves nan and a status there and warns instead.
     """
     time, motion = trajectory.time, trajectory.motion

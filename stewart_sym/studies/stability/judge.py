@@ -69,7 +69,7 @@ CLOSED_RESULT = np.dtype(
     ]
 )
 """Of a case: as in ``RESULT``, and of each kernel of ``CLOSED_KERNELS`` the largest error of its blocks, in
-rounding units of the block's size times its condition number, -1 without an answer; that condition number and
+rounding units of the block's size times its condition number, -1 where unsolvable; that condition number and
 the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
 of itself do to it; of kind "proportions" at least the scaled one of H."""
 
