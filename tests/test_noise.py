@@ -231,7 +231,7 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
     count = min(len(sd), len(one.time))
     np.testing.assert_allclose(sd[:count], ss.force_deviations(one.robot, trajectory)[:count], rtol=1e-3)
     for rate in (0.0, 1e12):
-        with pytest.raises(ValueError, match=r"^rate: expected > 0 Hz"):
+        with pytest.raises(ValueError, match=r"^rate: expected "):
             ss.resampled(trajectory, rate)
 
 
