@@ -1,10 +1,13 @@
 """Where ``stewart-sym`` and ``python -m stewart_sym`` begin; Ctrl-C during imports exits with 130."""
 
+import os
 import sys
 
 
 def main() -> int:
     """Run the command line of this process; returns the exit code, 130 where it was interrupted."""
+    # Before NumPy is imported: of matrices as small as ours, threads of OpenBLAS wait more than they work.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from .cli import main as run
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .identification import Estimate
     from .interpolation import Path as MotionPath
     from .robot import Robot
-    from .trajectory import Trajectory
+    from .trajectory import PoseLog, Trajectory
 
 PROGRAM = "stewart-sym"
 ATLAS_CASES = 1_000_000
@@ -106,33 +106,34 @@ def _forces(arguments: argparse.Namespace) -> int:
     from .robot import Robot
     from .studies.output import csv_lines
     from .studies.singularities import crossing_warning
-    from .studies.track import track
+    from .studies.track import Digest, in_parts
 
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
     robot = Robot.from_toml(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
         trajectory = _trajectory(robot, arguments.trajectory, arguments, progress)
-        progress(f"computing {len(trajectory.time)} instants")
-        found = track(
+        digest, count = Digest(robot, trajectory.time), len(trajectory.time)
+        reached = _shares(progress, f"computing {count} instants")
+        for part in in_parts(
             robot,
             trajectory,
             arguments.formulation,
             arguments.backend,
             arguments.reactions,
             arguments.allow_singular,
-            arguments.noise_share,
-        )
+        ):
+            stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
+            digest.add(part)
+            reached(min(1.0, part.where.stop / count))
         if len(trajectory.time) > 1:
             progress("looking for singular poses")
             crossed = crossing_warning(robot, trajectory, between(trajectory))
             if crossed is not None:
                 warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
-        progress("writing")
-        stream.writelines(csv_lines(found.columns))
-    for line in found.doubts:
+    for line in digest.doubts(arguments.noise_share):
         warnings.warn(line, stacklevel=2)
     if str(arguments.output) != "-":
-        print(f"{found.summary}\nWritten to {arguments.output}")
+        print(f"{digest.summary()}\nWritten to {arguments.output}")
     return 0
 
 
@@ -484,14 +485,14 @@ def _chart(arguments: argparse.Namespace) -> int:
 
 def _trajectory(
     robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Callable[[str], None]
-) -> "Trajectory":
+) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
     from .interpolation import resampled
     from .joint_space import on_platform
     from .logs import LogFormat
     from .rotation import rotation_from_rpy
     from .studies.track import length_doubt
-    from .trajectory import JointTrajectory, Smoothing, read_any_csv
+    from .trajectory import JointTrajectory, Smoothing, read_log
 
     progress("reading the trajectory")
     names = ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
@@ -499,15 +500,15 @@ def _trajectory(
     smoothing = Smoothing(
         arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
     )
-    log = read_any_csv(source, form, smoothing)
+    log = read_log(source, form, smoothing)
     start = arguments.start
-    doubt = length_doubt(robot, log.L if isinstance(log, JointTrajectory) else log.motion.t)
+    doubt = length_doubt(robot, log.L if isinstance(log, JointTrajectory) else log.coordinates[0, :, :3])
     if doubt is not None:
         warnings.warn(f"{source}: {doubt}", stacklevel=2)
     if isinstance(log, JointTrajectory):
         progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        trajectory = on_platform(robot, log, guess)
+        trajectory: Trajectory | PoseLog = on_platform(robot, log, guess)
     elif start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     else:

@@ -24,7 +24,7 @@ from .rotation import (
     rotation_from_rpy,
     rotation_from_vector,
 )
-from .trajectory import Trajectory, Uncertainty
+from .trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,7 @@ _CHUNK = 16_384
 
 
 def force_deviations(
-    robot: Robot, trajectory: Trajectory, formulation: Formulation = "exact", backend: Backend = "c"
+    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
 ) -> Array:
     """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
 
@@ -41,19 +41,30 @@ def force_deviations(
     where one within the noise is. Raises ValueError for unknown options.
     """
     instance(robot, Robot, "robot")
-    instance(trajectory, Trajectory, "trajectory")
+    need_trajectory(trajectory)
+    deviations = deviations_in_parts(robot, trajectory, formulation, backend)
+    count = len(trajectory.time)
+    parts = [deviations(slice(i, i + _CHUNK)) for i in range(0, count, _CHUNK)]
+    return np.concatenate(parts) if parts else np.empty((0, 6))
+
+
+def deviations_in_parts(
+    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
+) -> Callable[[slice], Array]:
+    """Return ``force_deviations`` as a function of some of the instants, at best 16,384 or fewer."""
     forces = _forces(robot, formulation, backend)
-    F = forces(trajectory.motion)
-    variance = np.where(np.isfinite(F), 0.0, np.nan)
-    if trajectory.noise is None:
-        return variance
-    for start in range(0, len(F), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        deviations = _deviations(trajectory.noise, trajectory.time[part])
-        for other in _displaced(robot, trajectory, part, deviations):
-            moved = forces(other)
-            variance[part] += np.where(np.isfinite(moved), (moved - F[part]) ** 2, np.inf)
-    return np.sqrt(variance)
+
+    def deviations(part: slice) -> Array:
+        F = forces(trajectory.at(part))
+        variance = np.where(np.isfinite(F), 0.0, np.nan)
+        if trajectory.noise is not None:
+            L = _deviations(trajectory.noise, trajectory.time[part])
+            for other in _displaced(robot, trajectory, part, L):
+                moved = forces(other)
+                variance += np.where(np.isfinite(moved), (moved - F) ** 2, np.inf)
+        return np.asarray(np.sqrt(variance))
+
+    return deviations
 
 
 def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
@@ -88,10 +99,10 @@ def _quotient(x: Array, y: Array) -> Array:
     return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
 
 
-def _displaced(robot: Robot, trajectory: Trajectory, part: slice, L: Array) -> Iterator[Motion]:
+def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: Array) -> Iterator[Motion]:
     """Motions displaced by each column of the factors that is not 0 throughout."""
     assert trajectory.noise is not None
-    motion = trajectory.motion[part]
+    motion = trajectory.at(part)
     coordinates = trajectory.noise.coordinates[:, part]
     J = jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
     for i in range(6):

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import instance, real_array
+from .checks import real_array
 from .motion import Motion
 from .rotation import (
     angular_motion_from_vector,
@@ -22,29 +22,23 @@ from .rotation import (
     vector_second_rate,
 )
 from .tables import positive
-from .trajectory import MOST_STEPS, Trajectory
+from .trajectory import MOST_STEPS, PoseLog, Trajectory, need_trajectory
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
 """Times, s, (n,) -> the motion there, of shape (n,)."""
 
 
-def between(trajectory: Trajectory) -> Path:
+def between(trajectory: Trajectory | PoseLog) -> Path:
     """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
 
     Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
     loads change linearly. Raises ValueError for fewer than two instants, and the function for times outside.
     """
-    instance(trajectory, Trajectory, "trajectory")
-    time, motion = trajectory.time, trajectory.motion
+    need_trajectory(trajectory)
+    time = trajectory.time
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
-    alpha, a = motion.alpha, motion.a
-    assert alpha is not None
-    assert a is not None
-
-    def picked(i: NDArray[np.int64]) -> Motion:
-        return Motion.unchecked(motion.R[i], motion.t[i], motion.omega[i], motion.v[i], alpha[i], a[i])
 
     def at(times: ArrayLike) -> Motion:
         when = real_array(times, "times")
@@ -54,29 +48,31 @@ def between(trajectory: Trajectory) -> Path:
                 f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
             )
         i, share, h = _steps(time, when)
+        if np.all((share == 0.0) | (share == 1.0)):
+            return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
-        start, end = picked(i), picked(i + 1)
+        start, end = trajectory.at(i), trajectory.at(i + 1)
         places = _quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
         t, *rates = _values(places, share, h)
         phi, phi_dot, phi_ddot = _values(_turning(h, start, end), share, h)
         turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
         R = orthonormal(rotation_from_vector(phi) @ start.R)
         loads = {
-            name: None if load is None else load[i] + share * (load[i + 1] - load[i])
-            for name, load in (("F_ext", motion.F_ext), ("M_ext", motion.M_ext))
+            name: None if load is None or after is None else load + share * (after - load)
+            for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
         }
         return Motion(R, t, turning[0], rates[0], turning[1], rates[1], **loads)
 
     return at
 
 
-def resampled(trajectory: Trajectory, rate: float) -> Trajectory:
+def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
     Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
     many instants, and as ``between``.
     """
-    instance(trajectory, Trajectory, "trajectory")
+    need_trajectory(trajectory)
     rate = positive(rate, "rate")
     time = trajectory.time
     count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)

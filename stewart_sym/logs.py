@@ -6,18 +6,20 @@ Every error is one line that names the file and the row; the header is row 1 whe
 from __future__ import annotations
 
 import array
+import codecs
 import csv
 import io
+import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import permutations
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .checks import option, shown
+from .tables import as_utf8
 
 if TYPE_CHECKING:
     import _csv
@@ -29,7 +31,10 @@ ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
-EULER_ORDERS = tuple("".join(order) for order in permutations("xyz"))
+EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
+
+# Rows and bytes that are read at a time.
+_ROWS, _CHUNK = 4096, 1 << 20
 
 
 @dataclass(frozen=True)
@@ -67,36 +72,24 @@ class LogFormat:
 
 
 def read_columns(
-    text: str, source: str, check_header: Callable[[list[str], str], None], form: LogFormat
+    stream: BinaryIO, source: str, check_header: Callable[[list[str], str], None], form: LogFormat
 ) -> tuple[dict[str, Array], Sequence[int]]:
-    """Return the columns of a CSV text by name, as written but for time in s, and the rows where they stand.
+    """Return the columns of a CSV file by name, as written but for time in s, and the rows where they stand.
 
-    check_header: rejects a header of expected names, given the name of the file.
+    stream: the file, which is read in parts, so that the numbers alone take room. check_header: rejects a
+    header of expected names, given the name of the file.
     """
-    delimiter, decimal = _marks(text, form)
-    stream = _stream(text)
-    reader = csv.reader(stream, delimiter=delimiter, skipinitialspace=True)
-    try:
-        cells = next((cells for cells in reader if any(cell.strip() for cell in cells)), None)
-        if cells is None:
-            raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-        header = _expected_names([cell.strip() for cell in cells], source, form)
-        check_header([name for name in header if name is not None], source)
-        table = _plain_table(stream, text, reader.line_num, header, delimiter, decimal)
-        rows: Sequence[int] = range(reader.line_num + 1, reader.line_num + 1 + len(table))
-        if not len(table):
-            stream.seek(0)
-            above = reader.line_num
-            reader = csv.reader(stream, delimiter=delimiter, skipinitialspace=True)
-            while reader.line_num < above:
-                next(reader)
-            table, rows = _table(reader, header, source, decimal)
-    except csv.Error as error:
-        raise ValueError(f"{source}: row {reader.line_num}: not valid CSV: {error}") from None
+    with as_utf8(stream, source):
+        delimiter, decimal = _marks(stream, form)
+        stream.seek(0)
+        lines = io.TextIOWrapper(stream, encoding="utf-8-sig", newline="")
+        try:
+            columns, rows = _columns(lines, source, check_header, form, delimiter, decimal)
+        finally:
+            lines.detach()
     if not rows:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
-    columns = {name: column for name, column in zip(header, table.T, strict=True) if name is not None}
-    columns["time"] = columns["time"] * TIME_UNITS[form.time_unit]
+    columns["time"] *= TIME_UNITS[form.time_unit]
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
@@ -107,20 +100,60 @@ def read_columns(
     return columns, rows
 
 
-def _stream(text: str) -> io.TextIOWrapper:
-    """A text to be read by lines, line ends as they are; ``StringIO`` takes four times the room."""
-    return io.TextIOWrapper(io.BytesIO(text.encode()), encoding="utf-8", newline="")
+def _columns(
+    lines: Iterator[str],
+    source: str,
+    check_header: Callable[[list[str], str], None],
+    form: LogFormat,
+    delimiter: str,
+    decimal: str,
+) -> tuple[dict[str, Array], Sequence[int]]:
+    """Columns of the lines by name, and their rows."""
+    reader = csv.reader(lines, delimiter=delimiter, skipinitialspace=True)
+    above = 0
+    try:
+        cells = next((cells for cells in reader if any(cell.strip() for cell in cells)), None)
+        if cells is None:
+            raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
+        header = _expected_names([cell.strip() for cell in cells], source, form)
+        check_header([name for name in header if name is not None], source)
+        used = [i for i, name in enumerate(header) if name is not None]
+        # As numbers at once: the cells of a long file would take ten times its size.
+        numbers = [array.array("d") for _ in used]
+        first = reader.line_num + 1
+        while part := list(itertools.islice(lines, _ROWS)):
+            table = _plain_table(part, len(header), used, delimiter, decimal)
+            if table is None:
+                break
+            for column, more in zip(numbers, table.T, strict=True):
+                column.frombytes(more.tobytes())
+        rows: Sequence[int] = range(first, first + len(numbers[0]))
+        if part:
+            above = first + len(rows) - 1
+            reader = csv.reader(itertools.chain(part, lines), delimiter=delimiter, skipinitialspace=True)
+            rows = array.array("q", rows)
+            _add_rows(reader, above, header, source, decimal, numbers, rows)
+    except csv.Error as error:
+        raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
+    names = (name for name in header if name is not None)
+    return {name: np.frombuffer(column) for name, column in zip(names, numbers, strict=True)}, rows
 
 
-def _marks(text: str, form: LogFormat) -> tuple[str, str]:
+def _marks(stream: BinaryIO, form: LogFormat) -> tuple[str, str]:
     """Delimiter and decimal mark: that which cuts the header into most names, and a comma where it can be."""
-    header, _, rest = text.lstrip().partition("\n")
+    lines = (line.removeprefix(codecs.BOM_UTF8).strip() for line in stream)
+    header = next(filter(None, lines), b"").decode()
     delimiter = max(DELIMITERS.values(), key=header.count)
     if form.delimiter is not None:
         delimiter = DELIMITERS[form.delimiter]
     if form.decimal is not None:
         return delimiter, DECIMALS[form.decimal]
-    return delimiter, "," if delimiter != "," and "," in rest and "." not in rest else "."
+    comma = False
+    while delimiter != "," and (chunk := stream.read(_CHUNK)):
+        if b"." in chunk:
+            return delimiter, "."
+        comma = comma or b"," in chunk
+    return delimiter, "," if comma else "."
 
 
 def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str | None]:
@@ -135,61 +168,54 @@ def _expected_names(header: list[str], source: str, form: LogFormat) -> list[str
     return [names.get(cell) for cell in header]
 
 
-def _plain_table(
-    stream: io.TextIOBase, text: str, lines: int, header: list[str | None], delimiter: str, decimal: str
-) -> Array:
-    """Numbers below the header's last line, (n, columns), where all is in order; else (0, columns).
+def _plain_table(lines: list[str], width: int, used: list[int], delimiter: str, decimal: str) -> Array | None:
+    """Numbers of the used columns, (n, used), where all ``width`` columns are in order; else None.
 
-    stream: of the text, read up to there. A tenth of the time that ``_table`` takes, which names what is not
-    in order.
+    A tenth of the time that ``_add_rows`` takes, which names what is not in order.
     """
-    none = np.empty((0, len(header)))
-    start = 0
-    for _ in range(lines):
-        start = text.find("\n", start) + 1 or len(text)
-    if not text[start:].strip():
-        return none
-    used = [i for i, name in enumerate(header) if name is not None]
+    if not lines[0].strip():
+        return None
     try:
         found = np.loadtxt(
-            stream if decimal == "." else _stream(text[start:].replace(decimal, ".")),
+            lines if decimal == "." else [line.replace(decimal, ".") for line in lines],
             delimiter=delimiter,
             comments=None,
-            usecols=used if len(used) < len(header) else None,
+            usecols=used if len(used) < width else None,
             ndmin=2,
         )
     except ValueError:
-        return none
-    count = text.count("\n", start) + (not text.endswith("\n"))
-    if found.shape != (count, len(used)) or not np.isfinite(found).all():
-        return none
-    if len(used) == len(header):
-        return found
-    table = np.full((count, len(header)), np.nan)
-    table[:, used] = found
-    return table
+        return None
+    return found if found.shape == (len(lines), len(used)) and np.isfinite(found).all() else None
 
 
-def _table(
-    reader: _csv.Reader, header: list[str | None], source: str, decimal: str
-) -> tuple[Array, tuple[int, ...]]:
-    """Numbers below the header, (n, columns), and their rows; skipped columns are NaN."""
-    # Row after row and as numbers at once: the cells of a long file would take ten times its size.
-    numbers, rows = array.array("d"), array.array("q")
+def _add_rows(
+    reader: _csv.Reader,
+    above: int,
+    header: list[str | None],
+    source: str,
+    decimal: str,
+    numbers: list[array.array[float]],
+    rows: array.array[int],
+) -> None:
+    """Add the numbers of the used columns, row after row, and the rows; ``above``: lines before them."""
     for cells in reader:
         if not any(cell.strip() for cell in cells):
             continue
-        rows.append(reader.line_num)
-        numbers.extend(_row(cells, header, f"{source}: row {reader.line_num}: ", decimal))
-    return np.array(numbers).reshape(len(rows), len(header)), tuple(rows)
+        row = above + reader.line_num
+        rows.append(row)
+        for column, value in zip(
+            numbers, _row(cells, header, f"{source}: row {row}: ", decimal), strict=True
+        ):
+            column.append(value)
 
 
 def _row(cells: list[str], header: list[str | None], where: str, decimal: str) -> list[float]:
     if len(cells) != len(header):
         raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}")
     return [
-        _cell(cell.strip(), where + name, decimal) if name is not None else math.nan
+        _cell(cell.strip(), where + name, decimal)
         for cell, name in zip(cells, header, strict=True)
+        if name is not None
     ]
 
 

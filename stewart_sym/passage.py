@@ -39,7 +39,7 @@ _SHORT = 1e-9
 # Minima shallower than this share are rounding error.
 _SHALLOW = 1e-12
 _INSTANTS = 512
-_CHUNK = 50_000
+_CHUNK = 1 << 13
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,19 +27,18 @@ RECORD = ".stewart-sym.json"
 def replaced_file(path: Path) -> Iterator[TextIO]:
     """Open a text file that takes the place of ``path`` only when the block ends well; ``-`` is stdout.
 
-    A device or a pipe is written as it is. Raises OSError naming ``path``: before the block when it can't be
-    written, and for what goes wrong in writing.
+    A device or a pipe is written as it is, when the block has ended well. Raises OSError naming ``path``:
+    before the block when it can't be written, and for what goes wrong in writing.
     """
     if str(path) == "-":
-        with named("standard output"):
-            yield sys.stdout
-            sys.stdout.flush()
+        with named("standard output"), _spooled(sys.stdout) as stream:
+            yield stream
         return
     target = path.resolve()
     if target.is_dir():
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to write", str(path))
     if target.exists() and not target.is_file():
-        with named(path), open(target, "w", encoding="utf-8") as stream:
+        with named(path), open(target, "w", encoding="utf-8") as out, _spooled(out) as stream:
             yield stream
         return
     with _blamed_on(path):
@@ -55,6 +54,16 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
+
+
+@contextlib.contextmanager
+def _spooled(out: TextIO) -> Iterator[TextIO]:
+    """A file without a name whose text goes to ``out`` when the block ends well."""
+    with tempfile.TemporaryFile("w+", encoding="utf-8", newline="\n") as stream:
+        yield stream
+        stream.seek(0)
+        shutil.copyfileobj(stream, out)
+        out.flush()
 
 
 def _mode(target: Path) -> int:

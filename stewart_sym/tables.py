@@ -4,14 +4,17 @@ The prefix or place handed in begins every message: ``file: key: what was expect
 below the readers of robots, scenes and trajectories; knows nothing of what the keys mean.
 """
 
+import codecs
+import contextlib
 import difflib
 import math
 import os
 import re
 import stat
+import tempfile
 import tomllib
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,28 +44,64 @@ def file_name(path: object) -> str:
         raise ValueError(f"path: expected the name of a file, got {type(path).__name__}") from None
 
 
-def read_text(source: str, what: str, most: int) -> str:
-    """Text of a UTF-8 file of ``most`` bytes or fewer; ``what`` it is, for the message that it can't be read.
+@contextlib.contextmanager
+def opened(source: str, what: str, most: int) -> Iterator[BinaryIO]:
+    """A file of ``most`` bytes or fewer, open for reading more than once; ``what`` it is, for messages.
 
-    A byte order mark is dropped. A pipe is read to its end; a device is refused, since some have none.
+    A pipe is copied to its end; a device is rejected, since some have no end. Raises ValueError of one line,
+    for what goes wrong in the block's reading too.
     """
+    cannot = f"{source}: cannot read the {what}"
+    with contextlib.ExitStack() as stack:
+        try:
+            stream = _again(source, most, stack)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"{cannot}: {getattr(error, 'strerror', None) or error}") from None
+        try:
+            yield stream
+        except OSError as error:
+            raise ValueError(f"{cannot}: {error.strerror or error}") from None
+
+
+def _again(source: str, most: int, stack: contextlib.ExitStack) -> BinaryIO:
+    """A file as a stream that can be read again, to be closed by the stack."""
+    mode = os.stat(source).st_mode
+    if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
+        raise ValueError("it is a device")
+    stream: BinaryIO = stack.enter_context(open(source, "rb"))  # noqa: SIM115 # the stack closes it
+    if not stat.S_ISREG(mode):
+        pipe, stream = stream, stack.enter_context(tempfile.TemporaryFile())  # noqa: SIM115
+        while stream.tell() <= most and (chunk := pipe.read(_CHUNK)):
+            stream.write(chunk)
+    if stream.seek(0, os.SEEK_END) > most:
+        raise ValueError(f"longer than {most:,} bytes")
+    stream.seek(0)
+    return stream
+
+
+def read_text(source: str, what: str, most: int) -> str:
+    """Text of a UTF-8 file as ``opened``; a byte order mark is dropped."""
+    with opened(source, what, most) as stream, as_utf8(stream, source):
+        return stream.read().decode("utf-8-sig")
+
+
+@contextlib.contextmanager
+def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
+    """Let an error in decoding the stream be a ValueError that names the first byte that is no UTF-8."""
     try:
-        mode = os.stat(source).st_mode
-        if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
-            raise ValueError("it is a device")
-        data = bytearray()
-        with open(source, "rb") as stream:
-            while len(data) <= most and (chunk := stream.read(_CHUNK)):
-                data += chunk
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ValueError(f"{source}: cannot read the {what}: {reason}") from None
-    if len(data) > most:
-        raise ValueError(f"{source}: cannot read the {what}: longer than {most:,} bytes")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: expected UTF-8 text, byte {error.start} is not") from None
+        yield
+    except UnicodeDecodeError:
+        stream.seek(0)
+        decoder, start = codecs.getincrementaldecoder("utf-8")(), 0
+        while True:
+            chunk = stream.read(_CHUNK)
+            pending = len(decoder.getstate()[0])
+            try:
+                decoder.decode(chunk, final=not chunk)
+            except UnicodeDecodeError as error:
+                place = start - pending + error.start
+                raise ValueError(f"{source}: expected UTF-8 text, byte {place} is not") from None
+            start += len(chunk)
 
 
 def read_toml(source: str, what: str) -> dict[str, Any]:

@@ -18,13 +18,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import finite_array, real_array, shown
+from .checks import finite_array, instance, real_array, shown
 from .extras import needed_for
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
-from .smoothing import Level, LogWarning, noise_level, rounding_steps, smoothed, stated
-from .tables import file_name, number, read_text
+from .smoothing import Level, LogWarning, noise_level, rounding_step, smoothed, stated
+from .tables import file_name, number, opened
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
@@ -319,6 +319,52 @@ class Trajectory(NamedTuple):
     rows: Sequence[int]
     noise: Uncertainty | None = None
 
+    def at(self, index: slice | NDArray[np.int64]) -> Motion:
+        """The motion at some of the instants."""
+        m = self.motion
+        arrays = (m.R, m.t, m.omega, m.v, m.alpha, m.a, m.F_ext, m.M_ext)
+        return Motion.unchecked(*(None if x is None else x[index] for x in arrays))  # type: ignore[arg-type]
+
+
+class PoseLog(NamedTuple):
+    """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
+
+    coordinates: t and theta, (38), with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
+    N m, platform frame, (n, 3), or None. The rest as in ``Trajectory``.
+    """
+
+    time: Array
+    coordinates: Array
+    F_ext: Array | None
+    M_ext: Array | None
+    source: str
+    rows: Sequence[int]
+    noise: Uncertainty | None = None
+
+    def at(self, index: slice | NDArray[np.int64]) -> Motion:
+        """The motion at some of the instants; ValueError of one line that names file and row."""
+        numbers = _numbers(self.coordinates[:, index]) | {
+            name: load[index]
+            for name, load in (("F_ext", self.F_ext), ("M_ext", self.M_ext))
+            if load is not None
+        }
+        try:
+            return Motion.from_rpy(**numbers)
+        except ValueError as error:
+            row = _first_bad_row(numbers, np.asarray(self.rows)[index])
+            raise ValueError(f"{self.source}: {row}{error}") from None
+
+    @property
+    def motion(self) -> Motion:
+        """The motion at all instants."""
+        return self.at(slice(None))
+
+
+def need_trajectory(value: object) -> None:
+    """Reject, by ValueError, what is neither a Trajectory nor a PoseLog."""
+    if not isinstance(value, PoseLog):
+        instance(value, Trajectory, "trajectory")
+
 
 class JointTrajectory(NamedTuple):
     """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
@@ -368,13 +414,21 @@ def read_any_csv(
     Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
     else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
     """
+    found = read_log(path, form, smoothing)
+    return found if isinstance(found, JointTrajectory) else _trajectory(found)
+
+
+def read_log(
+    path: str | os.PathLike[str], form: LogFormat = _PLAIN, smoothing: Smoothing = _AS_SHOWN
+) -> PoseLog | JointTrajectory:
+    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
     source = file_name(path)
-    columns, rows = read_columns(read_text(source, "trajectory", _MOST_BYTES), source, _check_header, form)
+    with opened(source, "trajectory", _MOST_BYTES) as stream:
+        columns, rows = read_columns(stream, source, _check_header, form)
     names = {name.rpartition("_")[0] for name in columns} - {""}
-    log = _Log(
-        source, rows, columns["time"], {name: _stack(columns, name) for name in names}, form, smoothing
-    )
-    return _joint_trajectory(log) if "L" in names else _pose_trajectory(log)
+    written = {name: [columns[c] for c in _components(name)] for name in names}
+    log = _Log(source, rows, columns["time"], written, form, smoothing)
+    return _joint_trajectory(log) if "L" in names else _pose_log(log)
 
 
 def from_poses(
@@ -395,7 +449,12 @@ def from_poses(
     for name, values in poses.items():
         if values.shape != (len(when), 3):
             raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
-    return _pose_trajectory(_Log(source, range(len(when)), when, poses, smoothing=smoothing))
+    written = {name: [*values.T] for name, values in poses.items()}
+    return _trajectory(_pose_log(_Log(source, range(len(when)), when, written, smoothing=smoothing)))
+
+
+def _trajectory(log: PoseLog) -> Trajectory:
+    return Trajectory(log.time, log.motion, log.source, log.rows, log.noise)
 
 
 def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
@@ -413,18 +472,19 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
             if column not in header:
                 raise ValueError(f"{source}: missing column {column}")
 
-    columns, _ = read_columns(read_text(source, "forces", _MOST_BYTES), source, check, _PLAIN)
+    with opened(source, "forces", _MOST_BYTES) as stream:
+        columns, _ = read_columns(stream, source, check, _PLAIN)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
 class _Log:
-    """A trajectory as read: vectors by name, (n, 3), (n, 4) or (n, 6), as written."""
+    """A trajectory as read: the components of vectors by name, (n,) each, as written."""
 
     source: str
     rows: Sequence[int]
     time: Array
-    written: Mapping[str, Array]
+    written: Mapping[str, Sequence[Array]]
     form: LogFormat = dataclasses.field(default_factory=LogFormat)
     smoothing: Smoothing = dataclasses.field(default_factory=Smoothing)
 
@@ -435,25 +495,28 @@ class _Log:
         return ANGLE_UNITS[self.form.angle_unit] if name in _ANGLES else LENGTH_UNITS[self.form.length_unit]
 
     def vector(self, name: str) -> Array:
-        """A vector in SI units."""
-        return self.written[name] * self.scale(name)
+        """A vector in SI units, (n, 3), (n, 4) or (n, 6)."""
+        return np.stack(self.written[name], axis=-1) * self.scale(name)
+
+    def load(self, name: str) -> Array | None:
+        """An external force or moment, (n, 3)."""
+        return self.vector(name) if name in self.written else None
 
     def steps(self, name: str) -> Array:
         """Steps to which the components are rounded, SI units; those that stay the same have the finest."""
-        values = self.written[name]
-        steps = rounding_steps(values)
-        moving = np.ptp(values, axis=0) > 0.0
-        finest = steps[moving].min(initial=math.inf)
-        return np.full(values.shape[1], finest if math.isfinite(finest) else 0.0) * self.scale(name)
+        moving = [values for values in self.written[name] if np.ptp(values) > 0.0]
+        finest = min(map(rounding_step, moving), default=0.0)
+        return np.full(len(self.written[name]), finest) * self.scale(name)
 
     def angles(self) -> tuple[Array, Array]:
         """Angles of (38), unwrapped, rad, (n, 3), and the steps to which they are rounded, (3,)."""
         if "q" in self.written:
-            norms = np.linalg.norm(self.written["q"], axis=-1)
+            q = self.vector("q")
+            norms = np.linalg.norm(q, axis=-1)
             if (norms == 0.0).any():
                 row = self.rows[int(np.argmin(norms))]
                 raise ValueError(f"{self.source}: row {row}: q: expected a quaternion, got length 0")
-            theta = rpy_from_rotation(rotation_from_quaternion(self.written["q"]))
+            theta = rpy_from_rotation(rotation_from_quaternion(q))
             # The vector of a small rotation is twice that of its quaternion.
             step = np.full(3, 2.0 * self.steps("q").max() / float(np.median(norms)))
         else:
@@ -481,14 +544,14 @@ def _warn_of_units(log: _Log, coordinates: Array) -> None:
         if spans[axis] > 1.0 + 1e-9:
             span = np.ptp(log.vector("theta")[:, axis])
             text = f"theta_{'xyz'[axis]} over {span:.4g} rad: are angles in degrees (--angle-unit deg)?"
-            warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=5)
+            warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
     largest = float(np.abs(coordinates[2, :, : 6 if in_joints else 3]).max())
     step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
     moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
     if largest > _MOST_ACCELERATION or (moves and step >= _LONG_STEP and largest < _LEAST_ACCELERATION):
         text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2"
         hint = "are time or lengths in another unit (--time-unit ms, --length-unit mm)?"
-        warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=5)
+        warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=6)
 
 
 def _joint_trajectory(log: _Log) -> JointTrajectory:
@@ -507,31 +570,29 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
         (L, L_dot, L_ddot), noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
     _warn_of_units(log, np.stack([L, L_dot, L_ddot]))
-    F_ext, M_ext = (log.written.get(name) for name in _LOADS)
+    F_ext, M_ext = (log.load(name) for name in _LOADS)
     return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
 
 
-def _pose_trajectory(log: _Log) -> Trajectory:
+def _pose_log(log: _Log) -> PoseLog:
     theta, step = log.angles()
     steps = np.concatenate([log.steps("t"), step])
-    pose = np.hstack([log.vector("t"), theta])
     if "v" in log.written:
-        v, theta_dot, a, theta_ddot = (log.vector(name) for name in _DERIVATIVES)
-        found = np.stack([pose, np.hstack([v, theta_dot]), np.hstack([a, theta_ddot])])
+        found = np.empty((3, len(log.time), 6))
+        found[0, :, 3:] = theta
+        del theta
+        for i, name in ((0, "t"), *((2 + k, name) for k, name in enumerate(_DERIVATIVES))):
+            found[i // 2, :, 3 * (i % 2) : 3 * (i % 2) + 3] = log.vector(name)
         rates = [
             np.concatenate([log.steps(one), log.steps(other)])
             for one, other in (_DERIVATIVES[:2], _DERIVATIVES[2:])
         ]
         noise = _as_given(log, found, [steps, *rates])
     else:
-        found, noise = _differentiate(log, pose, steps)
+        found, noise = _differentiate(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)
-    numbers = _numbers(found) | {name: log.written[name] for name in _LOADS if name in log.written}
-    try:
-        motion = Motion.from_rpy(**numbers)
-    except ValueError as error:
-        raise ValueError(f"{log.source}: {_first_bad_row(numbers, log.rows)}{error}") from None
-    return Trajectory(log.time, motion, log.source, log.rows, noise)
+    F_ext, M_ext = (log.load(name) for name in _LOADS)
+    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise)
 
 
 def _numbers(coordinates: Array) -> dict[str, Array]:
@@ -540,7 +601,7 @@ def _numbers(coordinates: Array) -> dict[str, Array]:
     return {name: coordinates[i // 2, ..., 3 * (i % 2) : 3 * (i % 2) + 3] for i, name in enumerate(names)}
 
 
-def _first_bad_row(numbers: Mapping[str, Array], rows: Sequence[int]) -> str:
+def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64]) -> str:
     """Name the first row that makes no motion by itself, as a prefix."""
     for i, row in enumerate(rows):
         try:
@@ -593,10 +654,6 @@ def _check_names(header: list[str], known: list[str], source: str) -> None:
         if header.count(column) > 1:
             name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
             raise ValueError(f"{source}: column {name} is given twice")
-
-
-def _stack(columns: Mapping[str, Array], name: str) -> Array:
-    return np.stack([columns[c] for c in _components(name)], axis=-1)
 
 
 def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
@@ -671,7 +728,7 @@ def _as_given(log: _Log, found: Array, steps: Sequence[Array]) -> Uncertainty | 
 def _tell_noise(log: _Log, sigma: Array, in_joints: bool, what: str) -> None:
     parts = [(sigma, "m")] if in_joints else [(sigma[:3], "m"), (sigma[3:], "rad")]
     text = " and ".join(f"{part.max():.2g} {unit}" for part, unit in parts if part.any())
-    warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=6)
+    warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=7)
 
 
 def _interpolated(time: Array, values: Array, source: str) -> tuple[Array, Array]:

@@ -1,17 +1,24 @@
 """Logs of a million rows: memory grows with the numbers that are kept, not with what is on its way."""
 
+import dataclasses
+import os
+import threading
 import tracemalloc
+from collections.abc import Callable, Sequence
+from io import BytesIO
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import stewart_sym as ss
+from stewart_sym.cli import main
 from stewart_sym.interpolation import between
 from stewart_sym.logs import LogFormat, read_columns
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies import track
 from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import Trajectory
+from stewart_sym.trajectory import Trajectory, read_csv
 
 
 def peak(action: object) -> tuple[object, int]:
@@ -44,19 +51,25 @@ def test_lines_hold_every_row_with_all_its_digits(count: int) -> None:
     assert rows == [f"{a!r},{n}\n" for a, n in zip(columns["a"].tolist(), range(count), strict=True)]
 
 
-def test_columns_are_read_in_little_more_than_three_times_the_text() -> None:
+def test_columns_are_read_in_less_room_than_their_text() -> None:
     rng = np.random.default_rng(2)
     numbers = {name: rng.normal(size=50_000) for name in "abcd"}
     text = "".join(csv_lines({"time": np.arange(50_000.0), **numbers}))
-    (columns, rows), most = peak(lambda: read_columns(text, "log", lambda *_: None, LogFormat()))  # type: ignore[misc]
+
+    def read(text: str) -> tuple[dict[str, np.ndarray], Sequence[int]]:
+        return read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
+
+    read("time,a\n0,1\n")
+    (columns, rows), most = peak(lambda: read(text))  # type: ignore[misc]
     assert (len(columns["time"]), rows[0], rows[-1]) == (50_000, 2, 50_001)
-    assert most < 3.5 * len(text)
+    # The stream that is read is one text.
+    assert most < 2.0 * len(text)
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_line_ends_of_all_systems_are_read(end: str) -> None:
     text = end.join(["time,a", "0.0,1.5", "1.0,2.5", ""])
-    columns, rows = read_columns(text, "log", lambda *_: None, LogFormat())
+    columns, rows = read_columns(BytesIO(text.encode()), "log", lambda *_: None, LogFormat())
     assert columns["a"].tolist() == [1.5, 2.5]
     assert list(rows) == [2, 3]
 
@@ -84,3 +97,126 @@ def test_a_path_between_many_instants_takes_no_room_of_its_own() -> None:
     path, most = peak(lambda: between(given))
     assert most < given.time.nbytes
     assert path(given.time[7:9]).t == pytest.approx(given.motion.t[7:9], abs=1e-12)  # type: ignore[operator]
+
+
+LOG_NAMES = [
+    f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
+]
+
+
+def full_log(path: Path, count: int) -> Path:
+    """A log with rates and accelerations."""
+    time = np.linspace(0.0, 6.0, count)
+    rate = 0.4 * np.arange(1.0, 7.0)
+    angle = np.outer(time, rate)
+    q = [0.2, 0.0, 0.5, 0.0, 0.0, 0.0] + 0.02 * np.sin(angle)
+    table = np.hstack([q, 0.02 * rate * np.cos(angle), -0.02 * rate**2 * np.sin(angle)])
+    path.write_text("".join(csv_lines({"time": time} | dict(zip(LOG_NAMES, table.T, strict=True)))))
+    return path
+
+
+@pytest.fixture
+def robot_file() -> Path:
+    return Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+
+
+def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
+    robot_file: Path, tmp_path: Path
+) -> None:
+    def run(count: int) -> int:
+        log = full_log(tmp_path / "log.csv", count)
+        out = tmp_path / "forces.csv"
+        code, most = peak(lambda: main(["forces", str(robot_file), str(log), "-o", str(out)]))
+        assert code == 0
+        assert sum(1 for _ in out.open()) == count + 1
+        return most
+
+    run(100)
+    # Nineteen numbers of the row itself, as many again on their way, and nothing of those that are written.
+    assert run(40_000) - run(20_000) < 20_000 * 8 * 45
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (
+            lambda lines: [*lines[:9000], lines[9000].replace(b",", b",x", 1), *lines[9001:]],
+            "row 9001: t_x: ",
+        ),
+        (
+            lambda lines: [*lines[:9000], lines[9000].rpartition(b",")[0] + b"\n"],
+            "row 9001: expected 19 columns",
+        ),
+        (lambda lines: [*lines[:9000], lines[8000]], "row 9001: time: expected increasing times"),
+        (lambda lines: [*lines[:9000], b"\xff\n"], "UTF-8 text, byte"),
+    ],
+)
+def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
+    robot_file: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    spoil: Callable[[list[bytes]], list[bytes]],
+    words: str,
+) -> None:
+    log = full_log(tmp_path / "log.csv", 10_000)
+    log.write_bytes(b"".join(spoil(log.read_bytes().splitlines(keepends=True))))
+    assert main(["forces", str(robot_file), str(log), "-o", "-"]) == 2
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert words in told.err
+    assert len(told.err.splitlines()) == 1
+
+
+def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = full_log(tmp_path / "log.csv", 20_001)
+    lines = log.read_text().splitlines()
+    base = ss.Robot.from_toml(robot_file).b[0] - ss.Robot.from_toml(robot_file).p[0]
+    zero = ",".join(map(repr, [*base.tolist(), *[0.0] * 15]))
+    lines[20_001] = lines[20_001].partition(",")[0] + "," + zero
+    log.write_text("\n".join(lines) + "\n")
+    assert main(["forces", str(robot_file), str(log), "-o", "-"]) == 2
+    told = capsys.readouterr()
+    assert (told.out, "row 20002: " in told.err) == ("", True)
+
+
+def test_blank_lines_and_quoted_cells_deep_in_a_log_keep_numbers_and_rows(tmp_path: Path) -> None:
+    log = full_log(tmp_path / "log.csv", 10_000)
+    plain = read_columns(BytesIO(log.read_bytes()), "log", lambda *_: None, LogFormat())
+    lines = log.read_text().splitlines()
+    lines[9000] = ",".join(f'"{cell}"' for cell in lines[9000].split(","))
+    lines.insert(9500, "")
+    odd, rows = read_columns(
+        BytesIO("\n".join([*lines, "", ""]).encode()), "log", lambda *_: None, LogFormat()
+    )
+    for name, column in plain[0].items():
+        assert np.array_equal(column, odd[name]), name
+    assert list(rows) == [*range(2, 9501), *range(9502, 10_003)]
+
+
+def test_a_log_from_a_pipe_is_read_as_from_a_file(tmp_path: Path) -> None:
+    log = full_log(tmp_path / "log.csv", 5000)
+    pipe = tmp_path / "pipe.csv"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=lambda: pipe.write_bytes(log.read_bytes()))
+    writer.start()
+    found, plain = read_csv(pipe), read_csv(log)
+    writer.join()
+    assert np.array_equal(found.motion.R, plain.motion.R)
+
+
+def test_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    robot, given = dasgupta1998(), trajectory(300)
+    F = ss.inverse_dynamics(robot, given.motion).F
+    tight = dataclasses.replace(
+        robot,
+        force_limit=np.full(6, 0.5 * np.abs(F).max()),
+        speed_limit=np.full(6, 0.02),
+        length_limits=np.tile([0.5, 0.6], (6, 1)),
+    )
+    whole = track.track(tight, given)
+    monkeypatch.setattr(track, "_PART", 7)
+    parts = track.track(tight, given)
+    assert (parts.summary, parts.doubts) == (whole.summary, whole.doubts)
+    assert {line.split()[0] for line in whole.doubts} == {"force_limit", "speed_limit", "length_limits"}

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 _ROWS = 4096
 
 
-def csv_lines(columns: Mapping[str, NDArray[Any]]) -> Iterator[str]:
+def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:
     """Lines of a CSV file, header first; columns (n,) by name, floats with all their digits."""
-    yield ",".join(columns) + "\n"
+    if header:
+        yield ",".join(columns) + "\n"
     # A part of the rows as Python's numbers at a time: they take four times the room of the arrays.
     for start in range(0, max(map(len, columns.values()), default=0), _ROWS):
         part = (column[start : start + _ROWS].tolist() for column in columns.values())

@@ -19,7 +19,7 @@ from ..passage import Crossing, LegExtreme, Passage, crossings, force_pole, sing
 from ..results import OK
 from ..robot import LEGS, Robot
 from ..singular_poses import Singularity
-from ..trajectory import Trajectory
+from ..trajectory import PoseLog, Trajectory
 from .table import aligned
 
 Array = NDArray[np.float64]
@@ -75,7 +75,7 @@ def examine(
     return Examination(robot, name, path, formulation, passage, sides)
 
 
-def crossing_warning(robot: Robot, trajectory: Trajectory, path: Path) -> str | None:
+def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
     """One line about the singular poses that a trajectory crosses; None if it crosses none."""
     found = crossings(robot, path, trajectory.time)
     if not found:

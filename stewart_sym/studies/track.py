@@ -4,7 +4,7 @@ Takes a Robot and a Trajectory; reads and writes no file.
 """
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,12 +19,12 @@ from ..dynamics import (
     joint_reactions,
 )
 from ..faults import SingularPoseWarning
-from ..force_noise import force_deviations
+from ..force_noise import deviations_in_parts
 from ..kinematics import LegKinematics, inverse_kinematics
 from ..motion import Motion
 from ..results import NOT_FINITE, OK, SHORT_LEG, Reactions
 from ..robot import Robot
-from ..trajectory import Trajectory
+from ..trajectory import PoseLog, Trajectory
 from .table import aligned
 
 Array = NDArray[np.float64]
@@ -38,14 +38,46 @@ NOISE_SHARE = 0.02
 """Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
 
 
-_PART = 1 << 16
+# Instants at a time: all outputs of the kernels at once would fill memory.
+_PART = 1 << 14
+
+
+class Part(NamedTuple):
+    """Some instants of a trajectory run through the dynamics, N, m and s, (n,), (n, 6).
+
+    where: which of the trajectory's. F_sd: deviations of F by noise, None for a log without.
+    """
+
+    where: slice
+    time: Array
+    F: Array
+    F_sd: Array | None
+    L: Array
+    L_dot: Array
+    condition: Array
+    status: NDArray[np.int32]
+    reactions: Reactions | None
+
+    @property
+    def columns(self) -> Columns:
+        """Columns (n,) by name, as written.
+
+        In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status and,
+        with reactions, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg.
+        """
+        found: Columns = {"time": self.time}
+        for name, ending, of_legs in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
+            if of_legs is not None:
+                found |= {f"{name}{i + 1}{ending}": of_legs[:, i] for i in range(6)}
+        found |= {"condition_number": self.condition, "status": self.status}
+        return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
 class Track(NamedTuple):
     """A trajectory run through the dynamics.
 
-    columns: (n,) by name, as written. doubts: one line for each limit exceeded or not decided, and for noise.
-    summary: what it comes to, lines of text.
+    columns: (n,) by name, as of ``Part``. doubts: one line for each limit exceeded or not decided, and for
+    noise. summary: what it comes to, lines of text.
     """
 
     columns: Columns
@@ -55,57 +87,160 @@ class Track(NamedTuple):
 
 def track(
     robot: Robot,
-    trajectory: Trajectory,
+    trajectory: Trajectory | PoseLog,
     formulation: Formulation = "exact",
     backend: Backend = "c",
     reactions: bool = False,
     allow_singular: bool = False,
     noise_share: float = NOISE_SHARE,
 ) -> Track:
-    """Run a trajectory of n instants.
+    """Run a trajectory of n instants, as ``in_parts``, and keep all columns."""
+    digest, columns = Digest(robot, trajectory.time), []
+    for part in in_parts(robot, trajectory, formulation, backend, reactions, allow_singular):
+        digest.add(part)
+        columns.append(part.columns)
+    joined = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
+    return Track(joined, digest.doubts(noise_share), digest.summary())
 
-    Columns are in SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number,
-    status and, with ``reactions``, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u
-    leg by leg.  Raises ValueError, naming file and row, for an unsolvable pose; ``allow_singular``
-    leaves nan and a status there and warns instead.
+
+def in_parts(
+    robot: Robot,
+    trajectory: Trajectory | PoseLog,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    reactions: bool = False,
+    allow_singular: bool = False,
+) -> Iterator[Part]:
+    """Run a trajectory part after part.
+
+    Raises ValueError, naming file and row, for an unsolvable pose; ``allow_singular`` leaves nan and a status
+    there and warns of the first instead.
     """
-    time, motion = trajectory.time, trajectory.motion
-    F, condition, status, L, L_dot = _in_parts(robot, motion, formulation, backend)
-    more = None
-    if reactions:
-        more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
-        status = np.where(status == OK, more.status, status)
-    if status.any():
-        _tell(trajectory, *first_fault(status, robot, motion), allow_singular)
-    F_sd = None
+    deviations, told = None, False
     if trajectory.noise is not None:
-        F_sd = force_deviations(robot, trajectory, formulation, backend)
-    columns: Columns = {"time": time}
-    columns |= {f"F{i + 1}": F[:, i] for i in range(6)}
-    if F_sd is not None:
-        columns |= {f"F{i + 1}_sd": F_sd[:, i] for i in range(6)}
-    columns |= {f"L{i + 1}": L[:, i] for i in range(6)}
-    columns |= {"condition_number": condition, "status": status}
-    if more is not None:
-        columns |= _reaction_columns(more)
-    doubts = exceeded(robot, time, F, L, L_dot, F_sd)
-    if F_sd is not None:
-        doubts += _noisy(time, F, F_sd, noise_share)
-    return Track(columns, doubts, _summary(robot, time, F, F_sd, L, L_dot, condition))
+        deviations = deviations_in_parts(robot, trajectory, formulation, backend)
+    for start in range(0, max(1, len(trajectory.time)), _PART):
+        where = slice(start, start + _PART)
+        motion = trajectory.at(where)
+        found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
+        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
+        status, more = found.status, None
+        if reactions:
+            more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
+            status = np.where(status == OK, more.status, status)
+        if status.any() and not told:
+            at, reason = first_fault(status, robot, motion)
+            _tell(trajectory, start + at[0], reason, allow_singular)
+            told = True
+        F_sd = None if deviations is None else deviations(where)
+        condition = condition_number(found.H)
+        yield Part(where, trajectory.time[where], found.F, F_sd, L, L_dot, condition, status, more)
 
 
-def _in_parts(
-    robot: Robot, motion: Motion, formulation: Formulation, backend: Backend
-) -> tuple[Array, Array, NDArray[np.int32], Array, Array]:
-    """F, condition number of H, status, L and L_dot; all outputs of the kernels at once would fill memory."""
-    parts = []
-    for start in range(0, max(1, motion.shape[0]), _PART):
-        part = motion[start : start + _PART]
-        found = inverse_dynamics(robot, part, formulation, backend, on_singular="nan")
-        lengths = _lengths_and_rates(robot, part, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
-        parts.append((found.F, condition_number(found.H), found.status, *lengths))
-    F, condition, status, L, L_dot = (np.concatenate(each) for each in zip(*parts, strict=True))
-    return F, condition, status, L, L_dot
+class Digest:
+    """What the summary and the doubts about a run of instants need of it, whatever their number.
+
+    Of each part the instants are kept at which something is extreme, and how long limits are exceeded.
+    """
+
+    def __init__(self, robot: Robot, time: Array) -> None:
+        """Begin a run at all these times, s, (n,)."""
+        self.robot, self.time, self.weights = robot, time, _weights(time)
+        self.span, self.count = np.zeros((2, len(_LIMITS), 6))
+        self.kept: list[Part] = []
+
+    def add(self, part: Part) -> None:
+        """Take in the next part."""
+        for k, limit in enumerate(_LIMITS):
+            over = limit.excess(self.robot, part) > 0.0
+            self.span[k] += np.sum(self.weights[part.where, None] * over, axis=0)
+            self.count[k] += np.count_nonzero(over, axis=0)
+        spread = 0.0 if part.F_sd is None else SURE * part.F_sd
+        known = np.isfinite(part.L).all(axis=-1, keepdims=True)
+        large = [np.abs(part.F), np.abs(part.F) + spread, np.abs(part.F) - spread]
+        large += [np.where(known, x, np.nan) for x in (part.L, -part.L, np.abs(part.L_dot))]
+        extremes = np.hstack([*large, part.condition[:, None]])
+        picked = np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0)
+        i = np.unique(picked)
+        arrays = [None if x is None else x[i] for x in part[1:-1]]
+        self.kept.append(Part(part.where, *arrays, None))  # type: ignore[arg-type,call-arg]
+
+    def doubts(self, noise_share: float) -> list[str]:
+        """One line for each limit exceeded or not decided, and for noise of more than a share of a peak."""
+        kept = self._joined()
+        noisy = [] if kept.F_sd is None else _noisy(kept.time, kept.F, kept.F_sd, noise_share)
+        return self.exceeded() + noisy
+
+    def exceeded(self) -> list[str]:
+        """One line for each limit and leg: its worst value, when and how long."""
+        kept = self._joined()
+        verdicts = force_verdicts(self.robot, kept.F, kept.F_sd)
+        lines = []
+        for k, limit in enumerate(_LIMITS):
+            force = limit.name == "force_limit"
+            for leg in range(6):
+                what = verdicts[leg] if force else EXCEEDED if self.count[k, leg] else WITHIN
+                if what != WITHIN:
+                    text = _worst(self.robot, limit, f"{limit.name} {what}", leg, kept)
+                    if self.count[k, leg]:
+                        share = f"at {int(self.count[k, leg])} of {len(self.time)} instants"
+                        text += f"; beyond it for {self.span[k, leg]:.3g} s, {share}"
+                    lines.append(text)
+        return lines
+
+    def summary(self) -> str:
+        """What it comes to, lines of text."""
+        kept = self._joined()
+        return _summary(self.robot, self.time, kept)
+
+    def _joined(self) -> Part:
+        arrays = [
+            None if x[0] is None else np.concatenate(x)
+            for x in zip(*(p[1:-1] for p in self.kept), strict=True)
+        ]
+        return Part(slice(None), *arrays, None)  # type: ignore[arg-type,call-arg]
+
+
+class _Limit(NamedTuple):
+    """A limit of the robot's legs: its name, unit, values that it limits and by how much these exceed it."""
+
+    name: str
+    unit: str
+    values: Callable[[Part], Array]
+    bound: Callable[[Robot], Array]
+    excess: Callable[[Robot, Part], Array]
+
+
+_LIMITS = (
+    _Limit(
+        "force_limit",
+        "N",
+        lambda part: part.F,
+        lambda robot: robot.force_limit,
+        lambda robot, part: np.abs(part.F) - robot.force_limit,
+    ),
+    _Limit(
+        "speed_limit",
+        "m/s",
+        lambda part: part.L_dot,
+        lambda robot: robot.speed_limit,
+        lambda robot, part: np.abs(part.L_dot) - robot.speed_limit,
+    ),
+    _Limit(
+        "length_limits",
+        "m",
+        lambda part: part.L,
+        lambda robot: robot.length_limits[:, 1],
+        lambda robot, part: part.L - robot.length_limits[:, 1],
+    ),
+    _Limit(
+        "length_limits",
+        "m",
+        lambda part: part.L,
+        lambda robot: robot.length_limits[:, 0],
+        lambda robot, part: robot.length_limits[:, 0] - part.L,
+    ),
+)
 
 
 def exceeded(
@@ -116,24 +251,9 @@ def exceeded(
     With deviations F_sd a force limit is exceeded where the force is beyond it by ``SURE`` of them, and not
     decided where it is nearer.
     """
-    low, high = robot.length_limits.T
-    beyond = np.abs(F) - robot.force_limit
-    verdicts = force_verdicts(robot, F, F_sd)
-    lines = [
-        _worst(f"force_limit {verdicts[leg]}", leg, beyond[:, leg], time, F, F_sd, robot.force_limit, "N")
-        for leg in range(6)
-        if verdicts[leg] != WITHIN
-    ]
-    for name, excess, values, limit, unit in (
-        ("speed_limit", np.abs(L_dot) - robot.speed_limit, L_dot, robot.speed_limit, "m/s"),
-        ("length_limits", L - high, L, high, "m"),
-        ("length_limits", low - L, L, low, "m"),
-    ):
-        lines += [
-            _worst(f"{name} exceeded", int(leg), excess[:, leg], time, values, None, limit, unit)
-            for leg in np.flatnonzero((excess > 0.0).any(axis=0))
-        ]
-    return lines
+    digest, none = Digest(robot, time), np.zeros(len(time))
+    digest.add(Part(slice(None), time, F, F_sd, L, L_dot, none, none.astype(np.int32), None))
+    return digest.exceeded()
 
 
 def length_doubt(robot: Robot, lengths: Array) -> str | None:
@@ -160,18 +280,13 @@ def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[st
     return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(6)]
 
 
-def _worst(
-    what: str, leg: int, excess: Array, time: Array, values: Array, sd: Array | None, limit: Array, unit: str
-) -> str:
-    over = excess > 0.0
-    i = int(np.nanargmax(excess if sd is None or over.any() else excess + SURE * sd[:, leg]))
+def _worst(robot: Robot, limit: _Limit, what: str, leg: int, part: Part) -> str:
+    excess, values = limit.excess(robot, part)[:, leg], limit.values(part)
+    sd = part.F_sd if limit.name == "force_limit" else None
+    i = int(np.nanargmax(excess if sd is None or (excess > 0.0).any() else excess + SURE * sd[:, leg]))
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{values[i, leg]:.6g}{spread} {unit} at {time[i]:g} s"
-    text = f"{what} by leg {leg + 1}: {value}, limit {limit[leg]:g} {unit}"
-    if not over.any():
-        return text
-    span = _weights(time)[over].sum()
-    return f"{text}; beyond it for {span:.3g} s, at {np.count_nonzero(over)} of {len(time)} instants"
+    value = f"{values[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
+    return f"{what} by leg {leg + 1}: {value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
 
 
 def _weights(time: Array) -> Array:
@@ -205,9 +320,9 @@ def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
     ]
 
 
-def _summary(
-    robot: Robot, time: Array, F: Array, F_sd: Array | None, L: Array, L_dot: Array, condition: Array
-) -> str:
+def _summary(robot: Robot, times: Array, part: Part) -> str:
+    """Lines of text about a run at some times, of which ``part`` has the extremes."""
+    _, time, F, F_sd, L, L_dot, condition, _, _ = part
     peaks, verdicts, known = _peaks(F), force_verdicts(robot, F, F_sd), np.isfinite(L).all(axis=-1)
     rows = [
         (
@@ -224,15 +339,15 @@ def _summary(
     worst = int(np.argmax(np.nan_to_num(condition, nan=-1.0)))
     return "\n".join(
         [
-            f"{len(time)} instants, {time[0]:g} to {time[-1]:g} s; condition number of H up to "
+            f"{len(times)} instants, {times[0]:g} to {times[-1]:g} s; condition number of H up to "
             f"{condition[worst]:.4g} (at {time[worst]:g} s)",
             aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
         ]
     )
 
 
-def _tell(trajectory: Trajectory, where: tuple[int, ...], reason: str, allowed: bool) -> None:
-    text = f"{trajectory.source}: row {trajectory.rows[where[0]]}: {reason}"
+def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:
+    text = f"{trajectory.source}: row {trajectory.rows[i]}: {reason}"
     if not allowed:
         raise ValueError(text)
     warnings.warn(text, SingularPoseWarning, stacklevel=3)
@@ -246,8 +361,8 @@ def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) ->
     return L, L_dot
 
 
-def _reaction_columns(found: Reactions) -> Mapping[str, Array]:
-    columns: dict[str, Array] = {}
+def _reaction_columns(found: Reactions) -> Columns:
+    columns: Columns = {}
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
         values = getattr(found, name)
         for leg in range(6):
