@@ -107,6 +107,8 @@ def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
 def read_toml(source: str, what: str) -> dict[str, Any]:
     """Tables of a TOML file; ``what`` it is, for the message that it can't be read."""
     text = read_text(source, what, MOST_BYTES)
+    if not text.strip():
+        raise ValueError(f"{source}: cannot read the {what}: the file is empty")
     if any(token["long_key"] for token in _TOKEN.finditer(text)):
         raise ValueError(f"{source}: not valid TOML: nested too deeply")
     try:

@@ -371,3 +371,9 @@ def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
     limits = [f"-runs={runs}", "-seed=1", "-max_len=4096", f"-artifact_prefix={tmp_path}{os.sep}"]
     told = attack_build.ran([sys.executable, script, *limits, str(tmp_path)], tmp_path)
     assert f"Done {runs} runs" in told
+
+
+@pytest.mark.parametrize("name", TOML)
+@pytest.mark.parametrize("text", [b"", b"\n \n", b"\xef\xbb\xbf"])
+def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -> None:
+    assert refused(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")

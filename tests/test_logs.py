@@ -114,6 +114,7 @@ def test_millimetres_are_told_by_the_machines_size() -> None:
     robot, t = dasgupta(), poses()[:, 1:4]
     assert length_doubt(robot, t) is None
     assert "--length-unit mm" in str(length_doubt(robot, 1e3 * t))
+    assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * t))
 
 
 @pytest.fixture

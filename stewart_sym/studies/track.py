@@ -260,15 +260,16 @@ def length_doubt(robot: Robot, lengths: Array) -> str | None:
     """One line about distances, m, that are no machine's of the robot's size; None for plausible ones."""
     size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
     typical = float(np.median(np.abs(lengths)))
-    if typical <= _FAR * size:
+    if _NEAR * size <= typical <= _FAR * size:
         return None
-    return (
-        f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: "
-        "are they in another unit (--length-unit mm)?"
+    cause = (
+        "they in another unit (--length-unit mm)" if typical > size else "those of the robot file in metres"
     )
+    return f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: are {cause}?"
 
 
-_FAR = 20.0
+# Shares of the size of a machine between which distances from its base lie; units differ by a thousand.
+_NEAR, _FAR = 1.0 / 200.0, 20.0
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
 
 
