@@ -62,6 +62,8 @@ OFF_RATES = "the step in lengths from the sample before is not what the rates at
 _SMALLEST_PART = 2.0**-20
 # A step this share of its length away from where it was foretold may have left the way.
 _ASTRAY = 0.1
+# Samples that are approached at once.
+_LONGEST = 256
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
 # A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
@@ -69,29 +71,42 @@ _NEAR = 1.0
 
 
 class _Pose(NamedTuple):
-    """A pose with leading shape (1,), its lengths (1, 6), J there and the sign of J's determinant."""
+    """Poses of leading shape (n,), their lengths (n, 6), J there and the sign of J's determinant, (n,)."""
 
     R: Array
     t: Array
     L: Array
     J: Array
-    sign: float
+    sign: Array
 
 
 class _Legs(NamedTuple):
-    """What the legs do at one sample: (1, 6) each."""
+    """What the legs do at n samples: (n, 6) each."""
 
     L: Array
     L_dot: Array
     L_ddot: Array
 
+    def part(self, where: slice) -> _Legs:
+        """Some of the samples."""
+        return _Legs(*(x[where] for x in self))
+
 
 class _State(NamedTuple):
-    """A pose and the platform's motion there: [v; omega] and [a; alpha], (6,)."""
+    """Poses and the platform's motion there: [v; omega] and [a; alpha], (n, 6)."""
 
     pose: _Pose
     twist: Array
     rate: Array
+
+    def part(self, where: slice) -> _State:
+        """Some of the samples."""
+        return _State(_Pose(*(x[where] for x in self.pose)), self.twist[where], self.rate[where])
+
+    def then(self, other: _State) -> _State:
+        """These samples and others after them."""
+        pose = (np.concatenate(pair) for pair in zip(self.pose, other.pose, strict=True))
+        return _State(_Pose(*pose), *(np.concatenate(pair) for pair in zip(self[1:], other[1:], strict=True)))
 
 
 class _LostError(ValueError):
@@ -187,35 +202,53 @@ def _follow(
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise _LostError(sample, reason)
-    legs = [_Legs(*(x[i : i + 1] for x in (L, L_dot, rates))) for i in range(len(L))]
-    states = [_state(robot, first, legs[0])]
-    lost = ""
-    for now, h in zip(legs[1:], np.diff(time).tolist(), strict=True):
-        found = _next(robot, states[-1], now, h)
-        if found is None or found.pose.sign != first.sign:
-            lost = NO_WAY if found is None else CROSSED
-            break
-        states.append(found)
-    _refuse_crossings(robot, time[: len(states)], states)
+    legs = _Legs(L, L_dot, rates)
+    state = _state(robot, first, legs.part(slice(0, 1)))
+    track, lost, stretch = [_Track(first.R, first.t, state.twist, state.rate)], "", 1
+    known = 1
+    while known < len(L) and not lost:
+        ahead = slice(known, known + stretch)
+        h = time[ahead] - time[known - 1]
+        found = _evident(robot, state, legs.part(ahead), h)
+        stretch = min(2 * stretch, _LONGEST) if len(found.twist) == len(h) else max(1, len(found.twist))
+        if not len(found.twist):
+            one = _next(robot, state, legs.part(slice(known, known + 1)), h[:1])
+            if one is None or one.pose.sign[0] != first.sign[0]:
+                lost = NO_WAY if one is None else CROSSED
+                break
+            found = one
+        track.append(_Track(found.pose.R, found.pose.t, found.twist, found.rate))
+        known += len(found.twist)
+        state = found.part(slice(-1, None))
+    followed = _Track(*(np.concatenate(parts) for parts in zip(*track, strict=True)))
+    del track
+    _refuse_crossings(robot, time[:known], followed)
     if lost:
-        raise _LostError(len(states), lost)
-    return _joined([state.pose for state in states])
+        raise _LostError(known, lost)
+    return followed.R, followed.t
+
+
+class _Track(NamedTuple):
+    """Poses and the platform's motion along samples, as of ``_State``."""
+
+    R: Array
+    t: Array
+    twist: Array
+    rate: Array
 
 
 def _joined(poses: list[_Pose]) -> tuple[Array, Array]:
     return np.concatenate([pose.R for pose in poses]), np.concatenate([pose.t for pose in poses])
 
 
-def _refuse_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
+def _refuse_crossings(robot: Robot, time: Array, track: _Track) -> None:
     """Name the first sample before which J's determinant changes its sign, between samples too."""
-    twist, rate = (np.array(part) for part in zip(*(state[1:] for state in states), strict=True))
-    bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
-    known = int(bad[0]) if bad.size else len(states)
+    bad = np.flatnonzero(~np.isfinite(track.twist + track.rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(time)
     if known > 1:
-        R, t = _joined([state.pose for state in states[:known]])
-        twist, rate = twist[:known], rate[:known]
+        R, t, twist, rate = (x[:known] for x in track)
         motion = Motion(R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
-        path = between(Trajectory(time[:known], motion, "L", tuple(range(known))))
+        path = between(Trajectory(time[:known], motion, "L", range(known)))
         found = crossings(robot, path, time[:known])
         if found:
             raise _LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
@@ -226,12 +259,35 @@ def _refuse_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
 # From one sample to the next
 
 
-def _next(robot: Robot, state: _State, legs: _Legs, h: float) -> _State | None:
-    """Return the state at the next sample, h s later, that fits the one before best, or None."""
+def _evident(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State:
+    """Return the states at the first of the next samples, h s later, (n,), at which only one is in question.
+
+    They are those that ``_next`` finds one after another: from where each is foretold by the one before.
+    """
+    size = characteristic_length(robot)
+    with np.errstate(all="ignore"):
+        far = newton(robot, legs.L, *_ahead(state, h))
+        before = state.then(_state(robot, _pose(robot, far.R, far.t, legs.L), legs)).part(slice(0, -1))
+        steps = np.diff(h, prepend=0.0)
+        ahead = _ahead(before, steps)
+        near = newton(robot, legs.L, *ahead)
+        found = _state(robot, _pose(robot, near.R, near.t, legs.L), legs)
+        pose = near.R, near.t
+        made = _length(_apart(robot, (before.pose.R, before.pose.t), ahead))
+        way = np.abs(way_to_singular(robot, *pose)[0])
+        good = near.found & (_length(_apart(robot, pose, (far.R, far.t))) <= _SAME_POSE * size)
+        good &= _length(_apart(robot, pose, ahead)) <= _ASTRAY * made + _SAME_POSE * size
+        good &= (way >= _NEAR * size) | (_misfit(robot, before, found, steps) < _ASTRAY * way)
+        good &= found.pose.sign == state.pose.sign
+    return found.part(slice(0, int(np.argmin([*good, False]))))
+
+
+def _next(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State | None:
+    """Return the state at the next sample, h s later, (1,), that fits the one before best, or None."""
     ahead = _ahead(state, h)
     found = _with_other_side(robot, _found(robot, legs.L, *ahead), state, legs, h)
-    step = np.linalg.norm(_apart(robot, (state.pose.R, state.pose.t), ahead))
-    if not found or np.linalg.norm(_apart(robot, (found[0][1].pose.R, found[0][1].pose.t), ahead)) > (
+    step = _length(_apart(robot, (state.pose.R, state.pose.t), ahead))
+    if not found or _length(_apart(robot, (found[0][1].pose.R, found[0][1].pose.t), ahead)) > (
         _ASTRAY * step + _SAME_POSE * characteristic_length(robot)
     ):
         found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
@@ -239,55 +295,59 @@ def _next(robot: Robot, state: _State, legs: _Legs, h: float) -> _State | None:
 
 
 def _with_other_side(
-    robot: Robot, pose: _Pose | None, before: _State, legs: _Legs, h: float
+    robot: Robot, pose: _Pose | None, before: _State, legs: _Legs, h: Array
 ) -> list[tuple[float, _State]]:
     """Return a pose and that on the other side of the next singular one: misfit to ``before``, state."""
     if pose is None:
         return []
     state = _state(robot, pose, legs)
-    found = [(_misfit(robot, before, state, h), state)]
+    found = [(float(_misfit(robot, before, state, h)[0]), state)]
     way = abs(float(way_to_singular(robot, pose.R, pose.t)[0][0]))
     # As far away as this, the pose on the other side cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)
         if mirrored.found.all():
             other = _state(robot, _pose(robot, mirrored.R, mirrored.t, legs.L), legs)
-            found.append((_misfit(robot, before, other, h), other))
+            found.append((float(_misfit(robot, before, other, h)[0]), other))
     return found
 
 
-def _misfit(robot: Robot, before: _State, after: _State, h: float) -> float:
-    """Return by how far poses and rates miss a smooth motion, m: in the step made and in h times the rates.
+def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
+    """Return by how far poses and rates miss a smooth motion, m, (n,): in steps and in h times the rates.
 
     Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
     """
-    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))[0]
-    omega, alpha = after.twist[3:], after.rate[3:]
-    twist = np.concatenate([after.twist[:3], vector_rate(turn, omega)])
-    rate = np.concatenate([after.rate[:3], vector_second_rate(turn, omega, alpha)])
-    made = np.concatenate([(after.pose.t - before.pose.t)[0], turn])
+    h = h[:, None]
+    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
+    omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
+    twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
+    rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
+    made = np.hstack([after.pose.t - before.pose.t, turn])
     step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
     change = twist - before.twist - 0.5 * h * (before.rate + rate)
     unit = np.repeat([1.0, characteristic_length(robot)], 3)
-    miss = float(np.linalg.norm([step * unit, h * change * unit]))
-    return miss if np.isfinite(miss) else np.inf
+    miss = np.hypot(_length(step * unit), _length(h * change * unit))
+    return np.where(np.isfinite(miss), miss, np.inf)
 
 
-def _ahead(state: _State, h: float) -> tuple[Array, Array]:
-    step = h * state.twist + 0.5 * h**2 * state.rate
-    angle = np.linalg.norm(step[3:])
-    turn = step[3:] if angle < 1.0 else step[3:] / angle
-    return rotation_from_vector(turn[None]) @ state.pose.R, state.pose.t + step[:3]
+def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
+    step = h[:, None] * state.twist + 0.5 * h[:, None] ** 2 * state.rate
+    turn = step[:, 3:] / np.maximum(1.0, _length(step[:, 3:]))[:, None]
+    return rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
 
 
 def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
-    """Difference of two poses as a twist, (6,), m, angles times the platform's size."""
-    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))[0]
-    return np.concatenate([(other[1] - one[1])[0], characteristic_length(robot) * turn])
+    """Difference of poses as twists, (n, 6), m, angles times the platform's size."""
+    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
+
+
+def _length(vector: Array) -> Array:
+    return np.asarray(np.linalg.norm(vector, axis=-1))
 
 
 def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
-    """The platform's motion at a pose from that of its legs, (5), (8); not finite where J is singular."""
+    """The platform's motion at poses from that of its legs, (5), (8); not finite where J is singular."""
     q, S, L = leg_vectors(robot, pose.R, pose.t)
     with np.errstate(all="ignore"):
         twist, regular = solve(pose.J, legs.L_dot)
@@ -297,7 +357,7 @@ def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
         centripetal = np.sum(s * cross(omega, cross(omega, q)), axis=-1)
         across = (np.sum(S_dot**2, axis=-1) - legs.L_dot**2) / L
         rate, _ = solve(pose.J, legs.L_ddot - centripetal - across)
-    return _State(pose, *(np.where(regular, x[0], np.nan) for x in (twist, rate)))
+    return _State(pose, *(np.where(regular[:, None], x, np.nan) for x in (twist, rate)))
 
 
 def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
@@ -336,9 +396,9 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
     """Return the pose at lengths L if it lies where the tangent at ``pose`` points, with J's sign there."""
     foretold, regular = solve(pose.J, L - pose.L)
     found = _found(robot, L, pose.R, pose.t)
-    if found is None or not regular.all() or found.sign != pose.sign:
+    if found is None or not regular.all() or found.sign[0] != pose.sign[0]:
         return None
-    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))
+    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))[0]
     size = characteristic_length(robot)
     step = foretold[0] * np.repeat([1.0, size], 3)
     near = np.linalg.norm(made - step) <= _ASTRAY * np.linalg.norm(step) + _SAME_POSE * size
@@ -347,4 +407,4 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
 
 def _pose(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:
     J = jacobian(robot, R, t)
-    return _Pose(R, t, L, J, float(np.linalg.slogdet(J)[0][0]))
+    return _Pose(R, t, L, J, np.linalg.slogdet(J)[0])

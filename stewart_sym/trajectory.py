@@ -257,6 +257,7 @@ _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
 _MIN_SPLINE_POINTS = 4
+_PART = 1 << 14
 _ANGLES = ("theta", "theta_dot", "theta_ddot")
 _PLAIN = LogFormat()
 
@@ -688,7 +689,12 @@ def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncer
     found = np.empty((3, *values.shape))
     if not noisy.all():
         found[0][:, ~noisy] = values[:, ~noisy]
-        found[1][:, ~noisy], found[2][:, ~noisy] = _interpolated(log.time, values[:, ~noisy], log.source)
+        since = log.time - log.time[0]
+        spline = _spline(since, values[:, ~noisy], log.source)
+        # In parts, since a spline's values come in arrays of their own.
+        for part in (slice(i, i + _PART) for i in range(0, len(since), _PART)):
+            for order in (1, 2):
+                found[order, part][:, ~noisy] = spline(since[part], order)
     if not noisy.any():
         return found, None
     level = Level(level.sigma[noisy], level.least[noisy])
@@ -729,13 +735,6 @@ def _tell_noise(log: _Log, sigma: Array, in_joints: bool, what: str) -> None:
     parts = [(sigma, "m")] if in_joints else [(sigma[:3], "m"), (sigma[3:], "rad")]
     text = " and ".join(f"{part.max():.2g} {unit}" for part, unit in parts if part.any())
     warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=7)
-
-
-def _interpolated(time: Array, values: Array, source: str) -> tuple[Array, Array]:
-    """Return first and second derivatives of the interpolating spline at its own points."""
-    since = time - time[0]
-    spline = _spline(since, values, source)
-    return np.asarray(spline(since, 1)), np.asarray(spline(since, 2))
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym import joint_space
 from stewart_sym.leg_steps import accelerations, times_from_rates
 
 Array = NDArray[np.float64]
@@ -163,3 +164,24 @@ def test_times_are_checked() -> None:
     for bad in (time[1:], time[::-1], np.full(60, np.nan)):
         with pytest.raises(ValueError, match=r"^time: expected 60 finite times, increasing"):
             ss.motion_from_lengths(robot, *legs, time=bad)
+
+
+def test_samples_approached_at_once_are_those_approached_one_after_another(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    robot, path = dasgupta(), ss.PATHS["I"].path
+    motion = path.sample(np.linspace(0.0, path.tau_f, 700))
+    legs = ss.inverse_kinematics(robot, motion)
+    given = {"L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot, "guess": (motion.R[0], motion.t[0])}
+    calls = []
+    step = joint_space._next
+    monkeypatch.setattr(joint_space, "_next", lambda *given: calls.append(1) or step(*given))
+    at_once = ss.motion_from_lengths(robot, **given)
+    assert not calls
+    none = joint_space._evident
+    monkeypatch.setattr(joint_space, "_evident", lambda *given: none(*given).part(slice(0, 0)))
+    singly = ss.motion_from_lengths(robot, **given)
+    assert len(calls) == 699
+    for name in ("R", "t", "omega", "v", "alpha", "a"):
+        np.testing.assert_allclose(getattr(at_once, name), getattr(singly, name), rtol=0.0, atol=1e-11)
+        np.testing.assert_allclose(getattr(at_once, name), getattr(motion, name), rtol=0.0, atol=1e-9)
