@@ -3,11 +3,13 @@
 Lengths alone do not tell whether the platform crosses a singular pose or turns back at it: both motions have
 the same lengths. The rates do: turned back, the platform's velocity jumps. At every sample the poses on both
 sides are found, and the one that fits the motion of the sample before is taken; where J's determinant has
-changed its sign by then, or does so between the samples, the sample is named.
+changed its sign by then, or does so between the samples, the sample is named. Where noise of the lengths
+hides on which side the pose is, it hides what the motion does there: that sample is named as not decided.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +45,7 @@ from .rotation import (
     vector_rate,
     vector_second_rate,
 )
+from .smoothing import LEAST_SAMPLES, rounding_steps, white_noise
 from .trajectory import JointTrajectory, Trajectory
 
 Array = NDArray[np.float64]
@@ -55,6 +58,10 @@ CROSSED = (
     "a singular pose is crossed on the way from the sample before: there the forces are without bound, and "
     "from there on the same lengths belong to two motions"
 )
+UNDECIDED = (
+    "a singular pose is as near as the noise of the lengths, {:.2g} m: not decided at this noise whether the "
+    "platform crosses it or turns back"
+)
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
 
@@ -64,6 +71,8 @@ _SMALLEST_PART = 2.0**-20
 _ASTRAY = 0.1
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
+# Lengths may be off by this many deviations of their noise.
+_SURE = 5.0
 # A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
 _NEAR = 1.0
 
@@ -111,19 +120,22 @@ def motion_from_lengths(
     F_ext: ArrayLike | None = None,
     M_ext: ArrayLike | None = None,
     time: ArrayLike | None = None,
+    sigma: ArrayLike | None = None,
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
 
     L, L_dot, L_ddot: lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without
     L_ddot the motion has no accelerations.  guess: pose (R, t) near the first sample; None: as in
     ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  time: of the samples, s, (n,), increasing; None:
-    the steps that fit L and L_dot.  The robot's length_limits are not asked for.
+    the steps that fit L and L_dot.  sigma: standard deviation of each length, m, broadcasts to (n, 6); None:
+    what rounding or scatter of the numbers show, from 40 samples on.  The robot's length_limits are not asked
+    for.
 
     Between samples the platform moves as poses, rates and accelerations at both ends say (polynomials of
     degree 5).  Where all rates are 0, the samples are poses at rest, and between them the legs move along a
     straight line in the space of lengths.  Raises ``ValueError`` naming the sample where the lengths jump,
-    differ from what the rates say, belong to no pose, or lead through a singular one, and naming the argument
-    for any other bad input.
+    differ from what the rates say, belong to no pose, or lead through a singular one or so near one that this
+    is not decided at their noise, and naming the argument for any other bad input.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -136,13 +148,14 @@ def motion_from_lengths(
         if values.shape != lengths.shape:
             raise ValueError(f"{name}: expected the shape of L, {lengths.shape}, got {values.shape}")
     when = _checked_times(time, len(lengths)) if time is not None else None
-    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess)
+    deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
+    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations)
     v, omega = forward_velocity(robot, R, t, rates["L_dot"], on_failure="nan")
     a = alpha = None
     if "L_ddot" in rates:
-        _refuse_unsettled(v)
+        _reject_unsettled(v)
         a, alpha = forward_acceleration(robot, R, t, v, omega, rates["L_ddot"], on_failure="nan")
-    _refuse_unsettled(v if a is None else a)
+    _reject_unsettled(v if a is None else a)
     return Motion(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
 
 
@@ -150,7 +163,15 @@ def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = Non
     """Return a joint-space trajectory as one of the platform; errors name its file and row."""
     try:
         motion = motion_from_lengths(
-            robot, joints.L, joints.L_dot, joints.L_ddot, guess, joints.F_ext, joints.M_ext, joints.time
+            robot,
+            joints.L,
+            joints.L_dot,
+            joints.L_ddot,
+            guess,
+            joints.F_ext,
+            joints.M_ext,
+            joints.time,
+            None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time)),
         )
     except _LostError as error:
         row = joints.rows[error.sample]
@@ -165,14 +186,31 @@ def _checked_times(time: ArrayLike, count: int) -> Array:
     return when
 
 
-def _refuse_unsettled(rate: Array) -> None:
+def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
+    expected = f"standard deviations >= 0 m that broadcast to {shape}"
+    values = real_array(sigma, "sigma", expected)
+    if not np.all(np.isfinite(values) & (values >= 0.0)):
+        raise ValueError(f"sigma: expected {expected}, got {values[~(values >= 0.0)].min(initial=np.nan):g}")
+    try:
+        return np.broadcast_to(values, shape)
+    except ValueError:
+        raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
+
+
+def _reject_unsettled(rate: Array) -> None:
     bad = np.flatnonzero(~np.isfinite(rate).all(axis=-1))
     if bad.size:
         raise _LostError(int(bad[0]), "H is singular or the rates overflow: no velocity or acceleration")
 
 
 def _follow(
-    robot: Robot, time: Array | None, L: Array, L_dot: Array, L_ddot: Array | None, guess: Guess | None
+    robot: Robot,
+    time: Array | None,
+    L: Array,
+    L_dot: Array,
+    L_ddot: Array | None,
+    guess: Guess | None,
+    sigma: Array | None,
 ) -> tuple[Array, Array]:
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
@@ -189,24 +227,51 @@ def _follow(
             raise _LostError(sample, reason)
     legs = [_Legs(*(x[i : i + 1] for x in (L, L_dot, rates))) for i in range(len(L))]
     states = [_state(robot, first, legs[0])]
-    lost = ""
     for now, h in zip(legs[1:], np.diff(time).tolist(), strict=True):
         found = _next(robot, states[-1], now, h)
-        if found is None or found.pose.sign != first.sign:
-            lost = NO_WAY if found is None else CROSSED
+        if found is None:
             break
         states.append(found)
-    _refuse_crossings(robot, time[: len(states)], states)
-    if lost:
-        raise _LostError(len(states), lost)
+        if found.pose.sign != first.sign:
+            break
+    noise = _noise(time, L) if sigma is None else sigma
+    decided = _decided(robot, states, noise)
+    same = decided - (states[decided - 1].pose.sign != first.sign)
+    _reject_crossings(robot, time[:same], states[:same])
+    if same < decided:
+        raise _LostError(same, CROSSED)
+    if decided < len(L):
+        last = states[decided - 1].pose
+        miss = newton(robot, L[decided : decided + 1], last.R, last.t).residual[0]
+        most = _SURE * float(noise[decided].max())
+        near = decided < len(states) or miss <= most
+        raise _LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
     return _joined([state.pose for state in states])
+
+
+def _noise(time: Array, L: Array) -> Array:
+    """Standard deviation of each length, (n, 6), as the numbers show it."""
+    if len(L) < LEAST_SAMPLES:
+        return np.zeros(L.shape)
+    shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
+    return np.broadcast_to(shown_noise, L.shape)
+
+
+def _decided(robot: Robot, states: list[_State], sigma: Array) -> int:
+    """Number of states, at least 1, before the first that noise could carry through a singular pose."""
+    if not sigma.any():
+        return len(states)
+    near = way_to_singular(robot, *_joined([state.pose for state in states]))
+    noise = np.linalg.norm(near.legs * sigma[: len(states)], axis=-1)
+    undecided = np.flatnonzero(near.lengths <= _SURE * noise)
+    return max(1, int(undecided[0])) if undecided.size else len(states)
 
 
 def _joined(poses: list[_Pose]) -> tuple[Array, Array]:
     return np.concatenate([pose.R for pose in poses]), np.concatenate([pose.t for pose in poses])
 
 
-def _refuse_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
+def _reject_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
     """Name the first sample before which J's determinant changes its sign, between samples too."""
     twist, rate = (np.array(part) for part in zip(*(state[1:] for state in states), strict=True))
     bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
@@ -246,7 +311,7 @@ def _with_other_side(
         return []
     state = _state(robot, pose, legs)
     found = [(_misfit(robot, before, state, h), state)]
-    way = abs(float(way_to_singular(robot, pose.R, pose.t)[0][0]))
+    way = abs(float(way_to_singular(robot, pose.R, pose.t).way[0]))
     # As far away as this, the pose on the other side cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)

@@ -305,6 +305,12 @@ class Uncertainty(NamedTuple):
     sigma: Array
     in_joints: bool = False
 
+    def variances(self, time: Array) -> Array:
+        """Of each coordinate's value at times, (n, 6)."""
+        return np.stack(
+            [np.interp(time, self.grid, column) for column in self.covariance[:, :, 0].T], axis=-1
+        )
+
 
 class Trajectory(NamedTuple):
     """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
