@@ -10,6 +10,7 @@ hides on which side the pose is, it hides what the motion does there: that sampl
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -73,34 +74,48 @@ _ASTRAY = 0.1
 _SAME_POSE = 1e-8
 # Lengths may be off by this many deviations of their noise.
 _SURE = 5.0
+# Samples found at once at most.
+_MANY = 256
 # A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
 _NEAR = 1.0
 
 
 class _Pose(NamedTuple):
-    """A pose with leading shape (1,), its lengths (1, 6), J there and the sign of J's determinant."""
+    """Poses with leading shape (n,), their lengths, (n, 6), J there and the sign of its determinant."""
 
     R: Array
     t: Array
     L: Array
     J: Array
-    sign: float
+    sign: Array
+
+    def at(self, part: slice) -> _Pose:
+        """Some of the poses."""
+        return _Pose(*(x[part] for x in self))
 
 
 class _Legs(NamedTuple):
-    """What the legs do at one sample: (1, 6) each."""
+    """What the legs do at n samples: (n, 6) each."""
 
     L: Array
     L_dot: Array
     L_ddot: Array
 
+    def at(self, part: slice) -> _Legs:
+        """Some of the samples."""
+        return _Legs(*(x[part] for x in self))
+
 
 class _State(NamedTuple):
-    """A pose and the platform's motion there: [v; omega] and [a; alpha], (6,)."""
+    """Poses and the platform's motion there: [v; omega] and [a; alpha], (n, 6)."""
 
     pose: _Pose
     twist: Array
     rate: Array
+
+    def at(self, part: slice) -> _State:
+        """Some of the states."""
+        return _State(self.pose.at(part), self.twist[part], self.rate[part])
 
 
 class _LostError(ValueError):
@@ -225,28 +240,20 @@ def _follow(
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise _LostError(sample, reason)
-    legs = [_Legs(*(x[i : i + 1] for x in (L, L_dot, rates))) for i in range(len(L))]
-    states = [_state(robot, first, legs[0])]
-    for now, h in zip(legs[1:], np.diff(time).tolist(), strict=True):
-        found = _next(robot, states[-1], now, h)
-        if found is None:
-            break
-        states.append(found)
-        if found.pose.sign != first.sign:
-            break
+    states = _walk(robot, first, _Legs(L, L_dot, rates), np.diff(time))
     noise = _noise(time, L) if sigma is None else sigma
-    decided = _decided(robot, states, noise)
-    same = decided - (states[decided - 1].pose.sign != first.sign)
-    _reject_crossings(robot, time[:same], states[:same])
+    decided = _decided(robot, states.pose, noise)
+    same = decided - int(states.pose.sign[decided - 1] != first.sign[0])
+    _reject_crossings(robot, time[:same], states.at(slice(same)))
     if same < decided:
         raise _LostError(same, CROSSED)
     if decided < len(L):
-        last = states[decided - 1].pose
+        last = states.pose.at(slice(decided - 1, decided))
         miss = newton(robot, L[decided : decided + 1], last.R, last.t).residual[0]
         most = _SURE * float(noise[decided].max())
-        near = decided < len(states) or miss <= most
+        near = decided < len(states.twist) or miss <= most
         raise _LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
-    return _joined([state.pose for state in states])
+    return states.pose.R, states.pose.t
 
 
 def _noise(time: Array, L: Array) -> Array:
@@ -257,29 +264,33 @@ def _noise(time: Array, L: Array) -> Array:
     return np.broadcast_to(shown_noise, L.shape)
 
 
-def _decided(robot: Robot, states: list[_State], sigma: Array) -> int:
-    """Number of states, at least 1, before the first that noise could carry through a singular pose."""
+def _decided(robot: Robot, poses: _Pose, sigma: Array) -> int:
+    """Number of poses, at least 1, before the first that noise could carry through a singular one."""
+    count = len(poses.t)
     if not sigma.any():
-        return len(states)
-    near = way_to_singular(robot, *_joined([state.pose for state in states]))
-    noise = np.linalg.norm(near.legs * sigma[: len(states)], axis=-1)
+        return count
+    near = way_to_singular(robot, poses.R, poses.t)
+    noise = np.linalg.norm(near.legs * sigma[:count], axis=-1)
     undecided = np.flatnonzero(near.lengths <= _SURE * noise)
-    return max(1, int(undecided[0])) if undecided.size else len(states)
+    return max(1, int(undecided[0])) if undecided.size else count
 
 
-def _joined(poses: list[_Pose]) -> tuple[Array, Array]:
-    return np.concatenate([pose.R for pose in poses]), np.concatenate([pose.t for pose in poses])
+def _joined(poses: Sequence[_Pose]) -> _Pose:
+    return _Pose(*(np.concatenate(parts) for parts in zip(*poses, strict=True)))
 
 
-def _reject_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
+def _all(states: list[_State]) -> _State:
+    poses, twists, rates = zip(*states, strict=True)
+    return _State(_joined(poses), np.concatenate(twists), np.concatenate(rates))
+
+
+def _reject_crossings(robot: Robot, time: Array, states: _State) -> None:
     """Name the first sample before which J's determinant changes its sign, between samples too."""
-    twist, rate = (np.array(part) for part in zip(*(state[1:] for state in states), strict=True))
-    bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
-    known = int(bad[0]) if bad.size else len(states)
+    bad = np.flatnonzero(~np.isfinite(states.twist + states.rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(states.twist)
     if known > 1:
-        R, t = _joined([state.pose for state in states[:known]])
-        twist, rate = twist[:known], rate[:known]
-        motion = Motion(R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
+        pose, twist, rate = states.at(slice(known))
+        motion = Motion(pose.R, pose.t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
         path = between(Trajectory(time[:known], motion, "L", tuple(range(known))))
         found = crossings(robot, path, time[:known])
         if found:
@@ -291,64 +302,110 @@ def _reject_crossings(robot: Robot, time: Array, states: list[_State]) -> None:
 # From one sample to the next
 
 
-def _next(robot: Robot, state: _State, legs: _Legs, h: float) -> _State | None:
-    """Return the state at the next sample, h s later, that fits the one before best, or None."""
-    ahead = _ahead(state, h)
-    found = _with_other_side(robot, _found(robot, legs.L, *ahead), state, legs, h)
-    step = np.linalg.norm(_apart(robot, (state.pose.R, state.pose.t), ahead))
-    if not found or np.linalg.norm(_apart(robot, (found[0][1].pose.R, found[0][1].pose.t), ahead)) > (
-        _ASTRAY * step + _SAME_POSE * characteristic_length(robot)
-    ):
+def _walk(robot: Robot, first: _Pose, legs: _Legs, steps: Array) -> _State:
+    """The states from the first pose on, up to the first sample without one or with J's other sign.
+
+    Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
+    more of them before many are tried again.
+    """
+    walked, done = [_state(robot, first, legs.at(slice(1)))], 1
+    many, alone, again = 1, 1, 1
+    while done < len(legs.L) and walked[-1].pose.sign[-1] == first.sign[0]:
+        last, here = walked[-1].at(slice(-1, None)), slice(done, done + many)
+        run = _run(robot, last, legs.at(here), steps[done - 1 : done - 1 + many]) if done >= again else None
+        if run is not None and len(run.twist):
+            many, alone = min(2 * many, _MANY) if len(run.twist) == many else 1, 1
+        else:
+            if run is not None:
+                many, alone, again = 1, min(2 * alone, _MANY), done + alone
+            run = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
+            if run is None:
+                break
+        walked.append(run)
+        done += len(run.twist)
+    return _all(walked)
+
+
+def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _State:
+    """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
+    ends = newton(robot, legs.L, *(np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t)))
+    after = _state(robot, _pose(robot, ends.R, ends.t, legs.L), legs)
+    poses = _joined([last.pose, after.pose.at(slice(-1))])
+    before = _State(
+        poses, *(np.concatenate([x[0], x[1][:-1]]) for x in zip(last[1:], after[1:], strict=True))
+    )
+    near = np.abs(way_to_singular(robot, ends.R, ends.t).way)
+    clear = (near >= _NEAR * characteristic_length(robot)) | (
+        _misfit(robot, before, after, h) < _ASTRAY * near
+    )
+    sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
+    return after.at(slice(len(h) if sure.all() else int(np.argmin(sure))))
+
+
+def _next(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State | None:
+    """Return the state at the next sample, h s later, (1,), that fits the one before best, or None."""
+    found = _with_other_side(robot, _found(robot, legs.L, *_ahead(state, h)), state, legs, h)
+    if not found or not _foretold(robot, state, found[0][1].pose, h).all():
         found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
     return min(found, key=lambda entry: entry[0])[1] if found else None
 
 
+def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> NDArray[np.bool_]:
+    """Whether poses, (n,), are where the states before them lead."""
+    ahead = _ahead(before, h)
+    off, step = (
+        np.linalg.norm(_apart(robot, (pose.R, pose.t), ahead), axis=-1) for pose in (after, before.pose)
+    )
+    return np.asarray(off <= _ASTRAY * step + _SAME_POSE * characteristic_length(robot))
+
+
 def _with_other_side(
-    robot: Robot, pose: _Pose | None, before: _State, legs: _Legs, h: float
+    robot: Robot, pose: _Pose | None, before: _State, legs: _Legs, h: Array
 ) -> list[tuple[float, _State]]:
     """Return a pose and that on the other side of the next singular one: misfit to ``before``, state."""
     if pose is None:
         return []
     state = _state(robot, pose, legs)
-    found = [(_misfit(robot, before, state, h), state)]
+    found = [(float(_misfit(robot, before, state, h)[0]), state)]
     way = abs(float(way_to_singular(robot, pose.R, pose.t).way[0]))
     # As far away as this, the pose on the other side cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)
         if mirrored.found.all():
             other = _state(robot, _pose(robot, mirrored.R, mirrored.t, legs.L), legs)
-            found.append((_misfit(robot, before, other, h), other))
+            found.append((float(_misfit(robot, before, other, h)[0]), other))
     return found
 
 
-def _misfit(robot: Robot, before: _State, after: _State, h: float) -> float:
-    """Return by how far poses and rates miss a smooth motion, m: in the step made and in h times the rates.
+def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
+    """Return by how far poses and rates miss a smooth motion, m, (n,): in the step and in h times the rates.
 
     Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
     """
-    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))[0]
-    omega, alpha = after.twist[3:], after.rate[3:]
-    twist = np.concatenate([after.twist[:3], vector_rate(turn, omega)])
-    rate = np.concatenate([after.rate[:3], vector_second_rate(turn, omega, alpha)])
-    made = np.concatenate([(after.pose.t - before.pose.t)[0], turn])
-    step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
-    change = twist - before.twist - 0.5 * h * (before.rate + rate)
-    unit = np.repeat([1.0, characteristic_length(robot)], 3)
-    miss = float(np.linalg.norm([step * unit, h * change * unit]))
-    return miss if np.isfinite(miss) else np.inf
+    h = h[:, None]
+    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
+    with np.errstate(invalid="ignore"):
+        omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
+        twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
+        rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
+        made = np.hstack([after.pose.t - before.pose.t, turn])
+        step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
+        change = twist - before.twist - 0.5 * h * (before.rate + rate)
+        unit = np.repeat([1.0, characteristic_length(robot)], 3)
+        miss = np.linalg.norm(np.hstack([step * unit, h * change * unit]), axis=-1)
+    return np.where(np.isfinite(miss), miss, np.inf)
 
 
-def _ahead(state: _State, h: float) -> tuple[Array, Array]:
-    step = h * state.twist + 0.5 * h**2 * state.rate
-    angle = np.linalg.norm(step[3:])
-    turn = step[3:] if angle < 1.0 else step[3:] / angle
-    return rotation_from_vector(turn[None]) @ state.pose.R, state.pose.t + step[:3]
+def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
+    step = h[:, None] * state.twist + 0.5 * h[:, None] ** 2 * state.rate
+    turn = step[:, 3:] / np.maximum(1.0, np.linalg.norm(step[:, 3:], axis=-1, keepdims=True))
+    return rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
 
 
 def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
-    """Difference of two poses as a twist, (6,), m, angles times the platform's size."""
-    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))[0]
-    return np.concatenate([(other[1] - one[1])[0], characteristic_length(robot) * turn])
+    """Difference of two poses (n, ...) as a twist, (n, 6), m, angles times the platform's size."""
+    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
 
 
 def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
@@ -362,7 +419,7 @@ def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
         centripetal = np.sum(s * cross(omega, cross(omega, q)), axis=-1)
         across = (np.sum(S_dot**2, axis=-1) - legs.L_dot**2) / L
         rate, _ = solve(pose.J, legs.L_ddot - centripetal - across)
-    return _State(pose, *(np.where(regular, x[0], np.nan) for x in (twist, rate)))
+    return _State(pose, *(np.where(regular[:, None], x, np.nan) for x in (twist, rate)))
 
 
 def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
@@ -378,7 +435,7 @@ def _at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
         if found is None:
             raise _LostError(i, NO_WAY)
         poses.append(found)
-    return _joined(poses)
+    return _joined(poses)[:2]
 
 
 def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
@@ -401,9 +458,9 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
     """Return the pose at lengths L if it lies where the tangent at ``pose`` points, with J's sign there."""
     foretold, regular = solve(pose.J, L - pose.L)
     found = _found(robot, L, pose.R, pose.t)
-    if found is None or not regular.all() or found.sign != pose.sign:
+    if found is None or not regular.all() or found.sign[0] != pose.sign[0]:
         return None
-    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))
+    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))[0]
     size = characteristic_length(robot)
     step = foretold[0] * np.repeat([1.0, size], 3)
     near = np.linalg.norm(made - step) <= _ASTRAY * np.linalg.norm(step) + _SAME_POSE * size
@@ -412,4 +469,4 @@ def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
 
 def _pose(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:
     J = jacobian(robot, R, t)
-    return _Pose(R, t, L, J, float(np.linalg.slogdet(J)[0][0]))
+    return _Pose(R, t, L, J, np.linalg.slogdet(J)[0])

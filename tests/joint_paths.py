@@ -15,7 +15,7 @@ from stewart_sym.rotation import angular_motion_from_vector, rotation_from_vecto
 
 Array = NDArray[np.float64]
 
-GRID = 40_001
+GRID = 10_001
 
 
 @dataclass(frozen=True, eq=False)

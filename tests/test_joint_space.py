@@ -194,7 +194,7 @@ def test_rates_in_another_unit_are_named() -> None:
 @pytest.mark.parametrize("decimals", [3, 4, 5])
 @pytest.mark.parametrize("given", [True, False])
 def test_rounded_lengths_are_no_jumps(decimals: int, given: bool) -> None:
-    robot, time, motion, legs = wave(600)
+    robot, time, motion, legs = wave(200)
     L = np.round(legs[0], decimals)
     rates = legs[1:] if given else spline_rates(time, L)
     found = ss.motion_from_lengths(robot, L, *rates, (motion.R[0], motion.t[0]), time=time)
