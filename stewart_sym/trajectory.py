@@ -404,11 +404,12 @@ def from_poses(
     return _pose_trajectory(_Log(source, range(len(when)), when, poses, smoothing=smoothing))
 
 
-def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
+def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = _PLAIN) -> tuple[Array, Array]:
     """Read actuator forces over time: columns ``time`` (s), increasing, and ``F1`` to ``F6`` (N).
 
-    Other columns, such as those that the command ``forces`` writes, are read over. Returns times (n,) and
-    forces (n, 6). Raises ``ValueError`` of one line that names the file and the row or column.
+    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
+    and names of the columns. Returns times (n,) and forces (n, 6). Raises ``ValueError`` of one line that
+    names the file and the row or column.
     """
     source = file_name(path)
     wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
@@ -419,7 +420,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
             if column not in header:
                 raise ValueError(f"{source}: missing column {column}")
 
-    columns, _ = read_columns(read_text(source, "forces", _MOST_BYTES), source, check, _PLAIN)
+    columns, _ = read_columns(read_text(source, "forces", _MOST_BYTES), source, check, form)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 

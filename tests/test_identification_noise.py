@@ -375,6 +375,10 @@ def robot_file() -> Path:
     return Path(ss.robots.__file__).parent / "dasgupta1998.toml"
 
 
+POSES = [
+    "time",
+    *(f"{q}_{axis}" for q in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"),
+]
 STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
 
 
@@ -411,7 +415,38 @@ def test_command_states_noise_and_verdict(
     assert "--noise-position" in err
     with open(wrong / "parameters.csv", newline="") as stream:
         assert {row["sigma"] for row in csv.DictReader(stream)} == {"inf"}
-    assert "verdict: rejected" in (wrong / "report.txt").read_text()
+    report = (wrong / "report.txt").read_text()
+    assert "verdict: rejected" in report
+    assert "robot file: not compared" in report
+
+
+def test_command_reads_logs_in_other_units_and_marks(robot_file: Path, tmp_path: Path) -> None:
+    simulated = tmp_path / "simulated"
+    assert (
+        main(["identify", str(robot_file), "--samples", "60", "--candidates", "2", "-o", str(simulated)]) == 0
+    )
+    scale = {"time": 1e3, "t": 1e3, "v": 1e3, "a": 1e3}
+    for name in ("trajectory", "forces"):
+        with open(simulated / f"{name}.csv", newline="") as stream:
+            head, *rows = csv.reader(stream)
+        factors = [scale.get(cell.split("_")[0], 180.0 / np.pi if "theta" in cell else 1.0) for cell in head]
+        renamed = ["X" if cell == "t_x" else cell for cell in head]
+        cells = [renamed, *([repr(float(x) * k) for x, k in zip(row, factors, strict=True)] for row in rows)]
+        text = "\n".join(";".join(row) for row in cells).replace(".", ",")
+        (tmp_path / f"{name}.csv").write_text(text)
+    measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
+    units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms"]
+    names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in POSES)]
+    out = tmp_path / "out"
+    assert main(["identify", str(robot_file), *measured, *units, *names, "-o", str(out)]) == 0
+    tables = []
+    for folder in (simulated, out):
+        with open(folder / "parameters.csv", newline="") as stream:
+            tables.append(list(csv.DictReader(stream)))
+    for before, after in zip(*tables, strict=True):
+        assert float(after["estimated"]) == pytest.approx(
+            float(before["estimated"]), abs=float(before["sigma"])
+        )
 
 
 def test_command_keeps_to_possible_bodies(robot_file: Path, tmp_path: Path) -> None:
@@ -434,6 +469,7 @@ def test_command_keeps_to_possible_bodies(robot_file: Path, tmp_path: Path) -> N
         (("--noise-angle", "0", "--noise-position", "1"), "--noise-angle"),
         (("--physical",), "--physical: is for measured forces"),
         (("--no-friction",), "--no-friction: is for measured forces"),
+        (("--length-unit", "mm"), "--start and options of the trajectory's file: are for measured forces"),
     ],
 )
 def test_command_names_bad_options_in_one_line(
