@@ -499,7 +499,8 @@ def _smooth_forces(fit: _Fit) -> Array:
     """Slow cosines over the instants on each leg, (6 n, count)."""
     n = len(fit.parts[0])
     order = np.arange(min(_COSINES, n // 8))
-    return np.kron(np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, order)), np.eye(LEGS))
+    cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, order))
+    return np.asarray(np.kron(cosines, np.eye(LEGS)), dtype=np.float64)
 
 
 def _changing_load(data: _Data, fit: _Fit) -> Array:

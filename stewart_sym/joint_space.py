@@ -328,7 +328,8 @@ def _walk(robot: Robot, first: _Pose, legs: _Legs, steps: Array) -> _State:
 
 def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _State:
     """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
-    ends = newton(robot, legs.L, *(np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t)))
+    R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
+    ends = newton(robot, legs.L, R, t)
     after = _state(robot, _pose(robot, ends.R, ends.t, legs.L), legs)
     poses = _joined([last.pose, after.pose.at(slice(-1))])
     before = _State(
