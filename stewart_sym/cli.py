@@ -524,7 +524,10 @@ def _poses(
     if isinstance(log, JointTrajectory):
         progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        return on_platform(robot, log, guess)
+        try:
+            return on_platform(robot, log, guess)
+        except ValueError as error:
+            raise ValueError(str(error) if doubt is None else f"{error}; {doubt}") from None
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     return log

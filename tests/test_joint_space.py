@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.cli import main
 from stewart_sym.joint_space import on_platform
 from stewart_sym.leg_steps import accelerations, times_from_rates
 from stewart_sym.trajectory import JointTrajectory, read_any_csv
@@ -120,7 +121,7 @@ def test_every_crossing_of_many_random_paths_is_named_and_no_other_path(rates: s
 
 @pytest.mark.parametrize("rates", ["log", "given"])
 @pytest.mark.parametrize(
-    ("count", "most"), [(10, 100), pytest.param(share(200), 600, marks=pytest.mark.slow)]
+    ("count", "most"), [(10, 100), pytest.param(share(200), 300, marks=pytest.mark.slow)]
 )
 def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
     rates: str, count: int, most: int, tmp_path: Path
@@ -211,6 +212,18 @@ def test_a_machine_at_rest_stays_where_it_is() -> None:
         found = ss.motion_from_lengths(robot, L_now, *rates, (motion.R[0], motion.t[0]), time=time)
         np.testing.assert_allclose(found.t[:30], np.tile(motion.t[0], (30, 1)), atol=1e-12)
         np.testing.assert_allclose(found.t[29:], motion.t[: count - 29], atol=1e-9)
+
+
+def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _, time, _, legs = wave(60)
+    logged(time, 1e3 * legs[0], tmp_path)
+    robot_file = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+    assert main(["forces", str(robot_file), str(tmp_path / "log.csv"), "-o", str(tmp_path / "F.csv")]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "row 2: no pose with these leg lengths" in line
+    assert line.endswith("are they in another unit (--length-unit mm)?")
 
 
 def spline_rates(time: Array, L: Array) -> tuple[Array, Array]:

@@ -106,7 +106,11 @@ def doubts(found: Estimate) -> list[str]:
     if not found.impossible:
         return list(found.doubts)
     many = len(found.impossible)
-    return [*found.doubts, f"results that no machine can have: {many}; farthest off: {found.impossible[0]}"]
+    remedy = "--physical keeps to bodies that can exist"
+    return [
+        *found.doubts,
+        f"results that no machine can have: {many}; farthest off: {found.impossible[0]}; {remedy}",
+    ]
 
 
 def verdict(found: Estimate) -> list[str]:
