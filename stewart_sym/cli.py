@@ -19,7 +19,7 @@ from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, NoReturn, TextIO
+from typing import TYPE_CHECKING, NoReturn, TextIO, cast
 
 from .extras import needed_for
 from .faults import SingularPoseWarning
@@ -30,8 +30,9 @@ from .publish import named
 if TYPE_CHECKING:
     from .identification import Estimate
     from .interpolation import Path as MotionPath
+    from .logs import LogFormat
     from .robot import Robot
-    from .trajectory import PoseLog, Trajectory
+    from .trajectory import JointTrajectory, PoseLog, Trajectory
 
 PROGRAM = "stewart-sym"
 ATLAS_CASES = 1_000_000
@@ -230,7 +231,8 @@ def _identify(arguments: argparse.Namespace) -> int:
 
     with _folder(arguments, "report.txt", "trajectory.csv") as folder, _progress() as progress:
         progress("identifying")
-        texts, found = _measured(arguments) if arguments.measured else _simulated(arguments, progress)
+        read = _measured if arguments.measured else _simulated
+        texts, found = read(arguments, progress)
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
     print(texts["report.txt"])
@@ -488,48 +490,69 @@ def _trajectory(
 ) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
     from .interpolation import resampled
-    from .joint_space import on_platform
-    from .logs import LogFormat
-    from .rotation import rotation_from_rpy
-    from .studies.track import length_doubt
-    from .trajectory import JointTrajectory, Smoothing, read_log
+    from .trajectory import Smoothing, read_log
 
     progress("reading the trajectory")
-    names = ("length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
-    form = LogFormat(arguments.columns, **{name: getattr(arguments, name) for name in names})
     smoothing = Smoothing(
         arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
     )
-    log = read_log(source, form, smoothing)
-    start = arguments.start
-    doubt = length_doubt(robot, log.L if isinstance(log, JointTrajectory) else log.coordinates[0, :, :3])
-    if doubt is not None:
-        warnings.warn(f"{source}: {doubt}", stacklevel=2)
-    if isinstance(log, JointTrajectory):
-        progress(f"finding {len(log.time)} poses")
-        guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        trajectory: Trajectory | PoseLog = on_platform(robot, log, guess)
-    elif start is not None:
-        raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-    else:
-        trajectory = log
+    trajectory = _poses(robot, read_log(source, _form(arguments), smoothing), arguments.start, progress)
     return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
 
 
-def _measured(arguments: argparse.Namespace) -> "tuple[dict[str, str], Estimate]":
-    """Texts of the files about measured forces, by name, and the estimate."""
+def _form(arguments: argparse.Namespace) -> "LogFormat":
+    from .logs import LogFormat
+
+    names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
+    return LogFormat(**{name: getattr(arguments, name) for name in names})
+
+
+def _poses(
+    robot: "Robot",
+    log: "Trajectory | PoseLog | JointTrajectory",
+    start: list[float] | None,
+    progress: Callable[[str], None],
+) -> "Trajectory | PoseLog":
+    """Poses of a log, found from leg lengths if it holds these."""
     from .joint_space import on_platform
+    from .rotation import rotation_from_rpy
+    from .studies.track import length_doubt
+    from .trajectory import JointTrajectory, PoseLog
+
+    if isinstance(log, JointTrajectory):
+        distances = log.L
+    else:
+        distances = log.coordinates[0, :, :3] if isinstance(log, PoseLog) else log.motion.t
+    doubt = length_doubt(robot, distances)
+    if doubt is not None:
+        warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
+    if isinstance(log, JointTrajectory):
+        progress(f"finding {len(log.time)} poses")
+        guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
+        try:
+            return on_platform(robot, log, guess)
+        except ValueError as error:
+            raise ValueError(str(error) if doubt is None else f"{error}; {doubt}") from None
+    if start is not None:
+        raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+    return log
+
+
+def _measured(
+    arguments: argparse.Namespace, progress: Callable[[str], None]
+) -> "tuple[dict[str, str], Estimate]":
+    """Texts of the files about measured forces, by name, and the estimate."""
     from .robot import Robot
     from .smooth_motion import PoseNoise
     from .studies.identify import from_measurement, measured_texts
-    from .trajectory import JointTrajectory, Smoothing, read_any_csv, read_forces_csv
+    from .trajectory import Smoothing, read_any_csv, read_forces_csv
 
     robot = Robot.from_toml(arguments.robot)
     poses, forces = arguments.measured
-    trajectory = read_any_csv(poses, smoothing=Smoothing(on=False))  # the fit has its own noise
-    if isinstance(trajectory, JointTrajectory):
-        trajectory = on_platform(robot, trajectory, None)
-    time, F = read_forces_csv(forces)
+    form = _form(arguments)
+    log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    trajectory = cast("Trajectory", _poses(robot, log, arguments.start, progress))
+    time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
     noise = None
     if _pose_noise(arguments):
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
@@ -543,12 +566,17 @@ def _simulated(
     arguments: argparse.Namespace, progress: Callable[[str], None]
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about a simulated measurement, by name, and the estimate."""
+    from .logs import LogFormat
     from .robot import Robot
     from .studies.identify import identification, simulated_texts
 
     for option in ("no_friction", "physical"):
         if getattr(arguments, option):
             raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
+    if _form(arguments) != LogFormat() or arguments.start is not None:
+        raise ValueError(
+            "--start and options of the trajectory's file: are for measured forces, expected --measured"
+        )
     robot = Robot.from_toml(arguments.robot)
     names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
     options = {name: getattr(arguments, name) for name in names}
@@ -1038,6 +1066,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     verb.add_argument("--samples", type=_whole, default=200, help="instants of one period; default: 200")
     verb.add_argument("--candidates", type=_whole, default=50, help="random series to try; default: 50")
+    _start(verb)
+    _log_form(verb)
 
     verb = _verb(
         verbs,
@@ -1148,6 +1178,30 @@ def _start(verb: argparse.ArgumentParser) -> None:
 
 def _log(verb: argparse.ArgumentParser) -> None:
     """Options of how a trajectory's file is read."""
+    group = _log_form(verb)
+    group.add_argument("--rate", type=_positive, metavar="HZ", help="resample; default: the log's own times")
+    group.add_argument(
+        "--noise-position",
+        type=_positive,
+        metavar="M",
+        help="deviation of positions or lengths, m; default: found",
+    )
+    group.add_argument(
+        "--noise-angle", type=_positive, metavar="RAD", help="deviation of angles, rad; default: found"
+    )
+    group.add_argument(
+        "--cutoff",
+        type=_positive,
+        metavar="HZ",
+        help="halve the amplitude there; default: the likeliest",
+    )
+    group.add_argument(
+        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
+    )
+
+
+def _log_form(verb: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Options of names, units and marks in a trajectory's file."""
     group = verb.add_argument_group("the trajectory's file")
     group.add_argument(
         "--columns",
@@ -1170,25 +1224,7 @@ def _log(verb: argparse.ArgumentParser) -> None:
         default="zyx",
         help="of the rotations multiplied; default: zyx, R = Rz Ry Rx",
     )
-    group.add_argument("--rate", type=_positive, metavar="HZ", help="resample; default: the log's own times")
-    group.add_argument(
-        "--noise-position",
-        type=_positive,
-        metavar="M",
-        help="deviation of positions or lengths, m; default: found",
-    )
-    group.add_argument(
-        "--noise-angle", type=_positive, metavar="RAD", help="deviation of angles, rad; default: found"
-    )
-    group.add_argument(
-        "--cutoff",
-        type=_positive,
-        metavar="HZ",
-        help="halve the amplitude there; default: the likeliest",
-    )
-    group.add_argument(
-        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
-    )
+    return group
 
 
 def _names(text: str) -> dict[str, str]:

@@ -346,18 +346,29 @@ def _replace(best: Found, where: NDArray[np.intp], found: Found) -> None:
 
 def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
     """Return poses with lengths L found from behind the next singular poses, as far as these are away."""
-    way, direction = way_to_singular(robot, R, t)
-    step = np.where(np.isfinite(way), 2.0 * way, 0.0)[:, None] * direction
+    near = way_to_singular(robot, R, t)
+    step = np.where(np.isfinite(near.way), 2.0 * near.way, 0.0)[:, None] * near.direction
     angle = np.maximum(1.0, _size(step[:, 3:]))[:, None]
     return newton(robot, L, rotation_from_vector(step[:, 3:] / angle) @ R, t + step[:, :3] / angle)
 
 
-def way_to_singular(robot: Robot, R: Array, t: Array) -> tuple[Array, Array]:
-    """Return how far, m, (n,), and in which direction, (n, 6), the next singular poses are, to first order.
+class ToSingular(NamedTuple):
+    """The way from poses to the next singular ones, to first order.
 
-    The direction [v; omega] is the twist that changes the lengths least, of length 1 with angles times the
-    platform's size; along it, J's smallest singular value goes with its rate there to 0.
+    way: how far, signed, m, (n,): as far as J's smallest singular value goes with its rate there to 0.
+    direction: the twist [v; omega] that changes the lengths least, (n, 6), of length 1 with angles times the
+    platform's size. legs: the change of lengths, of size 1, that it makes, (n, 6). lengths: how much of that
+    is left on the way, m, (n,): with more, the lengths belong to no pose nearby.
     """
+
+    way: Array
+    direction: Array
+    legs: Array
+    lengths: Array
+
+
+def way_to_singular(robot: Robot, R: Array, t: Array) -> ToSingular:
+    """Return the way from poses (n, ...) to the next singular ones."""
     unit = np.repeat([1.0, _length(robot)], 3)
     q, S, L = leg_vectors(robot, R, t)
     U, s, V_T = np.linalg.svd(np.nan_to_num(_rows(q, S, L) / unit))
@@ -369,7 +380,8 @@ def way_to_singular(robot: Robot, R: Array, t: Array) -> tuple[Array, Array]:
     J_dot = np.concatenate([s_dot, cross(q_dot, along) + cross(q, s_dot)], axis=-1)
     rate = np.einsum("ni,nij,nj->n", U[..., -1], J_dot, direction)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return -s[:, -1] / rate, direction
+        way = -s[:, -1] / rate
+    return ToSingular(way, direction, U[..., -1], 0.5 * s[:, -1] * np.abs(way))
 
 
 def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
@@ -444,7 +456,7 @@ def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
 def _rows(q: Array, S: Array, L: Array) -> Array:
     # A leg of length zero has no direction: its row is 0 and makes J singular.
     s = S / np.where(L > 0.0, L, 1.0)[..., None]
-    return np.concatenate([s, np.cross(q, s)], axis=-1)
+    return np.concatenate([s, cross(q, s)], axis=-1)
 
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:

@@ -47,6 +47,9 @@ _NEW = 1e-8
 # Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
 
+# Parameters of the platform that a payload taken up, dropped or shifted changes.
+_LOAD = ("M", "h_P_x", "h_P_y", "h_P_z")
+
 _EXACT = ("motion: is taken as exact, expected its noise if its poses were measured",)
 
 
@@ -57,7 +60,8 @@ class Estimate:
     base: what they are. values: SI, (rank,). covariance: (rank, rank), inflated by the square of
     ``inflation``; infinite on its diagonal if the fit is rejected. misfit: RMS of the residual over its
     expectation, near 1 if model and noise are right. p_noise: probability of so large a residual under the
-    stated noise. p_model: of so large a smooth part of it, whatever the size of the noise.
+    stated noise. p_model: of so large a smooth part of it, or one that a changing load explains so well,
+    whatever the size of the noise.
 
     verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3,
     or the fit did not converge or is not linear within its deviations; "untested": no more forces than
@@ -431,14 +435,22 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
     spare = len(r) - fit.span.shape[1]
     misfit = math.sqrt(float(r @ r) / spare) if spare > 0 else math.nan
     noise_misfit, p_noise, noise_doubts = _noise_test(fit)
-    smooth_misfit, p_model = _model_test(fit, r)
+    (smooth_misfit, p_smooth), (load_misfit, p_load) = (
+        _gain_test(fit, r, added) for added in (_smooth_forces(fit), _changing_load(data, fit))
+    )
     doubts = list(noise_doubts) if p_noise < _LEVEL else []
     inflation = max(1.0, noise_misfit) if p_noise < _LEVEL else 1.0
-    if p_model < _LEVEL:
+    if 2.0 * p_smooth < _LEVEL:
         inflation = max(inflation, smooth_misfit)
         doubts.append(
             f"forces: differ smoothly from the model's, {smooth_misfit:.2f} times as much as by noise: "
             "expected a model of all that moves, its friction and load, and poses that follow the motion"
+        )
+    if 2.0 * p_load < _LEVEL:
+        inflation = max(inflation, min(load_misfit, _MOST_INFLATION))
+        doubts.append(
+            f"load: the platform's mass or first moment changes on the way, {load_misfit:.3g} times as much "
+            "as by noise: expected a load that stays as it is, and forces that do not drift"
         )
     if not fit.converged:
         doubts.append("fit: did not converge, expected a smaller noise or a motion that excites more")
@@ -456,7 +468,7 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         covariance=covariance,
         misfit=misfit,
         p_noise=p_noise,
-        p_model=p_model,
+        p_model=min(1.0, 2.0 * p_smooth, 2.0 * p_load),
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
@@ -483,15 +495,30 @@ def _noise_test(fit: _Fit) -> tuple[float, float, tuple[str, ...]]:
     return worst, p, tuple(doubts)
 
 
-def _model_test(fit: _Fit, r: Array) -> tuple[float, float]:
-    """RMS over its expectation of what smooth forces, added to the model's, would explain; its p-value."""
+def _smooth_forces(fit: _Fit) -> Array:
+    """Slow cosines over the instants on each leg, (6 n, count)."""
     n = len(fit.parts[0])
-    order = min(_COSINES, n // 8)
-    cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, np.arange(order)))
-    added = np.zeros((len(r), LEGS * order))
-    added[: n * LEGS] = np.kron(cosines, np.eye(LEGS))
+    order = np.arange(min(_COSINES, n // 8))
+    cosines = np.cos(math.pi / n * np.outer(np.arange(n) + 0.5, order))
+    return np.asarray(np.kron(cosines, np.eye(LEGS)), dtype=np.float64)
+
+
+def _changing_load(data: _Data, fit: _Fit) -> Array:
+    """Forces of a platform whose mass and first moment change from first to last instant, (6 n, 4)."""
+    own = [i for i, name in enumerate(data.base.names) if name in _LOAD]
+    A = _linear(data, fit.motion)[0].reshape(-1, LEGS, data.base.rank)[..., own]
+    change = np.cos(math.pi / len(A) * (np.arange(len(A)) + 0.5))
+    added = (change[:, None, None] * A).reshape(-1, len(own))
+    return np.asarray(added / np.maximum(np.linalg.norm(added, axis=0), np.finfo(np.float64).tiny))
+
+
+def _gain_test(fit: _Fit, r: Array, forces: Array) -> tuple[float, float]:
+    """RMS over its expectation of what added forces, (6 n, count), would explain of the residual; p-value."""
+    added = np.zeros((len(r), forces.shape[1]))
+    added[: len(forces)] = forces
+    size = np.linalg.norm(forces, axis=0).max(initial=0.0)
     span, sizes, _ = np.linalg.svd(added - fit.span @ (fit.span.T @ added), full_matrices=False)
-    span = span[:, sizes > _NEW * math.sqrt(n)]
+    span = span[:, sizes > _NEW * size]
     extra = span.shape[1]
     spare = len(r) - fit.span.shape[1] - extra
     if extra == 0 or spare <= 0:
@@ -505,7 +532,7 @@ def _tail(ratio: float, freedom: float, other: float = math.inf) -> float:
     """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
 
     Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
-    of freedom on.
+    of freedom on, to a sixth from 4 on.
     """
     a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
     root = math.cbrt(ratio)

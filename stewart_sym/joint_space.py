@@ -3,11 +3,14 @@
 Lengths alone do not tell whether the platform crosses a singular pose or turns back at it: both motions have
 the same lengths. The rates do: turned back, the platform's velocity jumps. At every sample the poses on both
 sides are found, and the one that fits the motion of the sample before is taken; where J's determinant has
-changed its sign by then, or does so between the samples, the sample is named.
+changed its sign by then, or does so between the samples, the sample is named. Where noise of the lengths
+hides on which side the pose is, it hides what the motion does there: that sample is named as not decided.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +46,7 @@ from .rotation import (
     vector_rate,
     vector_second_rate,
 )
+from .smoothing import LEAST_SAMPLES, rounding_steps, white_noise
 from .trajectory import JointTrajectory, Trajectory
 
 Array = NDArray[np.float64]
@@ -55,6 +59,10 @@ CROSSED = (
     "a singular pose is crossed on the way from the sample before: there the forces are without bound, and "
     "from there on the same lengths belong to two motions"
 )
+UNDECIDED = (
+    "a singular pose is as near as the noise of the lengths, {:.2g} m: not decided at this noise whether the "
+    "platform crosses it or turns back"
+)
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
 
@@ -62,22 +70,28 @@ OFF_RATES = "the step in lengths from the sample before is not what the rates at
 _SMALLEST_PART = 2.0**-20
 # A step this share of its length away from where it was foretold may have left the way.
 _ASTRAY = 0.1
-# Samples that are approached at once.
-_LONGEST = 256
 # Part of the machine's size below which two poses are taken for one.
 _SAME_POSE = 1e-8
+# Lengths may be off by this many deviations of their noise.
+_SURE = 5.0
+# Samples found at once at most.
+_MANY = 256
 # A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
 _NEAR = 1.0
 
 
 class _Pose(NamedTuple):
-    """Poses of leading shape (n,), their lengths (n, 6), J there and the sign of J's determinant, (n,)."""
+    """Poses with leading shape (n,), their lengths, (n, 6), J there and the sign of its determinant."""
 
     R: Array
     t: Array
     L: Array
     J: Array
     sign: Array
+
+    def at(self, part: slice) -> _Pose:
+        """Some of the poses."""
+        return _Pose(*(x[part] for x in self))
 
 
 class _Legs(NamedTuple):
@@ -87,9 +101,9 @@ class _Legs(NamedTuple):
     L_dot: Array
     L_ddot: Array
 
-    def part(self, where: slice) -> _Legs:
+    def at(self, part: slice) -> _Legs:
         """Some of the samples."""
-        return _Legs(*(x[where] for x in self))
+        return _Legs(*(x[part] for x in self))
 
 
 class _State(NamedTuple):
@@ -99,14 +113,9 @@ class _State(NamedTuple):
     twist: Array
     rate: Array
 
-    def part(self, where: slice) -> _State:
-        """Some of the samples."""
-        return _State(_Pose(*(x[where] for x in self.pose)), self.twist[where], self.rate[where])
-
-    def then(self, other: _State) -> _State:
-        """These samples and others after them."""
-        pose = (np.concatenate(pair) for pair in zip(self.pose, other.pose, strict=True))
-        return _State(_Pose(*pose), *(np.concatenate(pair) for pair in zip(self[1:], other[1:], strict=True)))
+    def at(self, part: slice) -> _State:
+        """Some of the states."""
+        return _State(self.pose.at(part), self.twist[part], self.rate[part])
 
 
 class _LostError(ValueError):
@@ -126,19 +135,22 @@ def motion_from_lengths(
     F_ext: ArrayLike | None = None,
     M_ext: ArrayLike | None = None,
     time: ArrayLike | None = None,
+    sigma: ArrayLike | None = None,
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
 
     L, L_dot, L_ddot: lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without
     L_ddot the motion has no accelerations.  guess: pose (R, t) near the first sample; None: as in
     ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  time: of the samples, s, (n,), increasing; None:
-    the steps that fit L and L_dot.  The robot's length_limits are not asked for.
+    the steps that fit L and L_dot.  sigma: standard deviation of each length, m, broadcasts to (n, 6); None:
+    what rounding or scatter of the numbers show, from 40 samples on.  The robot's length_limits are not asked
+    for.
 
     Between samples the platform moves as poses, rates and accelerations at both ends say (polynomials of
     degree 5).  Where all rates are 0, the samples are poses at rest, and between them the legs move along a
     straight line in the space of lengths.  Raises ``ValueError`` naming the sample where the lengths jump,
-    differ from what the rates say, belong to no pose, or lead through a singular one, and naming the argument
-    for any other bad input.
+    differ from what the rates say, belong to no pose, or lead through a singular one or so near one that this
+    is not decided at their noise, and naming the argument for any other bad input.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)
@@ -151,13 +163,14 @@ def motion_from_lengths(
         if values.shape != lengths.shape:
             raise ValueError(f"{name}: expected the shape of L, {lengths.shape}, got {values.shape}")
     when = _checked_times(time, len(lengths)) if time is not None else None
-    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess)
+    deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
+    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations)
     v, omega = forward_velocity(robot, R, t, rates["L_dot"], on_failure="nan")
     a = alpha = None
     if "L_ddot" in rates:
-        _refuse_unsettled(v)
+        _reject_unsettled(v)
         a, alpha = forward_acceleration(robot, R, t, v, omega, rates["L_ddot"], on_failure="nan")
-    _refuse_unsettled(v if a is None else a)
+    _reject_unsettled(v if a is None else a)
     return Motion(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
 
 
@@ -165,7 +178,15 @@ def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = Non
     """Return a joint-space trajectory as one of the platform; errors name its file and row."""
     try:
         motion = motion_from_lengths(
-            robot, joints.L, joints.L_dot, joints.L_ddot, guess, joints.F_ext, joints.M_ext, joints.time
+            robot,
+            joints.L,
+            joints.L_dot,
+            joints.L_ddot,
+            guess,
+            joints.F_ext,
+            joints.M_ext,
+            joints.time,
+            None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time)),
         )
     except _LostError as error:
         row = joints.rows[error.sample]
@@ -180,14 +201,31 @@ def _checked_times(time: ArrayLike, count: int) -> Array:
     return when
 
 
-def _refuse_unsettled(rate: Array) -> None:
+def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
+    expected = f"standard deviations >= 0 m that broadcast to {shape}"
+    values = real_array(sigma, "sigma", expected)
+    if not np.all(np.isfinite(values) & (values >= 0.0)):
+        raise ValueError(f"sigma: expected {expected}, got {values[~(values >= 0.0)].min(initial=np.nan):g}")
+    try:
+        return np.broadcast_to(values, shape)
+    except ValueError:
+        raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
+
+
+def _reject_unsettled(rate: Array) -> None:
     bad = np.flatnonzero(~np.isfinite(rate).all(axis=-1))
     if bad.size:
         raise _LostError(int(bad[0]), "H is singular or the rates overflow: no velocity or acceleration")
 
 
 def _follow(
-    robot: Robot, time: Array | None, L: Array, L_dot: Array, L_ddot: Array | None, guess: Guess | None
+    robot: Robot,
+    time: Array | None,
+    L: Array,
+    L_dot: Array,
+    L_ddot: Array | None,
+    guess: Guess | None,
+    sigma: Array | None,
 ) -> tuple[Array, Array]:
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
@@ -202,53 +240,58 @@ def _follow(
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise _LostError(sample, reason)
-    legs = _Legs(L, L_dot, rates)
-    state = _state(robot, first, legs.part(slice(0, 1)))
-    track, lost, stretch = [_Track(first.R, first.t, state.twist, state.rate)], "", 1
-    known = 1
-    while known < len(L) and not lost:
-        ahead = slice(known, known + stretch)
-        h = time[ahead] - time[known - 1]
-        found = _evident(robot, state, legs.part(ahead), h)
-        stretch = min(2 * stretch, _LONGEST) if len(found.twist) == len(h) else max(1, len(found.twist))
-        if not len(found.twist):
-            one = _next(robot, state, legs.part(slice(known, known + 1)), h[:1])
-            if one is None or one.pose.sign[0] != first.sign[0]:
-                lost = NO_WAY if one is None else CROSSED
-                break
-            found = one
-        track.append(_Track(found.pose.R, found.pose.t, found.twist, found.rate))
-        known += len(found.twist)
-        state = found.part(slice(-1, None))
-    followed = _Track(*(np.concatenate(parts) for parts in zip(*track, strict=True)))
-    del track
-    _refuse_crossings(robot, time[:known], followed)
-    if lost:
-        raise _LostError(known, lost)
-    return followed.R, followed.t
+    states = _walk(robot, first, _Legs(L, L_dot, rates), np.diff(time))
+    noise = _noise(time, L) if sigma is None else sigma
+    decided = _decided(robot, states.pose, noise)
+    same = decided - int(states.pose.sign[decided - 1] != first.sign[0])
+    _reject_crossings(robot, time[:same], states.at(slice(same)))
+    if same < decided:
+        raise _LostError(same, CROSSED)
+    if decided < len(L):
+        last = states.pose.at(slice(decided - 1, decided))
+        miss = newton(robot, L[decided : decided + 1], last.R, last.t).residual[0]
+        most = _SURE * float(noise[decided].max())
+        near = decided < len(states.twist) or miss <= most
+        raise _LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
+    return states.pose.R, states.pose.t
 
 
-class _Track(NamedTuple):
-    """Poses and the platform's motion along samples, as of ``_State``."""
-
-    R: Array
-    t: Array
-    twist: Array
-    rate: Array
-
-
-def _joined(poses: list[_Pose]) -> tuple[Array, Array]:
-    return np.concatenate([pose.R for pose in poses]), np.concatenate([pose.t for pose in poses])
+def _noise(time: Array, L: Array) -> Array:
+    """Standard deviation of each length, (n, 6), as the numbers show it."""
+    if len(L) < LEAST_SAMPLES:
+        return np.zeros(L.shape)
+    shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
+    return np.broadcast_to(shown_noise, L.shape)
 
 
-def _refuse_crossings(robot: Robot, time: Array, track: _Track) -> None:
+def _decided(robot: Robot, poses: _Pose, sigma: Array) -> int:
+    """Number of poses, at least 1, before the first that noise could carry through a singular one."""
+    count = len(poses.t)
+    if not sigma.any():
+        return count
+    near = way_to_singular(robot, poses.R, poses.t)
+    noise = np.linalg.norm(near.legs * sigma[:count], axis=-1)
+    undecided = np.flatnonzero(near.lengths <= _SURE * noise)
+    return max(1, int(undecided[0])) if undecided.size else count
+
+
+def _joined(poses: Sequence[_Pose]) -> _Pose:
+    return _Pose(*(np.concatenate(parts) for parts in zip(*poses, strict=True)))
+
+
+def _all(states: list[_State]) -> _State:
+    poses, twists, rates = zip(*states, strict=True)
+    return _State(_joined(poses), np.concatenate(twists), np.concatenate(rates))
+
+
+def _reject_crossings(robot: Robot, time: Array, states: _State) -> None:
     """Name the first sample before which J's determinant changes its sign, between samples too."""
-    bad = np.flatnonzero(~np.isfinite(track.twist + track.rate).all(axis=-1))
-    known = int(bad[0]) if bad.size else len(time)
+    bad = np.flatnonzero(~np.isfinite(states.twist + states.rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(states.twist)
     if known > 1:
-        R, t, twist, rate = (x[:known] for x in track)
-        motion = Motion(R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
-        path = between(Trajectory(time[:known], motion, "L", range(known)))
+        pose, twist, rate = states.at(slice(known))
+        motion = Motion(pose.R, pose.t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
+        path = between(Trajectory(time[:known], motion, "L", tuple(range(known))))
         found = crossings(robot, path, time[:known])
         if found:
             raise _LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
@@ -259,39 +302,62 @@ def _refuse_crossings(robot: Robot, time: Array, track: _Track) -> None:
 # From one sample to the next
 
 
-def _evident(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State:
-    """Return the states at the first of the next samples, h s later, (n,), at which only one is in question.
+def _walk(robot: Robot, first: _Pose, legs: _Legs, steps: Array) -> _State:
+    """The states from the first pose on, up to the first sample without one or with J's other sign.
 
-    They are those that ``_next`` finds one after another: from where each is foretold by the one before.
+    Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
+    more of them before many are tried again.
     """
-    size = characteristic_length(robot)
-    with np.errstate(all="ignore"):
-        far = newton(robot, legs.L, *_ahead(state, h))
-        before = state.then(_state(robot, _pose(robot, far.R, far.t, legs.L), legs)).part(slice(0, -1))
-        steps = np.diff(h, prepend=0.0)
-        ahead = _ahead(before, steps)
-        near = newton(robot, legs.L, *ahead)
-        found = _state(robot, _pose(robot, near.R, near.t, legs.L), legs)
-        pose = near.R, near.t
-        made = _length(_apart(robot, (before.pose.R, before.pose.t), ahead))
-        way = np.abs(way_to_singular(robot, *pose)[0])
-        good = near.found & (_length(_apart(robot, pose, (far.R, far.t))) <= _SAME_POSE * size)
-        good &= _length(_apart(robot, pose, ahead)) <= _ASTRAY * made + _SAME_POSE * size
-        good &= (way >= _NEAR * size) | (_misfit(robot, before, found, steps) < _ASTRAY * way)
-        good &= found.pose.sign == state.pose.sign
-    return found.part(slice(0, int(np.argmin([*good, False]))))
+    walked, done = [_state(robot, first, legs.at(slice(1)))], 1
+    many, alone, again = 1, 1, 1
+    while done < len(legs.L) and walked[-1].pose.sign[-1] == first.sign[0]:
+        last, here = walked[-1].at(slice(-1, None)), slice(done, done + many)
+        run = _run(robot, last, legs.at(here), steps[done - 1 : done - 1 + many]) if done >= again else None
+        if run is not None and len(run.twist):
+            many, alone = min(2 * many, _MANY) if len(run.twist) == many else 1, 1
+        else:
+            if run is not None:
+                many, alone, again = 1, min(2 * alone, _MANY), done + alone
+            run = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
+            if run is None:
+                break
+        walked.append(run)
+        done += len(run.twist)
+    return _all(walked)
+
+
+def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _State:
+    """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
+    R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
+    ends = newton(robot, legs.L, R, t)
+    after = _state(robot, _pose(robot, ends.R, ends.t, legs.L), legs)
+    poses = _joined([last.pose, after.pose.at(slice(-1))])
+    before = _State(
+        poses, *(np.concatenate([x[0], x[1][:-1]]) for x in zip(last[1:], after[1:], strict=True))
+    )
+    near = np.abs(way_to_singular(robot, ends.R, ends.t).way)
+    clear = (near >= _NEAR * characteristic_length(robot)) | (
+        _misfit(robot, before, after, h) < _ASTRAY * near
+    )
+    sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
+    return after.at(slice(len(h) if sure.all() else int(np.argmin(sure))))
 
 
 def _next(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State | None:
     """Return the state at the next sample, h s later, (1,), that fits the one before best, or None."""
-    ahead = _ahead(state, h)
-    found = _with_other_side(robot, _found(robot, legs.L, *ahead), state, legs, h)
-    step = _length(_apart(robot, (state.pose.R, state.pose.t), ahead))
-    if not found or _length(_apart(robot, (found[0][1].pose.R, found[0][1].pose.t), ahead)) > (
-        _ASTRAY * step + _SAME_POSE * characteristic_length(robot)
-    ):
+    found = _with_other_side(robot, _found(robot, legs.L, *_ahead(state, h)), state, legs, h)
+    if not found or not _foretold(robot, state, found[0][1].pose, h).all():
         found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
     return min(found, key=lambda entry: entry[0])[1] if found else None
+
+
+def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> NDArray[np.bool_]:
+    """Whether poses, (n,), are where the states before them lead."""
+    ahead = _ahead(before, h)
+    off, step = (
+        np.linalg.norm(_apart(robot, (pose.R, pose.t), ahead), axis=-1) for pose in (after, before.pose)
+    )
+    return np.asarray(off <= _ASTRAY * step + _SAME_POSE * characteristic_length(robot))
 
 
 def _with_other_side(
@@ -302,7 +368,7 @@ def _with_other_side(
         return []
     state = _state(robot, pose, legs)
     found = [(float(_misfit(robot, before, state, h)[0]), state)]
-    way = abs(float(way_to_singular(robot, pose.R, pose.t)[0][0]))
+    way = abs(float(way_to_singular(robot, pose.R, pose.t).way[0]))
     # As far away as this, the pose on the other side cannot fit better.
     if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
         mirrored = other_side(robot, legs.L, pose.R, pose.t)
@@ -313,41 +379,38 @@ def _with_other_side(
 
 
 def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
-    """Return by how far poses and rates miss a smooth motion, m, (n,): in steps and in h times the rates.
+    """Return by how far poses and rates miss a smooth motion, m, (n,): in the step and in h times the rates.
 
     Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
     """
     h = h[:, None]
     turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
-    omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
-    twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
-    rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
-    made = np.hstack([after.pose.t - before.pose.t, turn])
-    step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
-    change = twist - before.twist - 0.5 * h * (before.rate + rate)
-    unit = np.repeat([1.0, characteristic_length(robot)], 3)
-    miss = np.hypot(_length(step * unit), _length(h * change * unit))
+    with np.errstate(invalid="ignore"):
+        omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
+        twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
+        rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
+        made = np.hstack([after.pose.t - before.pose.t, turn])
+        step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
+        change = twist - before.twist - 0.5 * h * (before.rate + rate)
+        unit = np.repeat([1.0, characteristic_length(robot)], 3)
+        miss = np.linalg.norm(np.hstack([step * unit, h * change * unit]), axis=-1)
     return np.where(np.isfinite(miss), miss, np.inf)
 
 
 def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
     step = h[:, None] * state.twist + 0.5 * h[:, None] ** 2 * state.rate
-    turn = step[:, 3:] / np.maximum(1.0, _length(step[:, 3:]))[:, None]
+    turn = step[:, 3:] / np.maximum(1.0, np.linalg.norm(step[:, 3:], axis=-1, keepdims=True))
     return rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
 
 
 def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
-    """Difference of poses as twists, (n, 6), m, angles times the platform's size."""
+    """Difference of two poses (n, ...) as a twist, (n, 6), m, angles times the platform's size."""
     turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
     return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
 
 
-def _length(vector: Array) -> Array:
-    return np.asarray(np.linalg.norm(vector, axis=-1))
-
-
 def _state(robot: Robot, pose: _Pose, legs: _Legs) -> _State:
-    """The platform's motion at poses from that of its legs, (5), (8); not finite where J is singular."""
+    """The platform's motion at a pose from that of its legs, (5), (8); not finite where J is singular."""
     q, S, L = leg_vectors(robot, pose.R, pose.t)
     with np.errstate(all="ignore"):
         twist, regular = solve(pose.J, legs.L_dot)
@@ -373,7 +436,7 @@ def _at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
         if found is None:
             raise _LostError(i, NO_WAY)
         poses.append(found)
-    return _joined(poses)
+    return _joined(poses)[:2]
 
 
 def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:

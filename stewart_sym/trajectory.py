@@ -306,6 +306,12 @@ class Uncertainty(NamedTuple):
     sigma: Array
     in_joints: bool = False
 
+    def variances(self, time: Array) -> Array:
+        """Of each coordinate's value at times, (n, 6)."""
+        return np.stack(
+            [np.interp(time, self.grid, column) for column in self.covariance[:, :, 0].T], axis=-1
+        )
+
 
 class Trajectory(NamedTuple):
     """A trajectory of n instants: time, s, (n,), and the motion, of shape (n,).
@@ -458,11 +464,12 @@ def _trajectory(log: PoseLog) -> Trajectory:
     return Trajectory(log.time, log.motion, log.source, log.rows, log.noise)
 
 
-def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
+def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = _PLAIN) -> tuple[Array, Array]:
     """Read actuator forces over time: columns ``time`` (s), increasing, and ``F1`` to ``F6`` (N).
 
-    Other columns, such as those that the command ``forces`` writes, are read over. Returns times (n,) and
-    forces (n, 6). Raises ``ValueError`` of one line that names the file and the row or column.
+    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
+    and names of the columns. Returns times (n,) and forces (n, 6). Raises ``ValueError`` of one line that
+    names the file and the row or column.
     """
     source = file_name(path)
     wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
@@ -474,7 +481,7 @@ def read_forces_csv(path: str | os.PathLike[str]) -> tuple[Array, Array]:
                 raise ValueError(f"{source}: missing column {column}")
 
     with opened(source, "forces", _MOST_BYTES) as stream:
-        columns, _ = read_columns(stream, source, check, _PLAIN)
+        columns, _ = read_columns(stream, source, check, form)
     return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
 
 

@@ -15,7 +15,7 @@ from stewart_sym.rotation import angular_motion_from_vector, rotation_from_vecto
 
 Array = NDArray[np.float64]
 
-GRID = 40_001
+GRID = 10_001
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,11 +91,32 @@ def _crosses(robot: ss.Robot, path: SmoothPath) -> bool:
 
 def scaled_determinant(robot: ss.Robot, motion: ss.Motion) -> Array:
     """det of J with angles times the platform's size, no unit: near 0 at a singular pose."""
-    S = motion.t[..., None, :] + robot.p @ np.swapaxes(motion.R, -1, -2) - robot.b
+    return np.asarray(np.linalg.det(_rows(robot, motion.R, motion.t)))
+
+
+def _rows(robot: ss.Robot, R: Array, t: Array) -> Array:
+    q = robot.p @ np.swapaxes(R, -1, -2)
+    S = t[..., None, :] + q - robot.b
     s = S / np.linalg.norm(S, axis=-1, keepdims=True)
-    q = robot.p @ np.swapaxes(motion.R, -1, -2)
-    rows = np.concatenate([s, np.cross(q, s) / characteristic_length(robot)], axis=-1)
-    return np.asarray(np.linalg.det(rows))
+    return np.concatenate([s, np.cross(q, s) / characteristic_length(robot)], axis=-1)
+
+
+def lengths_to_singular(robot: ss.Robot, motion: ss.Motion) -> Array:
+    """Least change of leg lengths, m, (n,), to first order, that leads to a singular pose.
+
+    Along the twist that changes the lengths least, the least singular value s goes to 0 with a slope, and the
+    lengths change by half of s^2 over it.
+    """
+    size, step = characteristic_length(robot), 1e-5
+    U, s, V = np.linalg.svd(_rows(robot, motion.R, motion.t))
+    sides = []
+    for side in (step, -step):
+        twist = side * V[:, -1]
+        R = rotation_from_vector(twist[:, 3:] / size) @ motion.R
+        J = _rows(robot, R, motion.t + twist[:, :3])
+        sides.append(np.einsum("ni,nij,nj->n", U[:, :, -1], J, V[:, -1]))
+    slope = np.abs(sides[0] - sides[1]) / (2.0 * step)
+    return np.asarray(0.5 * s[:, -1] ** 2 / slope)
 
 
 @dataclass(frozen=True)

@@ -106,7 +106,11 @@ def doubts(found: Estimate) -> list[str]:
     if not found.impossible:
         return list(found.doubts)
     many = len(found.impossible)
-    return [*found.doubts, f"results that no machine can have: {many}; farthest off: {found.impossible[0]}"]
+    remedy = "--physical keeps to bodies that can exist"
+    return [
+        *found.doubts,
+        f"results that no machine can have: {many}; farthest off: {found.impossible[0]}; {remedy}",
+    ]
 
 
 def verdict(found: Estimate) -> list[str]:
@@ -140,13 +144,16 @@ def measured_texts(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise
     ]
     table = aligned(["parameter", "unit", "estimated", "sigma", "robot file", "off/sigma"], cells, left=2)
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
-    agreement = "agrees with the forces" if p >= _FAR_LEVEL and not far else "does not agree with the forces"
+    agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
+    agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
+    if found.verdict == "rejected":
+        agreement = "not compared, for the fit is rejected"
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
     lines = [
         _count(robot, base),
         _noise(sigma, noise),
         *verdict(found),
-        f"robot file: {agreement}, probability of such a departure {p:.2g}{named}",
+        f"robot file: {agreement}{named}",
     ]
     texts = {
         "parameters.csv": _csv(head, rows),
