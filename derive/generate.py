@@ -1,11 +1,12 @@
 """Generation: derive every formulation, share, emit, and write the files of ``generated/``.
 
 The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date, no
-path, no order of a set. Knows nothing of the runtime.
+path, no order of a set. Knows nothing of the runtime. A process derives each kernel once.
 """
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
+from functools import cache
 from importlib.metadata import version as installed_version
 
 import sympy as sp
@@ -32,12 +33,14 @@ def generator_version() -> str:
     return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
 
 
+@cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
     """The kernel as it is emitted: derived, then shared."""
     raw = kernel(form, friction)
     return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
 
 
+@cache
 def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
     """The kernel of the forces alone as it is emitted: derived, regrouped, then shared."""
     return shared_blocks(force_kernel(form, friction))
@@ -52,12 +55,14 @@ def shared_blocks(raw: ForceKernel) -> ForceKernel:
     )
 
 
+@cache
 def reduced_regressor() -> Regressor:
     """The regressor as it is emitted: derived, then shared."""
     raw = regressor()
     return Regressor(leg=share(raw.leg), platform=share(raw.platform))
 
 
+@cache
 def reduced_kinematics() -> Kinematics:
     """The blocks of the kinematics as they are emitted: derived, then shared."""
     raw = kinematics()
@@ -114,6 +119,7 @@ def _error_bounds(version: str) -> dict[str, str]:
     }
 
 
+@cache
 def reduced_fidelity(level: Fidelity) -> ForceKernel:
     """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
     return shared_blocks(fidelity_kernel(EXACT, level))
@@ -132,6 +138,7 @@ def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]
     return files
 
 
+@cache
 def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
     """The kernels of the closed form as they are emitted."""
     return tuple(replace(each, pose=share(each.pose)).changed(share) for each in motion.kernels(friction))

@@ -9,6 +9,7 @@ exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -129,6 +130,7 @@ class SumKernel:
         return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))
 
 
+@cache
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
     """All of them: equations, bias, forward dynamics, derivatives."""
     derived = (
