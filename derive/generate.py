@@ -138,10 +138,17 @@ def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]
     return files
 
 
+def reduced_motion(
+    friction: bool = True, names: Collection[str] = motion.NAMES
+) -> tuple[motion.SumKernel, ...]:
+    """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``, in that order."""
+    return tuple(_reduced_sums(name, friction) for name in names)
+
+
 @cache
-def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
-    """The kernels of the closed form as they are emitted."""
-    return tuple(replace(each, pose=share(each.pose)).changed(share) for each in motion.kernels(friction))
+def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
+    raw = motion.kernel(name, friction)
+    return replace(raw, pose=share(raw.pose)).changed(share)
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:
@@ -149,13 +156,12 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
     Raises ValueError for other functions and for none.
     """
-    return _motion_files(reduced_motion(), reduced_forces(EXACT), generator_version(), functions)
+    return _motion_files(reduced_forces(EXACT), generator_version(), functions)
 
 
-def _motion_files(
-    built: tuple[motion.SumKernel, ...], model: ForceKernel, version: str, functions: Collection[str]
-) -> dict[str, str]:
-    name, plain = EXACT.kernel_name, reduced_motion(friction=False)
+def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
+    name, needed = EXACT.kernel_name, motion_text.kernels_of(functions)
+    built, plain = (reduced_motion(friction, needed) for friction in (True, False))
     return {
         f"stewart_{name}_motion.h": motion_text.header(built, plain, name, version, functions),
         f"stewart_{name}_motion.c": motion_text.source(built, model, version, functions),
@@ -164,7 +170,7 @@ def _motion_files(
 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), reduced_forces(EXACT)
-    sources = _motion_files(built, model, version, motion_text.FUNCTIONS)
+    sources = _motion_files(model, version, motion_text.FUNCTIONS)
     return {
         f"{EXACT.kernel_name}_motion.py": numpy_motion.module(built, model, version),
         **{f"c/{file}": text for file, text in sources.items()},
