@@ -7,6 +7,7 @@ quasi-static level has neither velocities nor accelerations. Knows nothing of sh
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -74,6 +75,7 @@ slender ones."""
 _ZERO = sp.S.Zero
 
 
+@cache
 def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     """The blocks of one level, before sharing.
 

@@ -1,11 +1,12 @@
 """Generation: derive every formulation, share, emit, and write the files of ``generated/``.
 
 The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date, no
-path, no order of a set. Knows nothing of the runtime.
+path, no order of a set. Knows nothing of the runtime. A process derives each kernel once.
 """
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
+from functools import cache
 from importlib.metadata import version as installed_version
 
 import sympy as sp
@@ -32,12 +33,14 @@ def generator_version() -> str:
     return f"{installed_version('stewart-sym')} with SymPy {'.'.join(sp.__version__.split('.')[:2])}"
 
 
+@cache
 def reduced(form: Formulation, friction: bool = True) -> Kernel:
     """The kernel as it is emitted: derived, then shared."""
     raw = kernel(form, friction)
     return replace(raw, leg=share(raw.leg), platform=share(raw.platform), reactions=share(raw.reactions))
 
 
+@cache
 def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
     """The kernel of the forces alone as it is emitted: derived, regrouped, then shared."""
     return shared_blocks(force_kernel(form, friction))
@@ -52,12 +55,14 @@ def shared_blocks(raw: ForceKernel) -> ForceKernel:
     )
 
 
+@cache
 def reduced_regressor() -> Regressor:
     """The regressor as it is emitted: derived, then shared."""
     raw = regressor()
     return Regressor(leg=share(raw.leg), platform=share(raw.platform))
 
 
+@cache
 def reduced_kinematics() -> Kinematics:
     """The blocks of the kinematics as they are emitted: derived, then shared."""
     raw = kinematics()
@@ -114,6 +119,7 @@ def _error_bounds(version: str) -> dict[str, str]:
     }
 
 
+@cache
 def reduced_fidelity(level: Fidelity) -> ForceKernel:
     """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
     return shared_blocks(fidelity_kernel(EXACT, level))
@@ -132,9 +138,17 @@ def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]
     return files
 
 
-def reduced_motion(friction: bool = True) -> tuple[motion.SumKernel, ...]:
-    """The kernels of the closed form as they are emitted."""
-    return tuple(replace(each, pose=share(each.pose)).changed(share) for each in motion.kernels(friction))
+def reduced_motion(
+    friction: bool = True, names: Collection[str] = motion.NAMES
+) -> tuple[motion.SumKernel, ...]:
+    """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``, in that order."""
+    return tuple(_reduced_sums(name, friction) for name in names)
+
+
+@cache
+def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
+    raw = motion.kernel(name, friction)
+    return replace(raw, pose=share(raw.pose)).changed(share)
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:
@@ -142,13 +156,12 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
     Raises ValueError for other functions and for none.
     """
-    return _motion_files(reduced_motion(), reduced_forces(EXACT), generator_version(), functions)
+    return _motion_files(reduced_forces(EXACT), generator_version(), functions)
 
 
-def _motion_files(
-    built: tuple[motion.SumKernel, ...], model: ForceKernel, version: str, functions: Collection[str]
-) -> dict[str, str]:
-    name, plain = EXACT.kernel_name, reduced_motion(friction=False)
+def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
+    name, needed = EXACT.kernel_name, motion_text.kernels_of(functions)
+    built, plain = (reduced_motion(friction, needed) for friction in (True, False))
     return {
         f"stewart_{name}_motion.h": motion_text.header(built, plain, name, version, functions),
         f"stewart_{name}_motion.c": motion_text.source(built, model, version, functions),
@@ -157,7 +170,7 @@ def _motion_files(
 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), reduced_forces(EXACT)
-    sources = _motion_files(built, model, version, motion_text.FUNCTIONS)
+    sources = _motion_files(model, version, motion_text.FUNCTIONS)
     return {
         f"{EXACT.kernel_name}_motion.py": numpy_motion.module(built, model, version),
         **{f"c/{file}": text for file, text in sources.items()},

@@ -6,6 +6,7 @@ the leg's joint reactions. Knows nothing of sharing, of printing or of files.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -59,6 +60,7 @@ class BaseFrameLeg:
     reactions: dict[str, sp.Expr | sp.Matrix]
 
 
+@cache
 def kernel(form: Formulation, friction: bool = True) -> Kernel:
     """Derive the kernel of a formulation; without friction, the friction constants are zero throughout."""
     platform_block, share = platform()

@@ -9,6 +9,7 @@ exp([dphi]x) R. Formulation `exact` with universal base joints. Knows nothing of
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -129,17 +130,27 @@ class SumKernel:
         return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))
 
 
+NAMES = ("equations", "bias", "forward_dynamics", "derivatives", "joint_rows", "joint_slopes")
+"""Of the kernels, in the order of the emitted file."""
+
+
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
-    """All of them: equations, bias, forward dynamics, derivatives."""
-    derived = (
-        equations_kernel(friction),
-        bias_kernel(friction),
-        forward_kernel(friction),
-        derivatives_kernel(friction),
-        joint_rows_kernel(friction),
-        joint_slopes_kernel(friction),
-    )
-    return tuple(each.changed(from_difference) for each in derived)
+    """All of them, as ``NAMES``."""
+    return tuple(kernel(name, friction) for name in NAMES)
+
+
+@cache
+def kernel(name: str, friction: bool) -> SumKernel:
+    """One of ``NAMES``, derived once."""
+    derive = {
+        "equations": equations_kernel,
+        "bias": bias_kernel,
+        "forward_dynamics": forward_kernel,
+        "derivatives": derivatives_kernel,
+        "joint_rows": joint_rows_kernel,
+        "joint_slopes": joint_slopes_kernel,
+    }[name]
+    return derive(friction).changed(from_difference)
 
 
 # ---------------------------------------------------------------- the platform's own part

@@ -6,6 +6,7 @@ it follows from the equation itself. Knows nothing of how a leg computes K.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -73,7 +74,7 @@ def _share_of(equations: PlatformEquations, leg: int) -> LegShare:
     own = [symbol for quantity in _LEG_VECTORS for symbol in _indexed(quantity, leg)]
     plain = [symbol for quantity in _LEG_VECTORS for symbol in quantity.symbols]
     rename = dict(zip(own, plain, strict=True))
-    wrench = equations.c - equations.c.subs(dict.fromkeys(own, 0))
+    wrench = equations.c - equations.c.xreplace(dict.fromkeys(own, sp.S.Zero))
     return LegShare(
         equations.H[:, leg - 1].applyfunc(sp.expand).xreplace(rename),
         wrench.applyfunc(sp.expand).xreplace(rename),
@@ -83,9 +84,10 @@ def _share_of(equations: PlatformEquations, leg: int) -> LegShare:
 def platform_share(equations: PlatformEquations) -> sp.Matrix:
     """The part of c that belongs to no leg, 6x1."""
     of_legs = [symbol for leg in LEGS for quantity in _LEG_VECTORS for symbol in _indexed(quantity, leg)]
-    return equations.c.subs(dict.fromkeys(of_legs, 0))
+    return equations.c.xreplace(dict.fromkeys(of_legs, sp.S.Zero))
 
 
+@cache
 def platform() -> tuple[Block, LegShare]:
     """The block of the platform's part of c, and the share of one leg."""
     build = Builder()

@@ -116,6 +116,7 @@ class ForceKernel:
         return tuple(o.quantity for o in self.prepare_platform.outputs)
 
 
+@cache
 def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
     """Derive the regrouped blocks of a formulation."""
     return about_tip(regrouped(form, friction))

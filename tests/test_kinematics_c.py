@@ -13,7 +13,7 @@ import sympy as sp
 from machines import dasgupta, machine_size, random_motion, random_robot
 from numpy.typing import NDArray
 from test_forward_kinematics import lengths, nudged, paper_poses
-from test_operations import COUNTING
+from test_operations import COUNTING, REPORT
 
 import stewart_sym as ss
 from stewart_sym import native, results
@@ -254,7 +254,7 @@ def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
 
     marks = {
         "@INCLUDES@": BOUND,
-        "@CALL@": COUNTED,
+        "@CALL@": COUNTED + REPORT,
         "@FAR@": f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
         "@EXACT@": f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
         "@LENGTHS@": listed(ss.inverse_kinematics(robot, motion).L),

@@ -140,14 +140,14 @@ class Wish:
 
     @property
     def values(self) -> tuple[tuple[str, object], ...]:
-        choice = dataclasses.asdict(self.choice)
+        choice = {field.name: getattr(self.choice, field.name) for field in dataclasses.fields(Choice)}
         functions = choice.pop("functions")
         groups = {name: name in functions for name in FUNCTIONS}
         return (("which", self.which), *choice.items(), *groups.items())
 
     @property
-    def pairs(self) -> set[frozenset[tuple[str, object]]]:
-        return {frozenset(pair) for pair in itertools.combinations(self.values, 2)}
+    def pairs(self) -> set[tuple[tuple[str, object], ...]]:
+        return set(itertools.combinations(self.values, 2))
 
     @property
     def possible(self) -> bool:
@@ -182,12 +182,15 @@ def wishes(rng: random.Random) -> Iterator[Wish]:
 def covering() -> list[Wish]:
     """Few wishes in which every two values of two options that go together come together."""
     drawn = list(itertools.islice(wishes(random.Random(7)), 6000))
-    left = set().union(*(wish.pairs for wish in drawn))
+    # Sets of pairs as the bits of a number, since every test process chooses.
+    bit: dict[tuple[tuple[str, object], ...], int] = {}
+    masks = [sum(1 << bit.setdefault(pair, len(bit)) for pair in wish.pairs) for wish in drawn]
+    left = (1 << len(bit)) - 1
     chosen = []
     while left:
-        best = max(drawn, key=lambda wish: len(wish.pairs & left))
-        chosen.append(best)
-        left -= best.pairs
+        best = max(range(len(drawn)), key=lambda number: (masks[number] & left).bit_count())
+        chosen.append(drawn[best])
+        left &= ~masks[best]
     return chosen
 
 

@@ -15,15 +15,20 @@ from stewart_sym.derive.prepared import ADDED, Riding, prepare_leg, prepare_plat
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 
-KERNELS = {friction: {kernel.name: kernel for kernel in kernels(friction)} for friction in (True, False)}
 STEP = mp.mpf(10) ** -15
 Values = dict[str, mp.mpf]
 
 
 @functools.cache
+def symbolic(friction: bool) -> dict[str, SumKernel]:
+    """The kernels of the closed form by name, before sharing."""
+    return {kernel.name: kernel for kernel in kernels(friction)}
+
+
+@functools.cache
 def preparation(friction: bool) -> tuple:
     """Blocks that prepare every constant that some kernel reads."""
-    every = KERNELS[friction].values()
+    every = symbolic(friction).values()
     of_leg = dict.fromkeys(q for kernel in every for q in kernel.leg.inputs)
     of_platform = dict.fromkeys(q for kernel in every for q in kernel.pose.inputs)
     return prepare_leg(of_leg, Riding(mass=True, friction=friction)), prepare_platform(of_platform)
@@ -147,8 +152,8 @@ def test_equations_of_motion_are_those_of_the_elimination(friction: bool, seed: 
     with mp.workdps(DIGITS):
         robot, motion, raw = case(seed, friction)
         F = truth(EXACT, robot, motion, raw)["F"]
-        found = summed(KERNELS[friction]["equations"], friction, raw, [mp.mpf(0)] * 6)
-        bias = summed(KERNELS[friction]["bias"], friction, raw, [mp.mpf(0)] * 6)
+        found = summed(symbolic(friction)["equations"], friction, raw, [mp.mpf(0)] * 6)
+        bias = summed(symbolic(friction)["bias"], friction, raw, [mp.mpf(0)] * 6)
         M, C = inertia(found), blocks(*(found[f"C_{name}"] for name in ("vv", "vw", "wv", "ww")))
         left = M * vector(raw[0], "a", "alpha") + C * vector(raw[0], "v", "omega")
         left += stacked(found["g_force"], found["g_moment"])
@@ -163,7 +168,7 @@ def test_equations_of_motion_are_those_of_the_elimination(friction: bool, seed: 
 def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew(seed: int) -> None:
     with mp.workdps(DIGITS):
         _, _, raw = case(seed, True)
-        kernel, zero = KERNELS[True]["equations"], [mp.mpf(0)] * 6
+        kernel, zero = symbolic(True)["equations"], [mp.mpf(0)] * 6
         forth, back = (
             summed(kernel, True, moved(raw, sign * STEP * twist, nothing(), nothing()), zero)
             for twist in (vector(raw[0], "v", "omega"),)
@@ -182,7 +187,7 @@ def test_right_side_of_forward_dynamics_gives_the_accelerations_back(friction: b
     with mp.workdps(DIGITS):
         robot, motion, raw = case(3, friction)
         F = truth(EXACT, robot, motion, raw)["F"]
-        found = summed(KERNELS[friction]["forward_dynamics"], friction, raw, list(F))
+        found = summed(symbolic(friction)["forward_dynamics"], friction, raw, list(F))
         right = stacked(found["right_force"], found["right_moment"])
         expected = vector(raw[0], "a", "alpha")
         assert small(mp.lu_solve(inertia(found), right) - expected, expected)
@@ -194,7 +199,7 @@ def test_derivatives_of_the_wrench_are_those_of_differences(friction: bool, seed
     with mp.workdps(DIGITS):
         robot, motion, raw = case(seed, friction)
         F = list(truth(EXACT, robot, motion, raw)["F"])
-        found = summed(KERNELS[friction]["derivatives"], friction, raw, F)
+        found = summed(symbolic(friction)["derivatives"], friction, raw, F)
         by_pose = blocks(*(found[f"W_{name}"] for name in ("ft", "fr", "mt", "mr")))
         by_twist = blocks(*(found[f"W_{name}"] for name in ("fv", "fw", "mv", "mw")))
         for derivative, place in ((by_pose, 0), (by_twist, 1), (inertia(found), 2)):
@@ -209,7 +214,7 @@ def test_derivatives_of_the_wrench_are_those_of_differences(friction: bool, seed
 
 def residual(friction: bool, raw: list[Values], F: list[mp.mpf]) -> mp.matrix:
     """M [a; alpha] + bias - external wrench - H F."""
-    found = summed(KERNELS[friction]["equations"], friction, raw, F)
-    bias = summed(KERNELS[friction]["bias"], friction, raw, F)
+    found = summed(symbolic(friction)["equations"], friction, raw, F)
+    bias = summed(symbolic(friction)["bias"], friction, raw, F)
     left = inertia(found) * vector(raw[0], "a", "alpha") + stacked(bias["bias_force"], bias["bias_moment"])
     return left - load(raw[0]) - found["H"] * mp.matrix(F)

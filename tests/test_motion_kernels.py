@@ -8,8 +8,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 from mpmath import mp
 from numpy.typing import NDArray
-from test_motion_equations import KERNELS as SYMBOLIC
-from test_motion_equations import blocks, inertia, inputs, moved, nothing, stacked, summed, unit
+from test_motion_equations import blocks, inertia, inputs, moved, nothing, stacked, summed, symbolic, unit
 from test_precision import DIGITS, truth
 
 import stewart_sym as ss
@@ -153,7 +152,7 @@ def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, mp.matrix]]:
     with mp.workdps(DIGITS):
         raw = inputs(robot, motion)
         F = truth(EXACT, robot, motion, raw)["F"]
-        found = summed(SYMBOLIC[True]["equations"], True, raw, [mp.mpf(0)] * 6)
+        found = summed(symbolic(True)["equations"], True, raw, [mp.mpf(0)] * 6)
         parts = {
             "F": F,
             "M": inertia(found),

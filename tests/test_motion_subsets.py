@@ -9,6 +9,7 @@ import pytest
 
 from stewart_sym.derive.emit import motion as emitted
 from stewart_sym.derive.generate import EXACT, generator_version, motion_files, reduced_forces, reduced_motion
+from stewart_sym.derive.motion import NAMES
 
 KIT = [
     ("equations", "bias", "forward_dynamics", "joint_inertia"),
@@ -62,6 +63,28 @@ def test_every_function_of_a_subset_is_that_of_the_whole(written) -> None:
         bodies = re.findall(r"^(?:static )?((?:\w+ )+\w+\(.*?^}$)", part, re.M | re.S)
         assert len(bodies) > 10
         assert all(body in whole for body in bodies)
+
+
+@pytest.mark.parametrize(
+    ("functions", "needed"),
+    [
+        (("bias",), ("bias",)),
+        (("joint_inertia",), ("equations",)),
+        (KIT[0], ("equations", "bias", "forward_dynamics", "joint_rows")),
+        (KIT[1], ("forward_dynamics", "derivatives", "joint_rows", "joint_slopes")),
+        (emitted.FUNCTIONS, NAMES),
+    ],
+    ids="+".join,
+)
+def test_kernels_of_a_subset_are_those_it_needs(functions: tuple[str, ...], needed: tuple[str, ...]) -> None:
+    assert emitted.kernels_of(functions) == needed
+
+
+@pytest.mark.parametrize("functions", KIT, ids="+".join)
+def test_a_subset_derived_alone_is_written_as_with_all_kernels(written, functions: tuple[str, ...]) -> None:
+    folder = written(functions)
+    for name, text in motion_files(functions).items():
+        assert text == (folder / name).read_text()
 
 
 def test_the_files_of_all_functions_are_the_committed_ones() -> None:

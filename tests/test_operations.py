@@ -1,6 +1,7 @@
 """Operation counts: what the headers claim is what the C executes, and it stays below the limits."""
 
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from stewart_sym.derive.emit import c, lanes
 from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
-from stewart_sym.derive.motion import F_LEG, NET, SumKernel
+from stewart_sym.derive.motion import F_LEG, NET
 from stewart_sym.derive.operations import elimination, kernel_operations
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
@@ -61,11 +62,12 @@ int main() {
     for (size_t i = 0; i < sizeof robot / sizeof(Real); ++i) ((Real *)&robot)[i] = robot_numbers[i];
     for (size_t i = 0; i < sizeof motion / sizeof(Real); ++i) ((Real *)&motion)[i] = motion_numbers[i];
     @CALL@
-    std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);
     return 0;
 }
 """
 
+REPORT = r"""
+    std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);"""
 
 PLAIN = """static stewart_forces forces;
     counts = Counts();
@@ -99,25 +101,33 @@ def executed(
     folder: Path,
     sources: dict[str, str] | None = None,
 ) -> tuple[int, ...]:
-    """(mul, add, div, sqrt) that a call executes, counted by the C's own arithmetic type.
+    """(mul, add, div, sqrt) that a call executes, counted by the C's own arithmetic type."""
+    (counts,) = all_executed(kernel, sources or c_sources(source), [call], robot, motion, folder)
+    return counts
 
-    sources: the C by file name; None for the generated kernel.
+
+def all_executed(
+    kernel: str, texts: dict[str, str], calls: Sequence[str], robot: Robot, motion: Motion, folder: Path
+) -> list[tuple[int, ...]]:
+    """The counts of several calls, compiled once.
+
+    texts: the C by file name.
     """
-    texts = sources or c_sources(source)
     for name, text in texts.items():
         (folder / name).write_text(text)
     parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
     numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
     includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
-    program = COUNTING.replace("@INCLUDES@", includes).replace("@CALL@", call).replace("@KERNEL@", kernel)
+    done = "\n".join(f"{{ {call}{REPORT} }}" for call in calls)
+    program = COUNTING.replace("@INCLUDES@", includes).replace("@CALL@", done).replace("@KERNEL@", kernel)
     for mark, values in (("@ROBOT@", robot_numbers(robot)), ("@MOTION@", numbers)):
         program = program.replace(mark, ", ".join(repr(float(v)) for v in values))
     (folder / "count.cpp").write_text(program)
     subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=folder)
-    line = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
-    status, *counts = (int(word) for word in line.split())
-    assert status == 0
-    return tuple(counts)
+    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
+    found = [tuple(int(word) for word in line.split()) for line in lines.splitlines()]
+    assert [status for status, *_ in found] == [0] * len(calls)
+    return [line[1:] for line in found]
 
 
 @pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
@@ -138,17 +148,18 @@ def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp
     assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
 
 
-@pytest.mark.parametrize("kernel", reduced_motion(), ids=lambda kernel: kernel.name)
-def test_counts_of_the_closed_form_are_what_the_c_executes(kernel: SumKernel, tmp_path: Path) -> None:
+def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> None:
     rng = np.random.default_rng(7)
     robot = random_robot(rng)
-    sources = closed_form.c_sources()
-    given = next((text for q, text in ((F_LEG, ", F"), (NET, ", apart")) if q in kernel.leg.inputs), "")
-    call = SUMS.replace("@WHAT@", kernel.name).replace("@FORCE@", given)
+    calls, claims = [], []
+    for kernel in reduced_motion():
+        given = next((text for q, text in ((F_LEG, ", F"), (NET, ", apart")) if q in kernel.leg.inputs), "")
+        calls.append(SUMS.replace("@WHAT@", kernel.name).replace("@FORCE@", given))
+        claimed = sum_operations(kernel) + 2 * kernel.leg.operations()
+        claims.append((claimed.mul, claimed.add, claimed.div, claimed.sqrt))
     motion = random_motion(rng, robot)
-    counted = executed("exact", "exact_motion", call, robot, motion, tmp_path, sources)
-    claimed = sum_operations(kernel) + 2 * kernel.leg.operations()
-    assert counted == (claimed.mul, claimed.add, claimed.div, claimed.sqrt)
+    assert len(calls) == 6
+    assert all_executed("exact", closed_form.c_sources(), calls, robot, motion, tmp_path) == claims
 
 
 def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 from .. import notation as n
 from ..block import Block, Operations, Quantity
-from ..motion import F_LEG, NET, TURNED, SumKernel
+from ..motion import F_LEG, NAMES, NET, TURNED, SumKernel
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
@@ -44,7 +44,8 @@ def header(
 ) -> str:
     """``stewart_<kernel>_motion.h``: what is computed, its cost, its functions.
 
-    functions: those that are declared, out of FUNCTIONS. Raises ValueError for others and for none.
+    kernels, frictionless: at least those of ``kernels_of``. functions: those that are declared, out of
+    FUNCTIONS. Raises ValueError for others and for none.
     """
     asked = _asked(functions)
     used = [text for what, text in _PUBLIC.items() if what in _called(asked)]
@@ -79,14 +80,36 @@ def source(
 ) -> str:
     """``stewart_<kernel>_motion.c``: the functions and what they need, nothing else.
 
-    functions: out of FUNCTIONS. Raises ValueError for others and for none.
+    kernels: at least those of ``kernels_of``. functions: out of FUNCTIONS. Raises ValueError for others and
+    for none.
     """
     asked = _asked(functions)
-    pieces = [
+    sums = [(f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels]
+    top = _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS + singular.MACROS
+    text = "\n".join([top, _COMMON, *_needed(_pieces(sums), _wanted(asked))])
+    return text.replace("@NAME@", model.formulation.kernel_name)
+
+
+def kernels_of(functions: Collection[str]) -> tuple[str, ...]:
+    """Names of the kernels whose sums the functions need, in the order of ``motion.NAMES``.
+
+    functions: out of FUNCTIONS. Raises ValueError for others and for none.
+    """
+    text = "\n".join(_needed(_pieces([]), _wanted(_asked(functions))))
+    return tuple(name for name in NAMES if re.search(rf"\b{name}_sums\(", text))
+
+
+def _wanted(asked: Collection[str]) -> set[str]:
+    return {f"stewart_@NAME@_{what}{batch}" for what in asked for batch in ("", "_batch")}
+
+
+def _pieces(sums: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Name and text of each function of the file, those that are called before those that call."""
+    return [
         *_SHARED.items(),
         ("singular_status", singular.FUNCTION),
         ("columns_status", _COLUMNS_STATUS),
-        *((f"{kernel.name}_sums", _kernel(kernel, model)) for kernel in kernels),
+        *sums,
         *((f"solve_definite_{width}", _solve(_DEFINITE, width)) for width in (8, 24)),
         *((f"solve_pivoted_{width}", _solve(_PIVOTED, width)) for width in (12, 24)),
         ("forward_apart", FORWARD_APART),
@@ -95,10 +118,6 @@ def source(
         *_LOAD_POSE.items(),
         *((f"stewart_@NAME@_{what}_batch", _batch(what)) for what in MEMBERS),
     ]
-    top = _TOP.replace("@VERSION@", version) + ARITHMETIC + MACROS + singular.MACROS
-    wanted = {f"stewart_@NAME@_{what}{batch}" for what in asked for batch in ("", "_batch")}
-    text = "\n".join([top, _COMMON, *_needed(pieces, wanted)])
-    return text.replace("@NAME@", model.formulation.kernel_name)
 
 
 def _asked(functions: Collection[str]) -> list[str]:
@@ -120,7 +139,7 @@ def _called(functions: Collection[str]) -> set[str]:
 def _needed(pieces: list[tuple[str, str]], wanted: Collection[str]) -> list[str]:
     """Texts of the functions that are wanted and of those they call; what isn't wanted itself is static.
 
-    pieces: name and text of each function, those that are called before those that call.
+    pieces: as ``_pieces`` lists them.
     """
     kept: list[str] = []
     for name, text in reversed(pieces):
