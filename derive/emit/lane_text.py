@@ -4,7 +4,7 @@ Stands below ``lanes`` and ``motion``. A lane is a leg of a pose or a pose of a 
 the body of a loop over eight of them. Knows no dynamics and no whole function.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from .. import notation as n
 from ..block import Block, Output, Quantity
@@ -45,6 +45,17 @@ def loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str
         f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
     ]
     return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
+
+
+def literal_macros(literals: Mapping[Quantity, float]) -> str:
+    """Constants that a baked kernel has once, whichever of its functions read them."""
+    lines = [f"#define {literal_macro(q)} REAL({value!r})" for q, value in literals.items()]
+    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])
+
+
+def literal_macro(quantity: Quantity) -> str:
+    """Name of such a constant."""
+    return f"BAKED_{quantity.name}"
 
 
 def raw_member(quantity: Quantity, owner: str) -> str:

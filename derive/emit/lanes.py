@@ -30,6 +30,8 @@ from .lane_text import (
     fault_lines,
     filled,
     judged,
+    literal_macro,
+    literal_macros,
     loads,
     names_used,
     reach_lines,
@@ -208,7 +210,7 @@ def _model(kernel: ForceKernel) -> list[str]:
             for q, row in zip(tables, rows, strict=True)
         ],
     }
-    return [filled(_NUMBERS, parts)]
+    return [literal_macros(kernel.literals()), filled(_NUMBERS, parts)]
 
 
 def prepare_function(block: Block, struct: str) -> str:
@@ -299,9 +301,8 @@ def _block_shared(kernel: ForceKernel) -> str:
 
 def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
     """Loads of one input, or the literal that it is."""
-    literals = kernel.literals()
-    if q in literals:
-        return [f"{indent}const stewart_real {q.name} = REAL({literals[q]!r});"]
+    if q in kernel.literals():
+        return [f"{indent}const stewart_real {q.name} = {literal_macro(q)};"]
     return loads(q, owner, lane, used, indent)
 
 

@@ -26,9 +26,10 @@ from ..motion import Motion
 from ..results import POLE, SHORT_LEG, SINGULAR
 from ..robot import Robot
 from ..rotation import orthonormal
-from .poses import near_pole, neighbour, poses, significant
+from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
-from .running import errors, values
+from .running import FORCES_MARGIN, MARGIN, errors, values
+from .selection import Selection, selection
 
 Array = NDArray[np.float64]
 
@@ -36,9 +37,6 @@ KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
 FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS)
 """Functions that there are vectors for."""
-
-MARGIN = 2.0
-"""What the C may be worse by than the reading: the same operations grouped in another way."""
 
 FEW = 3
 """Poses of the functions with many answers."""
@@ -79,7 +77,8 @@ def vectors(
 ) -> tuple[Vector, ...]:
     """Vectors of each function in turn, up to ``count`` of each, at most FEW of those with many answers.
 
-    "forces" have one more, with a leg near the pole of its universal joint, where there is such a pose.
+    "forces" have further ones on which a wrong constant shows, some with a leg near the joint singularity of
+    its universal joint (``selection``).
 
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
@@ -100,22 +99,25 @@ def vectors(
         constants = {name: _rounded(value, kind) for name, value in constants.items()}
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
-    motions = [every[i] for i in range(every.shape[0])]
-    beside = near_pole(robot, formulation) if knows_axes(robot, level) else None
+    motions = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = partial(_vector, readings, robot, kind)
     return tuple(
-        made(function, _input(robot, motion, kind))
+        made(function, motion)
         for function in functions
-        for motion in _of_function(function, motions, beside)
+        for motion in (
+            _of_forces(motions, selection(robot, formulation, level, precision, baked))
+            if function == "forces"
+            else motions[:FEW]
+            if function in _LARGE
+            else motions
+        )
         if function not in _BACKWARD or _settled(robot, motion, kind)
     )
 
 
-def _of_function(function: str, motions: list[Motion], beside: Motion | None) -> list[Motion]:
-    """The motions on which a function is tried; beside: near a pole, where the forces go another way."""
-    if function in _LARGE:
-        return motions[:FEW]
-    return [*motions, beside] if function == "forces" and beside is not None else motions
+def _of_forces(motions: list[Numbers], found: Selection) -> list[Numbers]:
+    """Some ordinary motions, and those on which a wrong constant shows."""
+    return [*motions[:FEW], *found.motions]
 
 
 def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
@@ -157,12 +159,13 @@ def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision
         )
 
 
-def _settled(robot: Robot, motion: Motion, kind: type) -> bool:
+def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     """Whether lengths known to rounding settle the pose, with a factor of two to spare.
 
     Forward kinematics asks for a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
     """
-    H = moments_over(wrench_matrix(robot, motion), characteristic_length(robot))
+    pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in MOTION[1:]))
+    H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))
     condition = float(np.linalg.norm(H) * np.linalg.norm(np.linalg.inv(H)))
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
 
@@ -180,7 +183,8 @@ def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion:
     elif function in KINEMATICS:
         inputs, at = _kinematic_inputs(readings, robot, kind, function, motion)
     found = getattr(readings, function)(at if function == "forward_kinematics" else inputs)
-    return Vector(function, inputs, *_answers(found, kind))
+    margin = FORCES_MARGIN if function == "forces" else MARGIN
+    return Vector(function, inputs, *_answers(found, kind, margin))
 
 
 def _kinematic_inputs(
@@ -214,12 +218,11 @@ def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     return R, t
 
 
-def _answers(found: Found, kind: type) -> tuple[dict[str, Array], dict[str, Array]]:
+def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array], dict[str, Array]]:
     """Answers and their bounds, which have two digits and are never zero."""
-    # The twentieth is what rounding to two digits may take away.
     limits = np.finfo(kind)
     least = float(limits.tiny) / float(limits.eps)
-    bounds = {name: np.maximum(1.05 * MARGIN * errors(numbers), least) for name, numbers in found.items()}
+    bounds = {name: np.maximum(margin * errors(numbers), least) for name, numbers in found.items()}
     return (
         {name: values(numbers) for name, numbers in found.items()},
         {name: significant(bound, 2) for name, bound in bounds.items()},
