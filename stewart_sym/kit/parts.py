@@ -19,7 +19,7 @@ from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.emit.kit.words import Numbers, robot_symbol
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.formulation import EXACT
-from ..derive.generate import generator_version, motion_files, shared_blocks
+from ..derive.generate import generator_version, motion_files, reduced_rotation, shared_blocks
 from ..derive.kinematics import (
     kinematics,
     search_operations,
@@ -128,7 +128,8 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["the robot's numbers folded in"] if choice.bake else []),
         *(["one pose, legs one after the other"] if choice.scalar else []),
     ]
-    says = f"Actuator forces, {plain.formulation.name}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
+    form = plain.formulation.name
+    says = f"Actuator forces, {form}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
     sources = _printed(made, plain, file, choice)
@@ -223,7 +224,13 @@ def _kinematics() -> Part:
 
 def _rotation() -> Part:
     says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
-    return Part("stewart_rotation", _committed("stewart_rotation"), (), ("rotation",), says)
+    functions = tuple(
+        Function(
+            stem, f"stewart_{stem}", "stewart_rotation.h", NOTHING, operations=f"{block.operations().total}"
+        )
+        for stem, block in reduced_rotation().items()
+    )
+    return Part("stewart_rotation", _committed("stewart_rotation"), functions, ("rotation",), says)
 
 
 def _committed(file: str) -> dict[str, str]:

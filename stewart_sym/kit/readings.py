@@ -14,11 +14,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..derive.generate import reduced_rotation
 from ..derive.regroup import ForceKernel
 from ..kernel import MOTION, kernel_name, module
 from ..studies.truth import ForceTerms, digits
 from .parts import plain_kernel
-from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
+from .running import (
+    HALF_UNIT,
+    Objects,
+    Running,
+    array,
+    errors,
+    inverse_sizes,
+    running,
+    sizes,
+    solve,
+    solve_definite,
+)
 
 Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]
@@ -157,6 +169,23 @@ class Readings:
         bound = np.array([[0, z, y], [z, 0, x], [y, x, 0]]) @ sizes(turned) + _TURNED
         return _flat({"R": _with_errors(R, bound), "t": _with_errors(t, off[:3] + sizes(place))})
 
+    def motion_from_rpy(self, at: Numbers) -> Found:
+        """R, omega and alpha, (38), of sine, cosine, theta_dot, theta_ddot (3,) of ``at``."""
+        return self._rotated("motion_from_rpy", at)
+
+    def motion_from_quaternion(self, at: Numbers) -> Found:
+        """The same of e, e_dot, e_ddot (4,), scalar first."""
+        return self._rotated("motion_from_quaternion", at)
+
+    def _rotated(self, function: str, at: Numbers) -> Found:
+        block = reduced_rotation()[function]
+        values: dict[str, Running] = {}
+        for q in block.inputs:
+            first = at[q.name.removesuffix("_w")]
+            held = first if q.shape and len(first) == 3 else first[1:] if q.shape else first[:1]
+            values |= {name: Running(value) for name, value in zip(q.names, held, strict=True)}
+        return _flat(dict(block.run(values, Running.sqrt)))
+
     # ------------------------------------------------------------ legs
 
     def _legs(self, R: Objects, t: Objects) -> tuple[Objects, Objects, Objects, Objects]:
@@ -237,11 +266,9 @@ class Readings:
         return plain_kernel(self.base_joint, self.formulation, self.fidelity)
 
     def _terms_of(self, kernel: ForceKernel) -> ForceTerms:
-        def number(name: str, value: Any) -> Running:
-            # The C evaluates these equations, whether or not rotation and axes are of length one.
-            return Running(value, rounded=self.folded and name not in MOTION)
-
-        return ForceTerms(kernel, SimpleNamespace(**self.robot), number, Running.sqrt)
+        # The C evaluates these equations, whether or not rotation and axes are of length one.
+        kind = _FoldedTerms if self.folded else ForceTerms
+        return kind(kernel, SimpleNamespace(**self.robot), lambda _, value: Running(value), Running.sqrt)
 
     def _is_near(self, at: Numbers) -> bool:
         """Whether a leg's third axis takes the place of the fixed axis of its universal joint."""
@@ -255,6 +282,19 @@ class Readings:
     @property
     def _kernel(self) -> ModuleType:
         return module(kernel_name(self.formulation, self.base_joint))
+
+
+class _FoldedTerms(ForceTerms):
+    """The terms with constants that are prepared exactly and rounded once."""
+
+    @cached_property
+    def _constants(self) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
+        robot, legs, platform = ForceTerms(self.kernel, self.robot, self.number, self.sqrt)._constants
+        return _rounded_once(robot), [_rounded_once(leg) for leg in legs], _rounded_once(platform)
+
+
+def _rounded_once(constants: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: Running(running(value).value, rounded=True) for name, value in constants.items()}
 
 
 _BLOCKS = {

@@ -57,7 +57,8 @@ _SEED = 1998
 class Selection:
     """Motions that show every constant that shows at all, some of them near a joint singularity.
 
-    motions: arrays by name, flat, numbers of the precision. hidden: names of constants of which a change stays within the bounds of all forces on all motions tried.
+    motions: arrays by name, flat, numbers of the precision. hidden: names of constants of which a change
+    stays within the bounds of all forces on all motions tried.
     """
 
     motions: tuple[Arrays, ...]
@@ -76,20 +77,26 @@ def selection(robot: Robot, formulation: str, fidelity: str, precision: str, fol
     else:
         kernel = plain_kernel(robot.base_joint, formulation, fidelity)
     search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
-    pools = [search.shown(near) for near in ((False,) if kernel.leg_near_pole is None else (False, True))]
-    (ratios, motions), *beside = pools
+    ratios, motions = search.shown(near=False)
+    hidden = _hidden(ratios)
     chosen = [_flat(motions, i) for i in _cover(ratios)]
-    for near_ratios, near_motions in beside:
-        chosen += [_flat(near_motions, i) for i in _cover(near_ratios)[:_NEAR_MOTIONS]]
-    best: dict[str, float] = {}
-    for found, _ in pools:
-        for name, row in zip(found, _coarse(found), strict=True):
-            best[name] = max(best.get(name, 0.0), float(row.max(initial=0.0)))
-    return Selection(tuple(chosen), tuple(name for name, ratio in best.items() if ratio < SHOWN))
+    if kernel.leg_near_pole is not None:
+        ratios, motions = search.shown(near=True)
+        beside = {name: row for name, row in ratios.items() if name in hidden}
+        needed, good = _cover(beside), _cover(ratios)
+        chosen += [_flat(motions, i) for i in dict.fromkeys([*needed, *good[:_NEAR_MOTIONS]])]
+        hidden &= _hidden(ratios)
+    return Selection(tuple(chosen), tuple(name for name in ratios if name in hidden))
+
+
+def _hidden(ratios: Mapping[str, Array]) -> set[str]:
+    """Constants that no motion shows."""
+    best = _coarse(ratios).max(axis=1, initial=0.0)
+    return {name for name, ratio in zip(ratios, best, strict=True) if ratio < SHOWN}
 
 
 def _cover(ratios: Mapping[str, Array]) -> list[int]:
-    """Motions, the one that shows most first, that show each constant well, or else as well as any."""
+    """Motions, the one that shows most first, that together show each constant that shows at all."""
     rows = _coarse(ratios)
     best = rows.max(axis=1, initial=0.0)
     shows = rows >= np.clip(0.8 * best, SHOWN, _ENOUGH)[:, None]
@@ -108,7 +115,8 @@ def _weak(ratios: Mapping[str, Array]) -> dict[str, Array]:
 
 def _coarse(ratios: Mapping[str, Array]) -> Array:
     """Rows of numbers cut to six bits: what rounding does to them changes no choice."""
-    fraction, exponent = np.frexp(np.array(list(ratios.values())))
+    rows = np.array(list(ratios.values())).reshape(len(ratios), -1 if ratios else 0)
+    fraction, exponent = np.frexp(rows)
     return np.asarray(np.ldexp(np.floor(64.0 * fraction), exponent - 6))
 
 

@@ -179,8 +179,8 @@ class Terms:
 class Forces:
     """The forces of a kernel on m motions, their bounds, and what changed constants do to them.
 
-    robot: fields of the robot, of which a baked kernel reads none. motions: arrays by name with the motions last: R (3, 3, m), others (3, m). near: by the block for legs
-    near their joint singularity.
+    robot: fields of the robot; a baked kernel reads none. motions: arrays by name with the motions last:
+    R (3, 3, m), others (3, m). near: by the block for legs near their joint singularity.
 
     Attributes: F (m, 6), N, as double has it, bound (m, 6), in rounding units, both nan where H is singular;
     load (m, 6), the wrench, N and N m about the reference point, that the actuators exert on the platform.

@@ -9,7 +9,7 @@ what running error analysis finds for the reading.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -29,23 +29,27 @@ from ..rotation import orthonormal
 from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import FORCES_MARGIN, MARGIN, errors, values
-from .selection import Selection, selection
+from .selection import selection
 
 Array = NDArray[np.float64]
 
 KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
-FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS)
+ROTATION = ("motion_from_rpy", "motion_from_quaternion")
+FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS, *ROTATION)
 """Functions that there are vectors for."""
 
 FEW = 3
 """Poses of the functions with many answers."""
 
 _BACKWARD = ("forward_kinematics", "forward_velocity")
-_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation")
+_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation", *ROTATION)
 # How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
 _CLOSENESS = (1, 4, 16, 64)
 _SAME = 1e-3
+# Sides of right-angled triangles over their longest; a quaternion of length other than one.
+_SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
+_QUATERNION = (1.5, 0.25, -0.5, 0.75)
 _PRECISION = {"double": np.float64, "float": np.float32}
 
 
@@ -55,15 +59,18 @@ class Vector:
 
     function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
     R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,). answers: flat arrays by member of the
+    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot
+    (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
     C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
-    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision.
+    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
+    whether its motion is one that a machine may make.
     """
 
     function: str
     inputs: dict[str, Array]
     answers: dict[str, Array]
     bounds: dict[str, Array]
+    ordinary: bool = True
 
 
 def vectors(
@@ -99,25 +106,18 @@ def vectors(
         constants = {name: _rounded(value, kind) for name, value in constants.items()}
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
-    motions = [_input(robot, every[i], kind) for i in range(every.shape[0])]
+    ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = partial(_vector, readings, robot, kind)
-    return tuple(
-        made(function, motion)
-        for function in functions
-        for motion in (
-            _of_forces(motions, selection(robot, formulation, level, precision, baked))
-            if function == "forces"
-            else motions[:FEW]
-            if function in _LARGE
-            else motions
-        )
-        if function not in _BACKWARD or _settled(robot, motion, kind)
-    )
-
-
-def _of_forces(motions: list[Numbers], found: Selection) -> list[Numbers]:
-    """Some ordinary motions, and those on which a wrong constant shows."""
-    return [*motions[:FEW], *found.motions]
+    found: list[Vector] = []
+    for function in functions:
+        motions = ordinary[:FEW] if function in _LARGE else ordinary
+        found += [
+            made(function, at) for at in motions if function not in _BACKWARD or _settled(robot, at, kind)
+        ]
+        if function == "forces":
+            chosen = selection(robot, formulation, level, precision, baked).motions
+            found += [replace(made(function, at), ordinary=False) for at in chosen]
+    return tuple(found)
 
 
 def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
@@ -180,6 +180,8 @@ def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion:
     elif function == "joint_reactions":
         L = values(readings.inverse_kinematics(motion)["L"])
         inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
+    elif function in ROTATION:
+        inputs = {name: rounded(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
         inputs, at = _kinematic_inputs(readings, robot, kind, function, motion)
     found = getattr(readings, function)(at if function == "forward_kinematics" else inputs)
@@ -203,6 +205,16 @@ def _kinematic_inputs(
     R, t = _guess(robot, pose["R"].reshape(3, 3), pose["t"], L)
     inputs = {"L": L, "R_guess": _rounded(R.ravel(), kind), "t_guess": _rounded(t, kind)}
     return inputs, {**pose, "L": L}
+
+
+def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
+    """Angles and a quaternion in numbers that no machine rounds another way, with the motion's own rates."""
+    first, second = motion["omega"], motion["alpha"]
+    if function == "motion_from_rpy":
+        sine, cosine = (np.array(parts) for parts in (_SINES, _COSINES))
+        return {"sine": sine, "cosine": cosine, "theta_dot": first, "theta_ddot": second}
+    rates = {"e_dot": np.array([0.3, *first]), "e_ddot": np.array([-0.2, *second])}
+    return {"e": np.array(_QUATERNION), **rates}
 
 
 def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
