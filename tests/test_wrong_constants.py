@@ -11,7 +11,7 @@ import pytest
 from stewart_sym import native
 from stewart_sym.derive.emit.kit.words import robot_symbol
 from stewart_sym.kit import Choice, kit
-from stewart_sym.kit.selection import SHARE, selection
+from stewart_sym.kit.selection import SHARE, Numbered, selection
 from stewart_sym.robot import Robot
 
 MACHINES = {
@@ -121,7 +121,7 @@ def test_every_wrong_constant_fails_the_self_test_or_is_named(which: str, bake: 
     robot = MACHINES[which]
     mutants = Mutants(robot, Choice(bake=bake, precision=precision))
     assert mutants.selftest() == 0
-    hidden = selection(robot, "exact", "general", precision, bake).hidden
+    hidden = selection(Numbered.of(robot), "exact", "general", precision, bake).hidden
     share = SHARE[precision]
     passed = [name for name in mutants.addresses if mutants.value(name) and not mutants.selftest(name, share)]
     print(len(mutants.addresses), len(passed), len(hidden))

@@ -36,7 +36,7 @@ from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
-from .selection import SHARE, selection
+from .selection import SHARE, Numbered, selection
 from .vectors import Vector, refused, vectors
 
 Array = NDArray[np.float64]
@@ -224,7 +224,7 @@ def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
     if "forces" not in choice.functions:
         return None
     level = fidelity.resolved(robot, choice.formulation, choice.level)
-    return selection(robot, choice.formulation, level, choice.precision, choice.bake).hidden
+    return selection(Numbered.of(robot), choice.formulation, level, choice.precision, choice.bake).hidden
 
 
 def _deviations(made: Parts) -> list[tuple[str, str, str]]:

@@ -9,9 +9,9 @@ frozen generator and have few digits: the same robot gets the same motions every
 
 import itertools
 from collections.abc import Container, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,13 +65,31 @@ class Selection:
     hidden: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class Numbered:
+    """A robot that is equal to others of the same numbers, whatever their names."""
+
+    robot: Robot = field(compare=False)
+    numbers: tuple[bytes, ...]
+    base_joint: str
+
+    @classmethod
+    def of(cls, robot: Robot) -> Self:
+        """The robot by its numbers, limits among them."""
+        names = (*LEG_FIELDS, *PLATFORM_FIELDS, "length_limits")
+        return cls(
+            robot, tuple(np.asarray(getattr(robot, name)).tobytes() for name in names), robot.base_joint
+        )
+
+
 @lru_cache(maxsize=16)
-def selection(robot: Robot, formulation: str, fidelity: str, precision: str, folded: bool) -> Selection:
+def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str, folded: bool) -> Selection:
     """The motions on which a kernel of a robot's forces is tested, besides ordinary ones.
 
     fidelity: a level that there is. folded: whether the constants are those of the code with the robot's
     numbers folded in, or else the robot's own. Raises ValueError for a robot without a good pose.
     """
+    robot = numbered.robot
     if folded:
         kernel = folded_kernel(robot, formulation, fidelity)
     else:

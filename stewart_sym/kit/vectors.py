@@ -10,7 +10,7 @@ what running error analysis finds for the reading.
 
 import math
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ from ..rotation import orthonormal
 from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import FORCES_MARGIN, MARGIN, errors, values
-from .selection import selection
+from .selection import Numbered, selection
 
 Array = NDArray[np.float64]
 
@@ -97,11 +97,24 @@ def vectors(
     instance(robot, Robot, "robot")
     _check(robot, functions, formulation, precision, count)
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    kind = _PRECISION[precision]
+    need_held(robot, precision)
+    return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
+
+
+@lru_cache(maxsize=16)
+def _made(
+    numbered: Numbered,
+    functions: tuple[str, ...],
+    formulation: str,
+    level: str,
+    precision: str,
+    count: int,
+    baked: bool,
+) -> tuple[Vector, ...]:
+    robot, kind = numbered.robot, _PRECISION[precision]
     constants = {
         name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
     }
-    need_held(robot, precision)
     if not baked:
         constants = {name: _rounded(value, kind) for name, value in constants.items()}
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
@@ -115,7 +128,7 @@ def vectors(
             made(function, at) for at in motions if function not in _BACKWARD or _settled(robot, at, kind)
         ]
         if function == "forces":
-            chosen = selection(robot, formulation, level, precision, baked).motions
+            chosen = selection(numbered, formulation, level, precision, baked).motions
             found += [replace(made(function, at), ordinary=False) for at in chosen]
     return tuple(found)
 
@@ -164,7 +177,7 @@ def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
 
     Forward kinematics asks for a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
     """
-    pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in MOTION[1:]))
+    pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
     H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))
     condition = float(np.linalg.norm(H) * np.linalg.norm(np.linalg.inv(H)))
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
