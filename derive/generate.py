@@ -109,7 +109,9 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
     files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
     files["c/stewart_rotation.h"] = rotation_text.header(version)
-    files["c/stewart_rotation.c"] = rotation_text.source(*reduced_rotation().values(), version)
+    files["c/stewart_rotation.c"] = rotation_text.source(
+        reduced_rotation()["motion_from_rpy"], reduced_rotation()["motion_from_quaternion"], version
+    )
     return files
 
 

@@ -116,12 +116,12 @@ class Running:
     @property
     def is_zero(self) -> bool:
         """Whether it is zero on every machine."""
-        return self.size == 0.0 and self.error == 0.0
+        return bool(self.size == 0.0 and self.error == 0.0)
 
     @property
     def is_power(self) -> bool:
         """Whether it is zero or a power of two, and exactly so: products with it are exact."""
-        return self.error == 0.0 and math.frexp(self.size)[0] in (0.0, 0.5)
+        return bool(self.error == 0.0 and math.frexp(self.size)[0] in (0.0, 0.5))
 
 
 class RunningArrays(Running):

@@ -115,7 +115,7 @@ def _column(values: Any) -> Array:
 def _raw(robot: Numbers) -> Constants:
     """The robot's numbers by component."""
     leg = {
-        name: _column(robot[q.name][(slice(None), *key)])
+        name: _column([of_leg[key] for of_leg in robot[q.name]])
         for q in n.LEG
         for name, key in zip(q.names, q.keys, strict=True)
     }
@@ -207,11 +207,11 @@ class Forces:
         if len(change.names) == 1:
             total = columns.sum(axis=1) + platform
             x = np.einsum("mij,jm->mi", self._inverse, total)
-            return np.abs(D.T - x)[None]
+            return np.asarray(np.abs(D.T - x)[None])
         columns = columns + (platform if platform.ndim == 3 else platform[:, None])
         x = np.einsum("mij,jlm->lmi", self._inverse, columns)
         x[np.arange(LEGS), :, np.arange(LEGS)] -= D
-        return np.abs(x)
+        return np.asarray(np.abs(x))
 
     def _solve(self, terms: Terms) -> None:
         total = terms.platform
@@ -221,7 +221,7 @@ class Forces:
         H, dH = (_stacked(terms.H, what, shape).transpose(2, 0, 1) for what in ("value", "error"))
         c, dc = (_stacked(total, what, shape[1:]).T for what in ("value", "error"))
         D, dD = (_stacked([terms.D], what, shape)[0].T for what in ("value", "error"))
-        good = np.isfinite(H).all(axis=(1, 2)) & np.isfinite(c).all(axis=1)
+        good = np.asarray(np.isfinite(H).all(axis=(1, 2)) & np.isfinite(c).all(axis=1))
         good[good] &= np.linalg.cond(H[good]) < 1.0 / np.finfo(np.float64).eps
         H = np.where(good[:, None, None], H, np.eye(6))
         self._inverse = np.linalg.inv(H)
@@ -263,6 +263,9 @@ class Forces:
             self._tip = tip = [np.zeros(self._count)] * 3
             H_moment = [leg[name] for name in n.H_moment.names]
         found = [leg.get(n.D.name, 0.0)], H_force + H_moment, c_force + c_moment, force + moment
+        D: Any
+        H: Any
+        c: Any
         if sqrt is not np.sqrt:
             D, H, c, platform = ([RunningArrays.of(each) for each in rows] for rows in found)
             full = np.zeros((LEGS, self._count))
