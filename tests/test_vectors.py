@@ -375,6 +375,7 @@ def test_vectors_have_the_members_of_the_c_structs_in_their_order() -> None:
         "inverse_kinematics": {"L": 6, "L_dot": 6},
         "forward_kinematics": {"R": 9, "t": 3},
         "forward_velocity": {"v": 3, "omega": 3},
+        **dict.fromkeys(ROTATION, {"R": 9, "omega": 3, "alpha": 3}),
     }
 
 
@@ -384,9 +385,10 @@ def test_bounds_are_positive_and_of_two_digits_and_large_functions_have_few_vect
         for bound in vector.bounds.values():
             assert (bound > 0).all()
             assert all(float(f"{x:.1e}") == x for x in bound)
-    counts = {function: sum(v.function == function for v in made) for function in FUNCTIONS}
+    counts = {function: sum(v.function == function and v.ordinary for v in made) for function in FUNCTIONS}
     assert {counts[f] for f in ("equations", "joint_inertia", "derivatives", "linearisation")} == {FEW}
-    assert counts["forces"] - 1 == counts["forward_kinematics"] == 8
+    assert counts["forces"] == counts["forward_kinematics"] == 8
+    assert {v.function for v in made if not v.ordinary} == {"forces"}
 
 
 def test_poses_begin_with_the_examples_and_are_all_good() -> None:
