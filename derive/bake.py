@@ -50,7 +50,14 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     kernel = replace(kernel, per_length=_per_length(robot), size=_size(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
-    kernel = without_zeros(kernel.changed(lambda block: _with_numbers(block, simple, constants)))
+
+    def change(block: Block) -> Block:
+        given = specialised(block, simple)
+        # Near a joint singularity speed hardly matters; with constants of its own that block would have to be
+        # tested for each, where rounding errors are largest.
+        return given if block is kernel.leg_near_pole else _folded(given, constants)
+
+    kernel = without_zeros(kernel.changed(lambda block: _with_inputs(change(block), constants)))
     used = {q for block in kernel.blocks() for q in block.inputs}
     numbers = {
         q: tuple(float(value) for value in constants.values[symbol])
@@ -60,12 +67,11 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     return replace(kernel, constants=numbers, baked_name=name)
 
 
-def _with_numbers(block: Block, simple: Mapping[sp.Symbol, sp.Integer], constants: _Constants) -> Block:
-    folded = _folded(specialised(block, simple), constants)
-    found = set().union(*(expr.free_symbols for expr in folded.expressions()))
+def _with_inputs(block: Block, constants: _Constants) -> Block:
+    found = set().union(*(expr.free_symbols for expr in block.expressions()))
     inputs = [q for q in block.inputs if not constants.values.keys() & set(q.symbols)]
     inputs += [q for symbol, q in constants.quantities.items() if symbol in found]
-    return rebuilt(folded, folded.steps, folded.outputs, inputs)
+    return rebuilt(block, block.steps, block.outputs, inputs)
 
 
 def _per_length(robot: Numbers) -> float:

@@ -12,6 +12,7 @@ from importlib.metadata import version as installed_version
 import sympy as sp
 
 from . import motion
+from .block import Block
 from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
@@ -70,6 +71,12 @@ def reduced_kinematics() -> Kinematics:
     return Kinematics(*(share(block) for block in blocks))
 
 
+@cache
+def reduced_rotation() -> dict[str, Block]:
+    """The blocks of an orientation and its rates as they are emitted, by what they are named in C."""
+    return {"motion_from_rpy": share(rpy()), "motion_from_quaternion": share(quaternion())}
+
+
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
@@ -106,7 +113,9 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
     files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
     files["c/stewart_rotation.h"] = rotation_text.header(version)
-    files["c/stewart_rotation.c"] = rotation_text.source(share(rpy()), share(quaternion()), version)
+    files["c/stewart_rotation.c"] = rotation_text.source(
+        reduced_rotation()["motion_from_rpy"], reduced_rotation()["motion_from_quaternion"], version
+    )
     return files
 
 

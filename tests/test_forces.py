@@ -365,8 +365,10 @@ def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("size", [1e-15, 1e15])
-def test_c_takes_axes_of_the_lengths_that_its_header_states(size: float, precision: forces.Precision) -> None:
+@pytest.mark.parametrize("exponent", [-1, -0.5, 0.5, 1])
+def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.Precision) -> None:
+    """To 1e-300 and 1e300 in double, 1e-37 and 1e37 in float."""
+    size = 10.0 ** (exponent * {"double": 300, "float": 37}[precision])
     robot = random_robot(np.random.default_rng(15))
     kernel = ss.prepare(robot, precision=precision)
     numbers = robot_numbers(robot)

@@ -1,8 +1,10 @@
 """What a user does with a kit beside building it: other flags, folders, overlapping arguments, terms."""
 
+import contextlib
 import ctypes
 import os
 import re
+import shlex
 import subprocess
 from functools import cache
 from pathlib import Path
@@ -12,6 +14,7 @@ import numpy as np
 import pytest
 
 from stewart_sym import kernel, native
+from stewart_sym.cli import main
 from stewart_sym.derive.emit.kit.licence import SPDX
 from stewart_sym.derive.emit.kit.words import robot_symbol
 from stewart_sym.kit import Choice, Kit, kit, put
@@ -98,6 +101,44 @@ def test_the_robot_file_of_a_kit_makes_the_same_kit(tmp_path: Path) -> None:
         first = kit(robot, wish)
         (tmp_path / "robot.toml").write_bytes(first.files["robot.toml"])
         assert kit(Robot.from_toml(tmp_path / "robot.toml"), wish) == first
+
+
+def test_the_command_of_a_readme_run_in_its_folder_changes_nothing(tmp_path: Path) -> None:
+    put(made(), tmp_path)
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
+    (line,) = re.findall(r"^    stewart-sym (generate .*)$", (tmp_path / "README.md").read_text(), re.M)
+    with contextlib.chdir(tmp_path):
+        assert main(shlex.split(line)) == 0
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
+
+
+def test_names_of_sources_headers_and_macros_begin_with_the_prefix() -> None:
+    """So that none clashes with a user's own; example and self-test stand in folders."""
+    for choice in (EVERYTHING, Choice(bake=True, scalar=True)):
+        texts = {
+            name: text.decode() for name, text in made(choice).files.items() if name.endswith((".h", ".c"))
+        }
+        library = [name for name in texts if "/" not in name]
+        assert all(name.startswith("stewart") for name in library)
+        for name in library:
+            if name.endswith(".h"):
+                macros = re.findall(r"^#define (\w+)", texts[name], re.M)
+                assert all(macro.startswith("STEWART") for macro in macros), name
+
+
+def test_every_function_in_the_headers_of_a_kit_is_exercised_by_its_self_test() -> None:
+    for choice in (Choice(("forces", "reactions", "motion", "derivatives", "kinematics")), Choice(bake=True)):
+        files = {
+            name: text.decode() for name, text in made(choice).files.items() if name.endswith((".h", ".c"))
+        }
+        declared = {
+            function
+            for name, text in files.items()
+            if name.endswith(".h")
+            for function in re.findall(r"\bint (stewart_\w+)\(", text)
+        }
+        assert {"stewart_motion_from_rpy", "stewart_motion_from_quaternion"} <= declared
+        assert all(f"{function}(" in files["test/selftest.c"] for function in declared)
 
 
 def test_a_robot_file_that_is_an_input_is_not_replaced(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ from stewart_sym.kinematics import clear_of_poles
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.readings import LEG_FIELDS, PLATFORM_FIELDS, Readings
 from stewart_sym.kit.running import Running
-from stewart_sym.kit.vectors import CLOSED_FORM, FEW, FUNCTIONS, KINEMATICS, Vector, vectors
+from stewart_sym.kit.vectors import CLOSED_FORM, FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
 from stewart_sym.studies.truth import Truth
@@ -53,6 +53,8 @@ def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelit
     kind = KIND[precision]
     if vector.function in KINEMATICS:
         return kinematics_in_c(robot, vector, precision)
+    if vector.function in ROTATION:
+        return rotation_in_c(vector, precision)
     motion = np.concatenate([vector.inputs[name] for name in MOTION]).astype(kind)
     found = np.full(sum(answer.size for answer in vector.answers.values()), np.nan, dtype=kind)
     further = [vector.inputs[name].astype(kind) for name in ("F", "bearing") if name in vector.inputs]
@@ -93,6 +95,20 @@ def kinematics_in_c(robot: Robot, vector: Vector, precision: str) -> dict[str, A
     library = native.load("stewart_kinematics", kernel.c_sources("kinematics"), defines=defines)
     assert getattr(library, f"stewart_{vector.function}")(*map(address, (constants, *arguments))) == 0
     return split(vector, found)
+
+
+def rotation_in_c(vector: Vector, precision: str) -> dict[str, Array]:
+    """The same of the functions of an orientation."""
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
+    library = native.load("stewart_rotation", kernel.c_sources("rotation"), defines=defines)
+    motion = np.zeros(30, dtype=KIND[precision])
+    given = [value.astype(KIND[precision]) for value in vector.inputs.values()]
+    assert getattr(library, f"stewart_{vector.function}")(*map(address, (*given, motion))) == 0
+    starts = dict(zip(MOTION, np.cumsum([0, 9, 3, 3, 3, 3, 3, 3]), strict=True))
+    return {
+        name: motion[starts[name] : starts[name] + answer.size].astype(np.float64)
+        for name, answer in vector.answers.items()
+    }
 
 
 def split(vector: Vector, found: Array) -> dict[str, Array]:
@@ -359,6 +375,7 @@ def test_vectors_have_the_members_of_the_c_structs_in_their_order() -> None:
         "inverse_kinematics": {"L": 6, "L_dot": 6},
         "forward_kinematics": {"R": 9, "t": 3},
         "forward_velocity": {"v": 3, "omega": 3},
+        **dict.fromkeys(ROTATION, {"R": 9, "omega": 3, "alpha": 3}),
     }
 
 
@@ -368,9 +385,10 @@ def test_bounds_are_positive_and_of_two_digits_and_large_functions_have_few_vect
         for bound in vector.bounds.values():
             assert (bound > 0).all()
             assert all(float(f"{x:.1e}") == x for x in bound)
-    counts = {function: sum(v.function == function for v in made) for function in FUNCTIONS}
+    counts = {function: sum(v.function == function and v.ordinary for v in made) for function in FUNCTIONS}
     assert {counts[f] for f in ("equations", "joint_inertia", "derivatives", "linearisation")} == {FEW}
-    assert counts["forces"] - 1 == counts["forward_kinematics"] == 8
+    assert counts["forces"] == counts["forward_kinematics"] == 8
+    assert {v.function for v in made if not v.ordinary} == {"forces"}
 
 
 def test_poses_begin_with_the_examples_and_are_all_good() -> None:

@@ -21,7 +21,20 @@ from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
 from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, raw_member, stores
+from .lane_text import (
+    JUDGED,
+    MACROS,
+    SCALED_AXIS,
+    dims,
+    entries,
+    filled,
+    judged,
+    loads,
+    names_used,
+    raw_member,
+    stores,
+    with_scaled_axis,
+)
 from .lanes import reach_terms, solve_pose
 
 _SQRT = "STEWART_SQRT"
@@ -56,9 +69,15 @@ def source(kernel: ForceKernel, version: str) -> str:
         + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
+        SCALED_AXIS,
         *(
             _function(
-                text, [*_inputs(block, _raw_owner), *_steps(block), *_stores(block, block.block.outputs)]
+                text,
+                [
+                    *with_scaled_axis(_inputs(block, _raw_owner)),
+                    *_steps(block),
+                    *_stores(block, block.block.outputs),
+                ],
             )
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
@@ -480,7 +499,7 @@ typedef struct {
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 } stewart_@NAME@_bounds_model;
 
-/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_@NAME@_bounds_prepare(

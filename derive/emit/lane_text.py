@@ -4,7 +4,7 @@ Stands below ``lanes`` and ``motion``. A lane is a leg of a pose or a pose of a 
 the body of a loop over eight of them. Knows no dynamics and no whole function.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from .. import notation as n
 from ..block import Block, Output, Quantity
@@ -45,6 +45,49 @@ def loads(quantity: Quantity, owner: str, lane: str, used: set[str], indent: str
         f"{name} = {owner}->{member}[{i}]{lane}" for i, name in enumerate(quantity.names) if name in used
     ]
     return [wrap_list(f"{indent}const stewart_real {', '.join(parts)};", indent + " " * 4)]
+
+
+SCALED_AXIS = """\
+/* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
+ * length. */
+static void scaled_axis(const stewart_real *k, stewart_real *out)
+{
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        out[j] = k[j];
+    }
+    for (i = 0; i < 64; ++i) {
+        stewart_real by = REAL(1);
+        stewart_real largest = STEWART_FABS(out[0]);
+        largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
+        largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
+        by = largest > REAL(1048576) ? REAL(1) / REAL(4294967296) : by;
+        by = largest < REAL(1) / REAL(1048576) ? REAL(4294967296) : by;
+        for (j = 0; j < 3; ++j) {
+            out[j] = by * out[j];
+        }
+    }
+}
+"""
+
+
+def with_scaled_axis(lines: list[str]) -> list[str]:
+    """The lines of a preparation, a leg's fixed axis read by ``SCALED_AXIS``."""
+    if not any("leg->k[" in line for line in lines):
+        return lines
+    read = (line.replace("leg->k[", "axis[") for line in lines)
+    return ["    stewart_real axis[3];", "    scaled_axis(leg->k, axis);", *read]
+
+
+def literal_macros(literals: Mapping[Quantity, float]) -> str:
+    """Constants that a baked kernel has once, whichever of its functions read them."""
+    lines = [f"#define {literal_macro(q)} REAL({value!r})" for q, value in literals.items()]
+    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])
+
+
+def literal_macro(quantity: Quantity) -> str:
+    """Name of such a constant."""
+    return f"BAKED_{quantity.name}"
 
 
 def raw_member(quantity: Quantity, owner: str) -> str:

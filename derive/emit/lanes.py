@@ -24,16 +24,20 @@ from .lane_text import (
     JUDGED,
     LANES,
     MACROS,
+    SCALED_AXIS,
     assigned,
     dims,
     entries,
     fault_lines,
     filled,
     judged,
+    literal_macro,
+    literal_macros,
     loads,
     names_used,
     reach_lines,
     stores,
+    with_scaled_axis,
 )
 
 _RIGHT_SIDE = (n.c_force, n.c_moment)
@@ -208,7 +212,7 @@ def _model(kernel: ForceKernel) -> list[str]:
             for q, row in zip(tables, rows, strict=True)
         ],
     }
-    return [filled(_NUMBERS, parts)]
+    return [literal_macros(kernel.literals()), filled(_NUMBERS, parts)]
 
 
 def prepare_function(block: Block, struct: str) -> str:
@@ -221,14 +225,16 @@ def prepare_function(block: Block, struct: str) -> str:
         ("leg", "const stewart_leg *leg") if struct == "prepared_leg" else ("sum", "const prepared_leg *sum"),
     ]
     unused = [f"    (void){name};" for name, _ in arguments if not any(f"= {name}->" in t for t in lines)]
+    axis = [SCALED_AXIS] if n.k in block.inputs else []
     body = [
         *unused,
-        *lines,
+        *with_scaled_axis(lines),
         *step_lines(block.steps, "    "),
         *stores(block.outputs, "", "    "),
     ]
     return "\n".join(
         [
+            *axis,
             f"typedef struct {{\n{members}\n}} {struct};\n",
             f"/* {block.meaning[0].upper()}{block.meaning[1:]}. */",
             f"static void {block.name}({', '.join(text for _, text in arguments)}, {struct} *out)",
@@ -299,9 +305,8 @@ def _block_shared(kernel: ForceKernel) -> str:
 
 def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
     """Loads of one input, or the literal that it is."""
-    literals = kernel.literals()
-    if q in literals:
-        return [f"{indent}const stewart_real {q.name} = REAL({literals[q]!r});"]
+    if q in kernel.literals():
+        return [f"{indent}const stewart_real {q.name} = {literal_macro(q)};"]
     return loads(q, owner, lane, used, indent)
 
 
@@ -705,7 +710,7 @@ typedef struct {{
 {scale}
 }} stewart_{name}_model;
 
-/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);

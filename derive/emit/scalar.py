@@ -19,7 +19,7 @@ from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
 from .lane_scale import LEAST_PIVOTS_BY_LEGS, MEMBER, SWITCH, UNIT_OF_LENGTH_BY_LEGS
 from .lane_scale import macros as scale_macros
-from .lane_text import dims, entries, filled, loads, names_used, stores
+from .lane_text import dims, entries, filled, literal_macro, literal_macros, loads, names_used, stores
 from .lanes import prepare_function, suspect
 
 SQRT = "STEWART_SQRT"
@@ -99,7 +99,7 @@ def _member(quantity: Quantity) -> str:
 
 def _preparation(kernel: ForceKernel) -> list[str]:
     if kernel.constants is not None:
-        return [_table(kernel)]
+        return [literal_macros(kernel.literals()), _table(kernel)]
     of_leg, of_platform = entries(kernel.leg_constants()), entries(kernel.platform_constants())
     parts = {
         "@COPIES@": [f"        model->leg[i].{name} = found.{name};" for name in of_leg],
@@ -179,9 +179,8 @@ def _unused(kernel: ForceKernel, body: list[str], *arguments: str) -> list[str]:
 
 
 def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[str]:
-    literals = kernel.literals()
-    if q in literals:
-        return [f"    const stewart_real {q.name} = REAL({literals[q]!r});"]
+    if q in kernel.literals():
+        return [f"    const stewart_real {q.name} = {literal_macro(q)};"]
     return loads(q, owner, "", used, "    ")
 
 
@@ -433,7 +432,7 @@ typedef struct {
 @SCALE@
 } stewart_@NAME@_pose_model;
 
-/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_@NAME@_pose_prepare(

@@ -129,6 +129,27 @@ static int leg_status(const leg_lanes *leg, int l)
     return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
 }
 
+/* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
+ * length. */
+static void scaled_axis(const stewart_real *k, stewart_real *out)
+{
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        out[j] = k[j];
+    }
+    for (i = 0; i < 64; ++i) {
+        stewart_real by = REAL(1);
+        stewart_real largest = STEWART_FABS(out[0]);
+        largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
+        largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
+        by = largest > REAL(1048576) ? REAL(1) / REAL(4294967296) : by;
+        by = largest < REAL(1) / REAL(1048576) ? REAL(4294967296) : by;
+        for (j = 0; j < 3; ++j) {
+            out[j] = by * out[j];
+        }
+    }
+}
+
 typedef struct {
     stewart_real b[3];
     stewart_real p[3];
@@ -146,9 +167,11 @@ typedef struct {
 static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
 {
     (void)robot;
+    stewart_real axis[3];
+    scaled_axis(leg->k, axis);
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
-    const stewart_real k_x = leg->k[0], k_y = leg->k[1], k_z = leg->k[2];
+    const stewart_real k_x = axis[0], k_y = axis[1], k_z = axis[2];
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;

@@ -57,7 +57,7 @@ typedef struct {
 #endif
 } stewart_paper_model;
 
-/* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
  * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model);

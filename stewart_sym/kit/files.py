@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import fidelity
 from ..derive import notation
 from ..derive.emit.kit import build, cpp, licence
 from ..derive.emit.kit.deviations import deviations
@@ -35,6 +36,7 @@ from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
+from .selection import SHARE, Numbered, selection
 from .vectors import Vector, refused, vectors
 
 Array = NDArray[np.float64]
@@ -211,8 +213,18 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
             deviations=_deviations(made),
             unit=unit,
             version=generator(),
+            changed=SHARE[choice.precision],
+            hidden=_hidden(robot, choice),
         )
     )
+
+
+def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
+    """Constants that no vector of the forces shows; None without forces."""
+    if "forces" not in choice.functions:
+        return None
+    level = fidelity.resolved(robot, choice.formulation, choice.level)
+    return selection(Numbered.of(robot), choice.formulation, level, choice.precision, choice.bake).hidden
 
 
 def _deviations(made: Parts) -> list[tuple[str, str, str]]:
@@ -222,7 +234,7 @@ def _deviations(made: Parts) -> list[tuple[str, str, str]]:
 
 
 def _errors(vectors_of: list[Vector]) -> Array:
-    """Median and worst vector by its largest bound over the largest answer of an array, in rounding units.
+    """Median and worst ordinary vector by its largest bound over the largest answer of an array, in units.
 
     (2,), nan without vectors.
     """
@@ -233,7 +245,7 @@ def _errors(vectors_of: list[Vector]) -> Array:
             if np.any(answer)
         )
         for vector in vectors_of
-        if any(np.any(answer) for answer in vector.answers.values())
+        if vector.ordinary and any(np.any(answer) for answer in vector.answers.values())
     ]
     return np.array([np.median(found), np.max(found)] if found else [math.nan, math.nan])
 

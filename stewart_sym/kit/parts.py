@@ -5,6 +5,7 @@ Stands below ``kit``. Knows names and files of kernels and what each of their fu
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from importlib.metadata import version
 
 import numpy as np
@@ -17,9 +18,8 @@ from ..derive.emit.c import common_header
 from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.emit.kit.words import Numbers, robot_symbol
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
-from ..derive.fidelity import FIDELITIES, fidelity_kernel
-from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import generator_version, motion_files, shared_blocks
+from ..derive.formulation import EXACT
+from ..derive.generate import generator_version, motion_files, reduced_rotation, shared_blocks
 from ..derive.kinematics import (
     kinematics,
     search_operations,
@@ -30,6 +30,7 @@ from ..derive.operations import force_operations
 from ..derive.regroup import ForceKernel
 from ..kernel import c_sources, kernel_name, module
 from ..robot import Robot
+from ..studies.truth import derived_kernel
 from .choice import STEMS, Choice
 
 _KINEMATICS = "kinematics"
@@ -117,28 +118,39 @@ def _force_part(
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
     """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
-    joint = robot.base_joint if level == "general" else EXACT.base_joint
-    form = next(f for f in FORMULATIONS if f.kernel_name == kernel_name(choice.formulation, joint))
-    raw = fidelity_kernel(form, FIDELITIES[level])
-    plain = shared_blocks(raw)
+    plain = plain_kernel(robot.base_joint, choice.formulation, level)
     made, before, after = plain, force_operations(plain).total.total, None
     if choice.bake:
-        name = robot_symbol(robot.name).removeprefix("stewart_")
-        name += "" if level == "general" else f"_{level}"
-        made = shared_blocks(baked(raw, robot_numbers(robot), name))
+        made = folded_kernel(robot, choice.formulation, level)
         after = force_operations(made).total.total
     count = before if after is None else after
     ways = [
         *(["the robot's numbers folded in"] if choice.bake else []),
         *(["one pose, legs one after the other"] if choice.scalar else []),
     ]
-    says = f"Actuator forces, {form.name}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
+    form = plain.formulation.name
+    says = f"Actuator forces, {form}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
     sources = _printed(made, plain, file, choice)
     without = f"stewart_{plain.name}{suffix}" if choice.bake else ""
     part = _force_part(file, f"stewart_{made.name}{suffix}", count, says, without, sources)
     return part, before, after
+
+
+@cache
+def plain_kernel(base_joint: str, formulation: str, level: str) -> ForceKernel:
+    """The forces of a level as they are printed."""
+    return shared_blocks(derived_kernel(base_joint, formulation, level))
+
+
+@lru_cache(maxsize=4)
+def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
+    """The same with a robot's numbers folded in."""
+    name = robot_symbol(robot.name).removeprefix("stewart_")
+    name += "" if level == "general" else f"_{level}"
+    raw = derived_kernel(robot.base_joint, formulation, level)
+    return shared_blocks(baked(raw, robot_numbers(robot), name))
 
 
 def _printed(made: ForceKernel, plain: ForceKernel, file: str, choice: Choice) -> dict[str, str]:
@@ -212,7 +224,13 @@ def _kinematics() -> Part:
 
 def _rotation() -> Part:
     says = "R, omega and alpha of a motion from roll, pitch and yaw, or a quaternion, and their rates."
-    return Part("stewart_rotation", _committed("stewart_rotation"), (), ("rotation",), says)
+    functions = tuple(
+        Function(
+            stem, f"stewart_{stem}", "stewart_rotation.h", NOTHING, operations=f"{block.operations().total}"
+        )
+        for stem, block in reduced_rotation().items()
+    )
+    return Part("stewart_rotation", _committed("stewart_rotation"), functions, ("rotation",), says)
 
 
 def _committed(file: str) -> dict[str, str]:

@@ -22,12 +22,9 @@ Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
-NEAR_POLE = 0.004
-"""Below 1/64 the forces go another way."""
-
 _DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
 # The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), some 14 degrees, is this over that.
-_SLIGHT_TURN, _SLIGHT = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]), 406
+_SLIGHT_TURN, WHOLE = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]), 406
 
 # The example's motion and load, for a machine of size 1 m and mass 1 kg.
 _OMEGA, _V = np.array([0.3, -0.2, 0.4]), np.array([0.2, 0.3, -0.1])
@@ -98,39 +95,12 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     )
 
 
-def near_pole(robot: Robot, formulation: str) -> Motion | None:
-    """The example's motion with a leg within NEAR_POLE rad of the fixed axis of its universal joint.
-
-    The leg, and the end of the axis, with the best condition number; None where none solves with
-    MAX_CONDITION. The robot's base joints are universal.
-    """
-    first, _, _ = sample(robot, formulation)
-    legs = inverse_kinematics(robot, first)
-    places = []
-    for i, end in itertools.product(range(6), (1.0, -1.0)):
-        k = end * robot.k[i] / np.linalg.norm(robot.k[i])
-        across = np.cross(k, legs.s[i])
-        s = k + NEAR_POLE * across / np.linalg.norm(across)
-        away = legs.L[i] * s / np.linalg.norm(s)
-        places.append(significant(robot.b[i] + away - first.R @ robot.p[i], 12))
-    fields = ("R", "omega", "v", "alpha", "a", "F_ext", "M_ext")
-    kept = {field: np.repeat(getattr(first, field)[None], len(places), axis=0) for field in fields}
-    moved = Motion(t=np.array(places), **kept)
-    around = moved[np.flatnonzero(_forces(robot, moved, formulation).status == 0)]
-    if around.shape == (0,):
-        return None
-    H = _forces(robot, around, formulation).H
-    condition = scaled_condition_number(H, characteristic_length(robot))
-    best = int(np.argmin(condition))
-    return around[best] if condition[best] <= MAX_CONDITION else None
-
-
 def neighbour(robot: Robot, R: Array, t: Array, closeness: int) -> tuple[Array, Array]:
     """A pose beside R (3, 3), t (3,): by a third of a radian over ``closeness``, and shifted."""
-    turn, over = _whole_turn(10 * closeness, 1, -1, 1)
+    turn, over = whole_turn(10 * closeness, 1, -1, 1)
     # Summed by hand: products by the library round one way on one machine and another way on the next.
     turned = (turn[:, :, None] * R[None]).sum(axis=1) / over
-    return turned, t + _size(robot) * np.array([0.05, -0.05, 0.05]) / closeness
+    return turned, t + size_of(robot) * np.array([0.05, -0.05, 0.05]) / closeness
 
 
 def significant(values: ArrayLike, digits: int) -> Array:
@@ -160,10 +130,10 @@ def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:
 
 def _candidates(robot: Robot) -> Motion:
     """Motions around the base, (n,), the likeliest first, in numbers of few digits."""
-    size = _size(robot)
+    size = size_of(robot)
     distances = [1.1 * size * 1.15**n for n in sorted(range(-8, 11), key=abs)]
     places = list(itertools.product(_quarter_turns(), _DIRECTIONS, distances))
-    R = np.array([_SLIGHT_TURN / _SLIGHT @ turn for turn, _, _ in places])
+    R = np.array([_SLIGHT_TURN / WHOLE @ turn for turn, _, _ in places])
     off = np.array([distance * np.array(direction) for _, direction, distance in places])
     return _motion(robot, R, off, np.ones(1), np.ones(1))
 
@@ -171,13 +141,13 @@ def _candidates(robot: Robot) -> Motion:
 def _neighbours(robot: Robot, first: Motion) -> Motion:
     """Motions around the example's, (n,), in numbers of few digits; some are at rest."""
     # Whole numbers, so that no machine's products round R in another way than others.
-    turned = np.rint(first.R * _SLIGHT)
+    turned = np.rint(first.R * WHOLE)
     R, off = [], []
     centre = first.t + first.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
     for (w, x, y, z), shift in zip(_TURNS * len(_SHIFTS), itertools.cycle(_SHIFTS), strict=False):
-        turn, over = _whole_turn(w, x, y, z)
-        R.append((turn @ turned) / (over * _SLIGHT))
-        off.append(centre + _size(robot) * np.array(shift))
+        turn, over = whole_turn(w, x, y, z)
+        R.append((turn @ turned) / (over * WHOLE))
+        off.append(centre + size_of(robot) * np.array(shift))
     paces, loads = (
         np.array(list(itertools.islice(itertools.cycle(values), len(R)))) for values in (_PACES, _LOADS)
     )
@@ -189,7 +159,7 @@ def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Mot
 
     pace, load: (n,) or (1,), what the example's rates and accelerations, and its load, are multiplied by.
     """
-    size = _size(robot)
+    size = size_of(robot)
     t = robot.b.mean(axis=0) + off - R @ robot.p.mean(axis=0)
 
     def times(factors: Array, vector: Array) -> Array:
@@ -208,7 +178,7 @@ def _motion(robot: Robot, R: Array, off: Array, pace: Array, load: Array) -> Mot
     )
 
 
-def _whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
+def whole_turn(w: int, x: int, y: int, z: int) -> tuple[NDArray[np.int64], int]:
     """The rotation of a quaternion of whole numbers: a matrix of whole numbers, and what divides it."""
     over = w * w + x * x + y * y + z * z
     turn = [
@@ -231,7 +201,7 @@ def _quarter_turns() -> list[Array]:
     return turns
 
 
-def _size(robot: Robot) -> float:
+def size_of(robot: Robot) -> float:
     """The machine's radius to two digits, m."""
     return float(significant(max(_radius(robot.b), _radius(robot.p)), 2)) or 1.0
 

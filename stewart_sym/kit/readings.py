@@ -6,7 +6,7 @@ of one pose as stored and hands out what the C writes, flat, in the order of its
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType, SimpleNamespace
 from typing import Any
@@ -14,9 +14,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..derive.generate import reduced_rotation
+from ..derive.regroup import ForceKernel
 from ..kernel import MOTION, kernel_name, module
-from ..studies.truth import ForceTerms, derived_kernel, digits
-from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
+from ..studies.truth import ForceTerms, digits
+from .parts import plain_kernel
+from .running import (
+    HALF_UNIT,
+    Objects,
+    Running,
+    array,
+    errors,
+    inverse_sizes,
+    running,
+    sizes,
+    solve,
+    solve_definite,
+)
 
 Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]
@@ -28,6 +42,9 @@ PLATFORM_FIELDS = ("M", "R_0", "I_p", "g")
 _ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
 _ORTHONORMAL = ("R", "k")
+NEAR_POLE = 1 / 64
+"""Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
+
 # Leg lengths agree once they are within this many rounding units of the largest term of S = q + t - b.
 _AGREED = 16.0
 # What repeated turns and one rounding leave of R's orthonormality, in rounding units.
@@ -53,8 +70,10 @@ class Readings:
     folded: bool = False
 
     def forces(self, at: Numbers) -> Found:
-        """F of (37), by the regrouped equations of the fidelity."""
-        D, H, c = self._terms.at({name: at[name].reshape(shape) for name, shape in MOTION.items()})
+        """F of (37), by the regrouped equations of the fidelity; those for legs near their joint singularity
+        where the C takes them."""
+        terms = self._near_terms if self._is_near(at) else self._terms
+        D, H, c = terms.at({name: at[name].reshape(shape) for name, shape in MOTION.items()})
         x = solve(array(H), array(c)[:, None])[:, 0]
         return {"F": array(D) - x}
 
@@ -150,6 +169,23 @@ class Readings:
         bound = np.array([[0, z, y], [z, 0, x], [y, x, 0]]) @ sizes(turned) + _TURNED
         return _flat({"R": _with_errors(R, bound), "t": _with_errors(t, off[:3] + sizes(place))})
 
+    def motion_from_rpy(self, at: Numbers) -> Found:
+        """R, omega and alpha, (38), of sine, cosine, theta_dot, theta_ddot (3,) of ``at``."""
+        return self._rotated("motion_from_rpy", at)
+
+    def motion_from_quaternion(self, at: Numbers) -> Found:
+        """The same of e, e_dot, e_ddot (4,), scalar first."""
+        return self._rotated("motion_from_quaternion", at)
+
+    def _rotated(self, function: str, at: Numbers) -> Found:
+        block = reduced_rotation()[function]
+        values: dict[str, Running] = {}
+        for q in block.inputs:
+            first = at[q.name.removesuffix("_w")]
+            held = first if q.shape and len(first) == 3 else first[1:] if q.shape else first[:1]
+            values |= {name: Running(value) for name, value in zip(q.names, held, strict=True)}
+        return _flat(dict(block.run(values, Running.sqrt)))
+
     # ------------------------------------------------------------ legs
 
     def _legs(self, R: Objects, t: Objects) -> tuple[Objects, Objects, Objects, Objects]:
@@ -217,16 +253,48 @@ class Readings:
 
     @cached_property
     def _terms(self) -> ForceTerms:
-        kernel = derived_kernel(self.base_joint, self.formulation, self.fidelity)
+        return self._terms_of(self._forces_kernel)
 
-        def number(name: str, value: Any) -> Running:
-            return _number(name, value, self.folded and name not in MOTION)
+    @cached_property
+    def _near_terms(self) -> ForceTerms:
+        near = self._forces_kernel.leg_near_pole
+        assert near is not None
+        return self._terms_of(replace(self._forces_kernel, leg=near))
 
-        return ForceTerms(kernel, SimpleNamespace(**self.robot), number, Running.sqrt)
+    @property
+    def _forces_kernel(self) -> ForceKernel:
+        return plain_kernel(self.base_joint, self.formulation, self.fidelity)
+
+    def _terms_of(self, kernel: ForceKernel) -> ForceTerms:
+        # The C evaluates these equations, whether or not rotation and axes are of length one.
+        kind = _FoldedTerms if self.folded else ForceTerms
+        return kind(kernel, SimpleNamespace(**self.robot), lambda _, value: Running(value), Running.sqrt)
+
+    def _is_near(self, at: Numbers) -> bool:
+        """Whether a leg's third axis takes the place of the fixed axis of its universal joint."""
+        if self._forces_kernel.leg_near_pole is None:
+            return False
+        S = self.robot["p"] @ at["R"].reshape(3, 3).T + at["t"] - self.robot["b"]
+        k = self.robot["k"]
+        across = np.linalg.norm(np.cross(k, S), axis=1)
+        return bool((across <= NEAR_POLE * np.linalg.norm(k, axis=1) * np.linalg.norm(S, axis=1)).any())
 
     @property
     def _kernel(self) -> ModuleType:
         return module(kernel_name(self.formulation, self.base_joint))
+
+
+class _FoldedTerms(ForceTerms):
+    """The terms with constants that are prepared exactly and rounded once."""
+
+    @cached_property
+    def _constants(self) -> tuple[dict[str, Any], list[dict[str, Any]], dict[str, Any]]:
+        robot, legs, platform = ForceTerms(self.kernel, self.robot, self.number, self.sqrt)._constants
+        return _rounded_once(robot), [_rounded_once(leg) for leg in legs], _rounded_once(platform)
+
+
+def _rounded_once(constants: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: Running(running(value).value, rounded=True) for name, value in constants.items()}
 
 
 _BLOCKS = {

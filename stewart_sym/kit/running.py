@@ -8,7 +8,7 @@ elimination would grow far beyond what happens. Knows no machine.
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +22,15 @@ HALF_UNIT = 0.5
 """Of the rounding unit epsilon, what rounding to nearest takes from a result at most, over its size."""
 
 
+MARGIN = 2.1
+"""What C may be worse by than a reading of it: the same operations grouped in another way; and the twentieth
+that a bound may lose when it is rounded to two digits."""
+
+FORCES_MARGIN = 1.25
+"""The same of the forces, whose C is printed from the steps that are read: other are the order of the legs'
+sums and, where two are nearly as large, the pivots."""
+
+
 class Running:
     """A number, value, at 50 digits, and its error: in rounding units, to first order, absolute.
 
@@ -30,77 +39,127 @@ class Running:
     """
 
     __slots__ = ("error", "size", "value")
+    # Arrays of objects call the operations of each of their numbers.
+    _spread_by: ClassVar[tuple[type, ...]] = (np.ndarray,)
 
-    def __init__(self, value: Any, error: float = 0.0, rounded: bool = False) -> None:
+    def __init__(self, value: Any, error: Any = 0.0, rounded: bool = False) -> None:
         """Take value at 50 digits; ``rounded``: it is the result of an operation that rounds."""
-        self.value = digits.mpf(value)
-        self.size = abs(float(self.value))
+        self.value, self.size = self._held(value)
         self.error = error + HALF_UNIT * self.size if rounded else error
 
-    def __add__(self, other: Any) -> "Running":
+    @staticmethod
+    def _held(value: Any) -> tuple[Any, Any]:
+        """The value as it is kept, and its size in double."""
+        number = digits.mpf(value)
+        return number, abs(float(number))
+
+    @classmethod
+    def of(cls, value: Any) -> Self:
+        """A number as one without error, if it is not one of these already."""
+        return value if isinstance(value, cls) else cls(value)
+
+    def __add__(self, other: Any) -> Self:
         """Sum; exact where one of both is exactly zero."""
-        if isinstance(other, np.ndarray):
+        if isinstance(other, self._spread_by):
             return NotImplemented
-        other = running(other)
+        other = self.of(other)
         rounds = not (self.is_zero or other.is_zero)
-        return Running(self.value + other.value, self.error + other.error, rounds)
+        return type(self)(self.value + other.value, self.error + other.error, rounds)
 
-    def __sub__(self, other: Any) -> "Running":
+    def __sub__(self, other: Any) -> Self:
         """Difference; exact where one of both is exactly zero."""
-        return NotImplemented if isinstance(other, np.ndarray) else self + -running(other)
+        return NotImplemented if isinstance(other, self._spread_by) else self + -self.of(other)
 
-    def __mul__(self, other: Any) -> "Running":
+    def __mul__(self, other: Any) -> Self:
         """Product; exact with powers of two."""
-        if isinstance(other, np.ndarray):
+        if isinstance(other, self._spread_by):
             return NotImplemented
-        other = running(other)
+        other = self.of(other)
         carried = self.size * other.error + other.size * self.error
         rounds = not (self.is_power or other.is_power)
-        return Running(self.value * other.value, carried, rounds)
+        return type(self)(self.value * other.value, carried, rounds)
 
-    def __truediv__(self, other: Any) -> "Running":
+    def __truediv__(self, other: Any) -> Self:
         """Quotient."""
-        if isinstance(other, np.ndarray):
+        if isinstance(other, self._spread_by):
             return NotImplemented
-        other = running(other)
-        value = self.value / other.value
-        carried = (self.error + abs(float(value)) * other.error) / other.size
-        return Running(value, carried, rounded=True)
+        other = self.of(other)
+        made = type(self)(self.value / other.value, 0.0, rounded=True)
+        made.error = made.error + (self.error + made.size * other.error) / other.size
+        return made
 
     __radd__ = __add__
     __rmul__ = __mul__
 
-    def __rsub__(self, other: Any) -> "Running":
+    def __rsub__(self, other: Any) -> Self:
         """Difference."""
-        return running(other) - self
+        return self.of(other) - self
 
-    def __rtruediv__(self, other: Any) -> "Running":
+    def __rtruediv__(self, other: Any) -> Self:
         """Quotient."""
-        return running(other) / self
+        return self.of(other) / self
 
-    def __neg__(self) -> "Running":
+    def __neg__(self) -> Self:
         """The number with the other sign, exact."""
-        return Running(-self.value, self.error)
+        return type(self)(-self.value, self.error)
 
-    def sqrt(self) -> "Running":
+    def sqrt(self) -> Self:
         """Square root."""
-        root = digits.sqrt(self.value)
-        return Running(root, self.error / (2.0 * float(root)), rounded=True)
+        made = type(self)(self._root(self.value), 0.0, rounded=True)
+        made.error = made.error + self.error / (2.0 * made.size)
+        return made
+
+    @staticmethod
+    def _root(value: Any) -> Any:
+        return digits.sqrt(value)
 
     @property
     def is_zero(self) -> bool:
         """Whether it is zero on every machine."""
-        return self.size == 0.0 and self.error == 0.0
+        return bool(self.size == 0.0 and self.error == 0.0)
 
     @property
     def is_power(self) -> bool:
         """Whether it is zero or a power of two, and exactly so: products with it are exact."""
-        return self.error == 0.0 and math.frexp(self.size)[0] in (0.0, 0.5)
+        return bool(self.error == 0.0 and math.frexp(self.size)[0] in (0.0, 0.5))
+
+
+class RunningArrays(Running):
+    """The same of many numbers at once, in double: what is wanted of them is the size of their errors."""
+
+    __slots__ = ()
+    _spread_by = ()
+    __array_ufunc__ = None
+
+    @staticmethod
+    def _held(value: Any) -> tuple[Any, Any]:
+        held = np.asarray(value, dtype=np.float64)
+        return held, np.abs(held)
+
+    @staticmethod
+    def _root(value: Any) -> Any:
+        return np.sqrt(value)
+
+    def __getitem__(self, index: Any) -> Self:
+        """Some of the numbers."""
+        shape = np.broadcast_shapes(np.shape(self.value), np.shape(self.error))
+        value, error = (np.broadcast_to(each, shape)[index] for each in (self.value, self.error))
+        return type(self)(value, error)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether all are zero on every machine."""
+        return bool(np.all(self.size == 0.0) and np.all(self.error == 0.0))
+
+    @property
+    def is_power(self) -> bool:
+        """Whether all are zero or powers of two, and exactly so."""
+        return bool(np.all(self.error == 0.0) and np.isin(np.frexp(self.size)[0], (0.0, 0.5)).all())
 
 
 def running(value: Any) -> Running:
     """A number as one without error, if it is not one of these already."""
-    return value if isinstance(value, Running) else Running(value)
+    return Running.of(value)
 
 
 def array(values: Any, shape: tuple[int, ...] | None = None) -> Objects:
@@ -192,6 +251,24 @@ def _eliminated(
             total = rows[i][j] - sum(rows[i][k] * rows[k][j] for k in range(i + 1, n))
             rows[i][j] = total / rows[i][i]
     return [row[n:] for row in rows], factors
+
+
+def factor_sizes(A: Sizes) -> Sizes:
+    """|L| |U| (m, n, n) of elimination with partial pivoting, rows in the order of A's (m, n, n)."""
+    U = A.copy()
+    count, n, _ = U.shape
+    order, L = np.tile(np.arange(n), (count, 1)), np.tile(np.eye(n), (count, 1, 1))
+    each = np.arange(count)
+    for k in range(n):
+        p = k + np.argmax(np.abs(U[:, k:, k]), axis=1)
+        for rows in (U, order, L[:, :, :k]):
+            rows[each, k], rows[each, p] = rows[each, p], rows[each, k].copy()
+        factor = U[:, k + 1 :, k] / U[:, k, None, k]
+        L[:, k + 1 :, k] = np.abs(factor)
+        U[:, k + 1 :] -= factor[..., None] * U[:, k, None]
+    factors = np.empty_like(U)
+    factors[each[:, None], order] = L @ np.abs(np.triu(U))
+    return factors
 
 
 def _rounded_sizes(rows: list[list[Any]]) -> Sizes:

@@ -9,8 +9,8 @@ what running error analysis finds for the reading.
 """
 
 import math
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,28 +26,30 @@ from ..motion import Motion
 from ..results import POLE, SHORT_LEG, SINGULAR
 from ..robot import Robot
 from ..rotation import orthonormal
-from .poses import near_pole, neighbour, poses, significant
+from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
-from .running import errors, values
+from .running import FORCES_MARGIN, MARGIN, errors, values
+from .selection import Numbered, selection
 
 Array = NDArray[np.float64]
 
 KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
-FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS)
+ROTATION = ("motion_from_rpy", "motion_from_quaternion")
+FUNCTIONS = ("forces", "inverse_dynamics", "joint_reactions", *CLOSED_FORM, *KINEMATICS, *ROTATION)
 """Functions that there are vectors for."""
-
-MARGIN = 2.0
-"""What the C may be worse by than the reading: the same operations grouped in another way."""
 
 FEW = 3
 """Poses of the functions with many answers."""
 
 _BACKWARD = ("forward_kinematics", "forward_velocity")
-_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation")
+_LARGE = ("equations", "joint_inertia", "derivatives", "linearisation", *ROTATION)
 # How near a guess is to its pose, from far to near; what counts as the same pose, rad and m over a length.
 _CLOSENESS = (1, 4, 16, 64)
 _SAME = 1e-3
+# Sides of right-angled triangles over their longest; a quaternion of length other than one.
+_SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
+_QUATERNION = (1.5, 0.25, -0.5, 0.75)
 _PRECISION = {"double": np.float64, "float": np.float32}
 
 
@@ -57,15 +59,18 @@ class Vector:
 
     function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
     R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,). answers: flat arrays by member of the
+    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot
+    (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
     C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
-    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision.
+    largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
+    whether its motion is one that a machine may make.
     """
 
     function: str
     inputs: dict[str, Array]
     answers: dict[str, Array]
     bounds: dict[str, Array]
+    ordinary: bool = True
 
 
 def vectors(
@@ -79,7 +84,8 @@ def vectors(
 ) -> tuple[Vector, ...]:
     """Vectors of each function in turn, up to ``count`` of each, at most FEW of those with many answers.
 
-    "forces" have one more, with a leg near the pole of its universal joint, where there is such a pose.
+    "forces" have further ones on which a wrong constant shows, some with a leg near the joint singularity of
+    its universal joint (``selection``).
 
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
@@ -91,31 +97,40 @@ def vectors(
     instance(robot, Robot, "robot")
     _check(robot, functions, formulation, precision, count)
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    kind = _PRECISION[precision]
+    need_held(robot, precision)
+    return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
+
+
+@lru_cache(maxsize=16)
+def _made(
+    numbered: Numbered,
+    functions: tuple[str, ...],
+    formulation: str,
+    level: str,
+    precision: str,
+    count: int,
+    baked: bool,
+) -> tuple[Vector, ...]:
+    robot, kind = numbered.robot, _PRECISION[precision]
     constants = {
         name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
     }
-    need_held(robot, precision)
     if not baked:
         constants = {name: _rounded(value, kind) for name, value in constants.items()}
     readings = Readings(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
-    motions = [every[i] for i in range(every.shape[0])]
-    beside = near_pole(robot, formulation) if knows_axes(robot, level) else None
+    ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
     made = partial(_vector, readings, robot, kind)
-    return tuple(
-        made(function, _input(robot, motion, kind))
-        for function in functions
-        for motion in _of_function(function, motions, beside)
-        if function not in _BACKWARD or _settled(robot, motion, kind)
-    )
-
-
-def _of_function(function: str, motions: list[Motion], beside: Motion | None) -> list[Motion]:
-    """The motions on which a function is tried; beside: near a pole, where the forces go another way."""
-    if function in _LARGE:
-        return motions[:FEW]
-    return [*motions, beside] if function == "forces" and beside is not None else motions
+    found: list[Vector] = []
+    for function in functions:
+        motions = ordinary[:FEW] if function in _LARGE else ordinary
+        found += [
+            made(function, at) for at in motions if function not in _BACKWARD or _settled(robot, at, kind)
+        ]
+        if function == "forces":
+            chosen = selection(numbered, formulation, level, precision, baked).motions
+            found += [replace(made(function, at), ordinary=False) for at in chosen]
+    return tuple(found)
 
 
 def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
@@ -157,12 +172,13 @@ def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision
         )
 
 
-def _settled(robot: Robot, motion: Motion, kind: type) -> bool:
+def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     """Whether lengths known to rounding settle the pose, with a factor of two to spare.
 
     Forward kinematics asks for a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
     """
-    H = moments_over(wrench_matrix(robot, motion), characteristic_length(robot))
+    pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
+    H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))
     condition = float(np.linalg.norm(H) * np.linalg.norm(np.linalg.inv(H)))
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
 
@@ -177,10 +193,13 @@ def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion:
     elif function == "joint_reactions":
         L = values(readings.inverse_kinematics(motion)["L"])
         inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
+    elif function in ROTATION:
+        inputs = {name: rounded(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
         inputs, at = _kinematic_inputs(readings, robot, kind, function, motion)
     found = getattr(readings, function)(at if function == "forward_kinematics" else inputs)
-    return Vector(function, inputs, *_answers(found, kind))
+    margin = FORCES_MARGIN if function == "forces" else MARGIN
+    return Vector(function, inputs, *_answers(found, kind, margin))
 
 
 def _kinematic_inputs(
@@ -201,6 +220,16 @@ def _kinematic_inputs(
     return inputs, {**pose, "L": L}
 
 
+def _rotation_inputs(function: str, motion: Numbers) -> dict[str, Array]:
+    """Angles and a quaternion in numbers that no machine rounds another way, with the motion's own rates."""
+    first, second = motion["omega"], motion["alpha"]
+    if function == "motion_from_rpy":
+        sine, cosine = (np.array(parts) for parts in (_SINES, _COSINES))
+        return {"sine": sine, "cosine": cosine, "theta_dot": first, "theta_ddot": second}
+    rates = {"e_dot": np.array([0.3, *first]), "e_ddot": np.array([-0.2, *second])}
+    return {"e": np.array(_QUATERNION), **rates}
+
+
 def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     """A pose near R, t from which the lengths L lead back to it."""
     size = characteristic_length(robot)
@@ -214,12 +243,11 @@ def _guess(robot: Robot, R: Array, t: Array, L: Array) -> tuple[Array, Array]:
     return R, t
 
 
-def _answers(found: Found, kind: type) -> tuple[dict[str, Array], dict[str, Array]]:
+def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array], dict[str, Array]]:
     """Answers and their bounds, which have two digits and are never zero."""
-    # The twentieth is what rounding to two digits may take away.
     limits = np.finfo(kind)
     least = float(limits.tiny) / float(limits.eps)
-    bounds = {name: np.maximum(1.05 * MARGIN * errors(numbers), least) for name, numbers in found.items()}
+    bounds = {name: np.maximum(margin * errors(numbers), least) for name, numbers in found.items()}
     return (
         {name: values(numbers) for name, numbers in found.items()},
         {name: significant(bound, 2) for name, bound in bounds.items()},

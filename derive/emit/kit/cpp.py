@@ -45,7 +45,7 @@ def _class_name(function: Function) -> str:
     """Named after the kernel, so that two kits of one program may hold different kernels."""
     if function.subject == MODEL:
         return f"{_short(function.prefix)}_kernel"
-    if function.subject == NOTHING:
+    if function.subject == NOTHING and function.stem == "forces":
         return f"{_short(function.symbol).removesuffix(f'_{function.stem}')}_kernel"
     return f"{_short(function.header.removesuffix('.h'))}_functions"
 
@@ -195,6 +195,18 @@ METHODS = {
         "const stewart_pose &pose, in<6> L_dot, out<3> v, out<3> omega",
         "&pose, L_dot.data(), v.data(), omega.data()",
     ),
+    "motion_from_rpy": _plain(
+        "R, omega and alpha of `motion` from sines, cosines and rates of roll, pitch and yaw.",
+        "from_rpy",
+        "in<3> sine, in<3> cosine, in<3> theta_dot, in<3> theta_ddot, stewart_motion &motion",
+        "sine.data(), cosine.data(), theta_dot.data(), theta_ddot.data(), &motion",
+    ),
+    "motion_from_quaternion": _plain(
+        "The same from a quaternion of any length, scalar first, and its rates.",
+        "from_quaternion",
+        "in<4> e, in<4> e_dot, in<4> e_ddot, stewart_motion &motion",
+        "e.data(), e_dot.data(), e_ddot.data(), &motion",
+    ),
 }
 """Methods of the functions by their stems."""
 
@@ -262,7 +274,7 @@ private:
 _OF_NOTHING = """\
 #if !defined(STEWART_HPP_@name@)
 #define STEWART_HPP_@name@
-// A kernel that holds its robot's numbers.
+// What takes no robot: its numbers are in the code, or none are needed.
 class @name@ {
 public:
 @methods@};

@@ -93,6 +93,8 @@ class _Call:
 
 _OF_POSE = ("R", "t", "R_guess", "t_guess")
 
+_TURNED = (("R", "turned.R", 9), ("omega, rad/s", "turned.omega", 3), ("alpha, rad/s^2", "turned.alpha", 3))
+
 _CALLS = {
     "forces": _Call(("stewart_real F[6];",), "&motion, F", (("F, N", "F", 6),)),
     "inverse_dynamics": _Call(
@@ -136,6 +138,10 @@ _CALLS = {
         "&pose, L_dot, v, omega",
         (("v, m/s", "v", 3), ("omega, rad/s", "omega", 3)),
     ),
+    "motion_from_rpy": _Call(
+        ("stewart_motion turned;",), "sine, cosine, theta_dot, theta_ddot, &turned", _TURNED
+    ),
+    "motion_from_quaternion": _Call(("stewart_motion turned;",), "e, e_dot, e_ddot, &turned", _TURNED),
 }
 
 _EXAMPLE = """\

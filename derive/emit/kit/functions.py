@@ -134,6 +134,23 @@ def _count(dims: str) -> int:
 
 FORCES = _of_struct(c.FORCES)
 _REACTIONS = _of_struct((q, "[6][3]" if q.shape else "[6]") for q in c.REACTIONS)
+_TURNED = (
+    _array("R", (9,), "1", "orientation, row-major: `motion.R`"),
+    _array("omega", (3,), "rad/s", "angular velocity, base frame: `motion.omega`"),
+    _array("alpha", (3,), "rad/s^2", "angular acceleration, base frame: `motion.alpha`"),
+)
+_TURN = """\
+    stewart_motion made;
+    int status;
+    (void)memset(&made, 0, sizeof made);
+    status = @symbol@(@arguments@, &made);
+    if (status == STEWART_OK) {
+        (void)memcpy(out, made.R, sizeof made.R);
+        (void)memcpy(out + 9, made.omega, sizeof made.omega);
+        (void)memcpy(out + 12, made.alpha, sizeof made.alpha);
+    }
+    return status;
+"""
 _WRENCH, _MATRIX = "N and N m", "kg, kg m and kg m^2"
 
 SIGNATURES: dict[str, Signature] = {
@@ -261,6 +278,29 @@ SIGNATURES: dict[str, Signature] = {
             _array("L_dot", (6,), "m/s", "rates of the legs"),
             _array("R", (9,), "1", "orientation of the pose, row-major: `pose.R`"),
             _array("t", (3,), "m", "position of the pose: `pose.t`"),
+        ),
+    ),
+    "motion_from_rpy": Signature(
+        "R, omega and alpha of a motion from roll, pitch and yaw, R = Rz Ry Rx, (38), and their rates.",
+        _TURNED,
+        _TURN.replace("@arguments@", "in, in + 3, in + 6, in + 9"),
+        motion=False,
+        inputs=(
+            _array("sine", (3,), "1", "sines of roll, pitch and yaw"),
+            _array("cosine", (3,), "1", "their cosines"),
+            _array("theta_dot", (3,), "rad/s", "rates of the angles"),
+            _array("theta_ddot", (3,), "rad/s^2", "their second rates"),
+        ),
+    ),
+    "motion_from_quaternion": Signature(
+        "R, omega and alpha of a motion from a quaternion, platform to base, scalar first, and its rates.",
+        _TURNED,
+        _TURN.replace("@arguments@", "in, in + 4, in + 8"),
+        motion=False,
+        inputs=(
+            _array("e", (4,), "1", "quaternion of any length"),
+            _array("e_dot", (4,), "1/s", "its rate"),
+            _array("e_ddot", (4,), "1/s^2", "its second rate"),
         ),
     ),
 }

@@ -5,6 +5,7 @@ One of the kit's texts. Takes the parts of a kit with figures that others found;
 
 import math
 import re
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -19,8 +20,8 @@ from .words import filled, in_markdown, shape, table
 class Figures:
     """What a README says of one function.
 
-    error, worst: bounds of its test vectors over the largest answer of the same array, the largest of each
-    vector: their median and largest, nan without vectors.
+    error, worst: bounds of its ordinary test vectors over the largest answer of the same array, the largest
+    of each vector: their median and largest, nan without vectors.
     stack, batch_stack: bytes, None where nobody measured them or there is no batch.
     """
 
@@ -38,7 +39,9 @@ class Kit:
     command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
     has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
     kept.
-    unit: file name of an FMI unit, "" without one.
+    unit: file name of an FMI unit, "" without one. changed: the share of itself by which a wrong constant is
+    taken to be wrong; hidden: the constants whose change by it no test vector shows, by name; None where
+    there are no forces.
     """
 
     name: str
@@ -53,6 +56,8 @@ class Kit:
     deviations: Sequence[tuple[str, str, str]]
     unit: str
     version: str
+    changed: float
+    hidden: Sequence[str] | None
 
 
 def readme(kit: Kit) -> str:
@@ -70,7 +75,7 @@ def readme(kit: Kit) -> str:
         "files": table(_files(kit)),
         "summary": "\n".join(_summary(function, kit.figures[function.stem]) for function in functions),
         "stack_by": kit.stack_by,
-        "stack_baked": "" if all(function.subject for function in functions) else _STACK_BAKED,
+        "stack_baked": _STACK_BAKED if any(function.plain for function in functions) else "",
         "functions": "\n".join(
             _function(function, part.files[part.header]) for part in kit.parts for function in part.functions
         ),
@@ -80,6 +85,7 @@ def readme(kit: Kit) -> str:
         "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUS),
         "deviations": table(kit.deviations),
         "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
+        "hidden": _hidden(kit),
         "unit": filled(_UNIT, {"unit": kit.unit}) if kit.unit else "",
     }
     return filled(_README, values)
@@ -149,6 +155,31 @@ def _prototypes(function: Function, header: str) -> str:
     found = re.findall(rf"^STEWART_NODISCARD (int {function.symbol}(?:_batch)?\([^;]*\);)", header, re.M)
     assert found, function.symbol
     return "\n".join(found)
+
+
+def _hidden(kit: Kit) -> str:
+    """Which wrong constants the self-test finds by the forces, and which it does not."""
+    if kit.hidden is None:
+        return ""
+    says = f"It fails where a constant of the forces is wrong by {kit.changed:g} of itself"
+    if kit.hidden:
+        says += (
+            ", but for those that no motion was found to show, as rounding errors of other terms are larger: "
+            f"{_by_leg(kit.hidden)}"
+        )
+    return textwrap.fill(f"{says}.", 108, break_long_words=False, break_on_hyphens=False) + "\n"
+
+
+def _by_leg(names: Sequence[str]) -> str:
+    """Constants, those of several legs together: ``C_p of legs 1, 2``."""
+    legs: dict[str, list[str]] = {}
+    for name in names:
+        constant, _, leg = name.partition(" of leg ")
+        legs.setdefault(constant, []).append(leg)
+    parts = (
+        f"`{name}`" + (f" of legs {', '.join(which)}" if which[0] else "") for name, which in legs.items()
+    )
+    return "; ".join(parts)
 
 
 _ARITHMETIC = {
@@ -227,10 +258,10 @@ target_link_libraries(controller PRIVATE @symbol@::@symbol@)
 
 On a target: link `test/selftest.c` with the sources of this folder, `-DSTEWART_NO_STDIO` where nothing can be
 printed; `main` returns 0 only if every answer is within its bound and every wrong call was refused.
-With `-DSTEWART_NO_MAIN` there is `stewart_selftest()` to call at start-up. With `-ffp-contract=off` one
-pose and a batch agree to the last bit; the bounds hold with fused multiply-add as well, which saves a
-fifth of the instructions of a `float` pose on a Cortex-M4F. `-fno-math-errno` lets a square root be one
-instruction. `-ffast-math` removes the checks of inputs
+@hidden@With `-DSTEWART_NO_MAIN` there is `stewart_selftest()` to call at start-up.
+With `-ffp-contract=off` one pose and a batch agree to the last bit; the bounds hold with fused multiply-add
+as well, which saves a fifth of the instructions of a `float` pose on a Cortex-M4F. `-fno-math-errno` lets a
+square root be one instruction. `-ffast-math` removes the checks of inputs
 and is an error, unless `STEWART_ALLOW_FAST_MATH` is defined.
 
 ## Functions
@@ -240,7 +271,7 @@ and is an error, unless `STEWART_ALLOW_FAST_MATH` is defined.
 @summary@
 
 Error: bound of the rounding errors, as the self-test takes it, over the largest number of the same array:
-median and worst of its poses; the worst of the forces is that of a leg near its joint singularity.
+median and worst of its ordinary poses; the self-test has others, far from what a machine does.
 Stack: by @stack_by@@stack_baked@; your compiler's: `make stack`.
 
 All return a status and write nothing unless it is `STEWART_OK`; any number of threads may call them at

@@ -1,0 +1,324 @@
+"""Motions on which a wrong constant shows: chosen for the test vectors of a kit's forces, by sensitivity.
+
+A pool of motions with few things at work at a time (poses at rest, falling platforms, one or two axes of
+velocity or acceleration far beyond what a machine does, large loads) is improved for the constants that show
+least; of it those are taken that together show every constant. An external wrench takes the load off the
+actuators where it is not itself what shows, so that their forces add no rounding errors. Numbers come from a
+frozen generator and have few digits: the same robot gets the same motions everywhere.
+"""
+
+import itertools
+from collections.abc import Container, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..conditioning import characteristic_length, scaled_condition_number
+from ..derive.regroup import ForceKernel
+from ..kernel import MOTION
+from ..kinematics import inverse_kinematics, wrench_matrix
+from ..motion import Motion
+from ..robot import Robot
+from .parts import folded_kernel, plain_kernel
+from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_turn
+from .readings import LEG_FIELDS, NEAR_POLE, PLATFORM_FIELDS
+from .running import FORCES_MARGIN
+from .sensitivity import Forces, changes
+
+Array = NDArray[np.float64]
+Arrays = dict[str, Array]
+
+SHARE = {"double": 1e-9, "float": 1e-3}
+"""By which share of itself a constant is changed."""
+
+SHOWN = 1.5
+"""A constant shows where its change moves a force by this many bounds: the code's own errors may be half of
+one, and are a tenth at most wherever they were measured."""
+
+_PRECISION: dict[str, type] = {"double": np.float64, "float": np.float32}
+_AT_REST, _MOVING = 300, 30
+"""Poses of the pool at rest and in motion."""
+_NEAR = 12
+_NEAR_MOTIONS = 3
+_GENERATIONS, _CHILDREN = 6, 8
+_ENOUGH, _HOPELESS = 4.0, 0.02
+_RATES = ("omega", "v", "alpha", "a")
+# A sine near the threshold may fall on either side of it, by rounding; below the last one it is degenerate.
+_CLEAR, _BESIDE, _LEAST = 1.05, 0.95, 8192.0
+_SHIFTS = (0.0, 0.002, 0.02, 0.3)
+_SINES = (0.006, 0.009, 0.012, 0.0145)
+_SEED = 1998
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Motions that show every constant that shows at all, some of them near a joint singularity.
+
+    motions: arrays by name, flat, numbers of the precision. hidden: names of constants of which a change
+    stays within the bounds of all forces on all motions tried.
+    """
+
+    motions: tuple[Arrays, ...]
+    hidden: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Numbered:
+    """A robot that is equal to others of the same numbers, whatever their names."""
+
+    robot: Robot = field(compare=False)
+    numbers: tuple[bytes, ...]
+    base_joint: str
+
+    @classmethod
+    def of(cls, robot: Robot) -> Self:
+        """The robot by its numbers, limits among them."""
+        names = (*LEG_FIELDS, *PLATFORM_FIELDS, "length_limits")
+        return cls(
+            robot, tuple(np.asarray(getattr(robot, name)).tobytes() for name in names), robot.base_joint
+        )
+
+
+@lru_cache(maxsize=16)
+def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str, folded: bool) -> Selection:
+    """The motions on which a kernel of a robot's forces is tested, besides ordinary ones.
+
+    fidelity: a level that there is. folded: whether the constants are those of the code with the robot's
+    numbers folded in, or else the robot's own. Raises ValueError for a robot without a good pose.
+    """
+    robot = numbered.robot
+    if folded:
+        kernel = folded_kernel(robot, formulation, fidelity)
+    else:
+        kernel = plain_kernel(robot.base_joint, formulation, fidelity)
+    search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
+    ratios, motions = search.shown(near=False)
+    hidden = _hidden(ratios)
+    chosen = [_flat(motions, i) for i in _cover(ratios)]
+    if kernel.leg_near_pole is not None:
+        ratios, motions = search.shown(near=True)
+        beside = {name: row for name, row in ratios.items() if name in hidden}
+        needed, good = _cover(beside), _cover(ratios)
+        chosen += [_flat(motions, i) for i in dict.fromkeys([*needed, *good[:_NEAR_MOTIONS]])]
+        hidden &= _hidden(ratios)
+    return Selection(tuple(chosen), tuple(name for name in ratios if name in hidden))
+
+
+def _hidden(ratios: Mapping[str, Array]) -> set[str]:
+    """Constants that no motion shows."""
+    best = _coarse(ratios).max(axis=1, initial=0.0)
+    return {name for name, ratio in zip(ratios, best, strict=True) if ratio < SHOWN}
+
+
+def _cover(ratios: Mapping[str, Array]) -> list[int]:
+    """Motions, the one that shows most first, that together show each constant that shows at all."""
+    rows = _coarse(ratios)
+    best = rows.max(axis=1, initial=0.0)
+    shows = rows >= np.clip(0.8 * best, SHOWN, _ENOUGH)[:, None]
+    open_ = best >= SHOWN
+    chosen: list[int] = []
+    while open_.any():
+        chosen.append(int(np.argmax(shows[open_].sum(axis=0))))
+        open_ &= ~shows[:, chosen[-1]]
+    return chosen
+
+
+def _weak(ratios: Mapping[str, Array]) -> dict[str, Array]:
+    """Those of constants that hardly show, but may."""
+    return {name: row for name, row in ratios.items() if _HOPELESS < row.max(initial=0.0) < _ENOUGH}
+
+
+def _coarse(ratios: Mapping[str, Array]) -> Array:
+    """Rows of numbers cut to six bits: what rounding does to them changes no choice."""
+    rows = np.array(list(ratios.values())).reshape(len(ratios), -1 if ratios else 0)
+    fraction, exponent = np.frexp(rows)
+    return np.asarray(np.ldexp(np.floor(64.0 * fraction), exponent - 6))
+
+
+def _flat(pool: Arrays, i: int) -> Arrays:
+    return {name: pool[name][i].ravel() for name in MOTION}
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The search for one kernel of one robot; first: the example's motion."""
+
+    robot: Robot
+    kernel: ForceKernel
+    precision: str
+    first: Motion
+
+    def shown(self, near: bool) -> tuple[dict[str, Array], Arrays]:
+        """How far each constant shows, bounds by name, and on which motions (n,)."""
+        draw = np.random.RandomState(_SEED)
+        pool = self._sound(self._pool(draw, near), near)
+        ratios = self._ratios(pool, near)
+        for _ in range(0 if near else _GENERATIONS):
+            weak = _weak(ratios)
+            if not weak:
+                break
+            parents = np.unique(np.argmax(_coarse(weak), axis=1))
+            children = self._sound(self._children(draw, pool, parents), near)
+            pool = {name: np.concatenate([pool[name], children[name]]) for name in pool}
+            # Elsewhere it is enough to know that the others show.
+            new = dict.fromkeys(ratios, np.zeros(len(children["t"]))) | self._ratios(children, near, weak)
+            ratios = {name: np.concatenate([row, new[name]]) for name, row in ratios.items()}
+        return ratios, pool
+
+    # ------------------------------------------------------------ what shows
+
+    def _ratios(self, pool: Arrays, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
+        """Of each constant, or only some, the largest change of a force over its bound (n,)."""
+        forces = self._forces(pool, near)
+        tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(_PRECISION[self.precision]).eps)
+        found: dict[str, Array] = {}
+        for change in changes(self.kernel, self._numbers, SHARE[self.precision]):
+            if only is not None and not any(name in only for name in change.names):
+                continue
+            with np.errstate(all="ignore"):
+                moved = np.nan_to_num((forces.moved(change) / tolerance).max(axis=-1), posinf=0.0)
+            found |= {name: row for name, row in zip(change.names, moved, strict=True) if name}
+        return found
+
+    def _forces(self, pool: Arrays, near: bool) -> Forces:
+        motions = {name: np.moveaxis(pool[name], 0, -1) for name in MOTION}
+        return Forces(self.kernel, self._numbers, motions, near)
+
+    @property
+    def _numbers(self) -> Arrays:
+        kind = np.float64 if self.kernel.constants is not None else _PRECISION[self.precision]
+        return {
+            name: np.asarray(getattr(self.robot, name), dtype=kind).astype(np.float64)
+            for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
+        }
+
+    # ------------------------------------------------------------ motions
+
+    def _sound(self, pool: Arrays, near: bool) -> Arrays:
+        """Those in the precision that solve well, the load taken off where they ask for it."""
+        kind = _PRECISION[self.precision]
+        with np.errstate(over="ignore"):
+            pool = {name: np.asarray(value, dtype=kind).astype(np.float64) for name, value in pool.items()}
+        good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
+        pool = _some(pool, good)
+        legs = inverse_kinematics(self.robot, motion := _as_motion(pool))
+        with np.errstate(all="ignore"):
+            H = wrench_matrix(self.robot, motion)
+        solves = scaled_condition_number(H, characteristic_length(self.robot)) <= MAX_CONDITION
+        if self.robot.base_joint == "universal":
+            k = self.robot.k / np.linalg.norm(self.robot.k, axis=1)[:, None]
+            sines = np.linalg.norm(np.cross(k, legs.s), axis=-1).min(axis=-1)
+            least = _LEAST * np.finfo(kind).eps
+            solves &= (sines > least) & (sines < _BESIDE * NEAR_POLE) if near else sines > _CLEAR * NEAR_POLE
+        pool = _some(pool, solves)
+        return self._unloaded(pool, near)
+
+    def _unloaded(self, pool: Arrays, near: bool) -> Arrays:
+        """The pool with external wrenches, of four digits, that hold the platform, where they are wanted."""
+        kind = _PRECISION[self.precision]
+        load = self._forces(pool, near).load
+        wrench = {"F_ext": load[:, :3], "M_ext": load[:, 3:]}
+        off = pool["unloaded"] > 0
+        held_by = {
+            name: pool[name] - significant(np.einsum("mji,mj->mi", pool["R"], value), 4) * off[:, None]
+            for name, value in wrench.items()
+        }
+        with np.errstate(over="ignore"):
+            held_by = {name: np.asarray(v, dtype=kind).astype(np.float64) for name, v in held_by.items()}
+        pool = pool | held_by
+        bound = self._forces(pool, near).bound
+        return _some(pool, np.isfinite(bound).all(axis=1) & np.isfinite(load).all(axis=1))
+
+    def _pool(self, draw: Any, near: bool) -> Arrays:
+        places = self._places_near if near else self._places
+        still, moving = self._kinds()
+        groups = [(_NEAR, [*still, *moving])] if near else [(_AT_REST, still), (_MOVING, moving)]
+        rows: dict[str, list[Any]] = {name: [] for name in (*MOTION, "unloaded")}
+        for count, kinds in groups:
+            for (R, t), kind in itertools.product(list(places(draw, count)), kinds):
+                given = {"R": R, "t": t} | kind
+                for name, row in rows.items():
+                    row.append(given.get(name, 1.0 if name == "unloaded" else np.zeros(3)))
+        return {name: np.array(row) + 0.0 for name, row in rows.items()}
+
+    def _kinds(self) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+        """What a platform may do at rest or falling, and in motion; SI units, of three digits."""
+        size, g = self._size, self.robot.g
+        pace = float(significant(np.sqrt(np.linalg.norm(g) / size), 2)) or 1.0
+        weight = float(significant(self.robot.M * pace**2 * size, 2)) or 1.0
+        loads = itertools.product((("F_ext", 1.0), ("M_ext", size)), np.eye(3))
+        still: list[dict[str, Any]] = [{}, {"a": g}]
+        still += [{name: 1e3 * weight * arm * axis, "unloaded": 0.0} for (name, arm), axis in loads]
+        moving: list[dict[str, Any]] = []
+        for axis in range(6):
+            pairs = [(axis,), *((axis, other) for other in range(axis))]
+            slow = itertools.product((0.6, 1.5), ({}, {"a": g}))
+            moving.append(_along(("alpha", "a"), 1e4 * pace**2, size, axis))
+            moving += [_along(("omega", "v"), 1e3 * pace, size, *pair) for pair in pairs]
+            moving += [_along(("omega", "v"), share * pace, size, axis) | fall for share, fall in slow]
+        return still, moving
+
+    @property
+    def _size(self) -> float:
+        return size_of(self.robot)
+
+    def _turn(self, draw: Any) -> Array:
+        turn, over = whole_turn(int(draw.randint(3, 31)), *map(int, draw.randint(-4, 5, 3)))
+        return np.asarray((turn @ np.rint(self.first.R * WHOLE)) / (over * WHOLE))
+
+    def _places(self, draw: Any, count: int) -> Iterator[tuple[Array, Array]]:
+        """Turns and positions about the example's."""
+        centre = self.robot.p.mean(axis=0)
+        for _ in range(count):
+            R = self._turn(draw)
+            t = self.first.t + (self.first.R - R) @ centre + self._size * draw.randint(-16, 17, 3) / 20.0
+            yield R, significant(t, 6)
+
+    def _places_near(self, draw: Any, count: int) -> Iterator[tuple[Array, Array]]:
+        """Turns and positions with a leg near the fixed axis of its universal joint."""
+        for _ in range(count):
+            R = self._turn(draw)
+            leg, end = int(draw.randint(6)), 2.0 * draw.randint(2) - 1.0
+            k = end * self.robot.k[leg] / np.linalg.norm(self.robot.k[leg])
+            across = np.cross(k, draw.randint(-50, 51, 3) + np.array([0.1, 0.2, 0.3]))
+            s = k + _SINES[draw.randint(len(_SINES))] * across / np.linalg.norm(across)
+            away = self._size * draw.randint(6, 30) / 10.0 * s
+            yield R, significant(self.robot.b[leg] + away - R @ self.robot.p[leg], 12)
+
+    def _children(self, draw: Any, pool: Arrays, parents: NDArray[np.int64]) -> Arrays:
+        """Motions beside others: rates scaled, changed or left out, the place shifted."""
+        made = {name: np.repeat(value[parents], _CHILDREN, axis=0) for name, value in pool.items()}
+        count = len(made["t"])
+        for name in _RATES:
+            what = draw.randint(4, size=(count, 1))
+            factor, shares = draw.random_sample((count, 1)), draw.random_sample((count, 3))
+            scale = np.select(
+                [what == 0, what == 1, what == 2],
+                [0.2 + 4.0 * factor**2, 0.6 + 0.8 * shares, shares < 0.7],
+                1.0,
+            )
+            made[name] = significant(made[name] * scale, 3) + 0.0
+        reach = np.array(_SHIFTS)[draw.randint(len(_SHIFTS), size=(count, 1))]
+        shift = reach * (draw.random_sample((count, 3)) - 0.5)
+        made["t"] = significant(made["t"] + self._size * shift, 12)
+        off = made["unloaded"] > 0
+        for name in ("F_ext", "M_ext"):
+            made[name] = np.where(off[:, None], 0.0, made[name])
+        return made
+
+
+def _along(names: tuple[str, str], amount: float, size: float, *axes: int) -> dict[str, Any]:
+    """Rates of that amount about the first three axes, times the machine's size along the other three."""
+    turn, shift = (np.isin(np.arange(first, first + 3), axes) for first in (0, 3))
+    return {names[0]: significant(amount * turn, 3), names[1]: significant(amount * size * shift, 3)}
+
+
+def _some(pool: Arrays, which: Any) -> Arrays:
+    return {name: value[which] for name, value in pool.items()}
+
+
+def _as_motion(pool: Arrays) -> Motion:
+    return Motion.unchecked(**{name: pool[name] for name in MOTION})

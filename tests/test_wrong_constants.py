@@ -1,0 +1,182 @@
+"""A kit's self-test fails where one of the constants in its code is wrong, but for those that it names."""
+
+import ctypes
+import itertools
+import re
+from collections.abc import Iterator
+
+import machines
+import numpy as np
+import pytest
+
+from stewart_sym import native
+from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.kit import Choice, kit
+from stewart_sym.kit.parts import folded_kernel
+from stewart_sym.kit.running import FORCES_MARGIN
+from stewart_sym.kit.selection import SHARE, Numbered, selection
+from stewart_sym.kit.sensitivity import Forces, changes
+from stewart_sym.robot import Robot
+
+MACHINES = {
+    "dasgupta": machines.dasgupta(),
+    "six different legs": machines.random_robot(np.random.default_rng(11)),
+}
+REAL = {"double": ctypes.c_double, "float": ctypes.c_float}
+
+
+class Mutants:
+    """A compiled kit whose constants can be written; selftest: failed checks with one of them changed."""
+
+    def __init__(self, robot: Robot, choice: Choice) -> None:
+        files = {name: text.decode() for name, text in kit(robot, choice).files.items()}
+        sources = {
+            name: text for name, text in files.items() if name.endswith((".h", ".c")) and "/" not in name
+        }
+        sources["selftest.c"] = files["test/selftest.c"]
+        self.addresses = dict(
+            _baked(sources) if choice.bake else _of_robot(sources, robot_symbol(robot.name))
+        )
+        flags = ("-DSTEWART_NO_MAIN", "-DSTEWART_NO_STDIO", "-O0")
+        self._library = native.load("wrong_constants", sources, flags)
+        self._real = REAL[choice.precision]
+
+    def selftest(self, name: str = "", share: float = 0.0) -> int:
+        """Failed checks with the constant of that name changed by a share of itself."""
+        if not name:
+            return self._library.stewart_selftest(None, None)
+        where = ctypes.c_void_p.in_dll(self._library, "wrong_constants").value
+        pointers = ctypes.cast(where, ctypes.POINTER(ctypes.POINTER(self._real)))
+        constant = pointers[self.addresses[name]]
+        right = constant[0]
+        constant[0] = right * (1.0 + share)
+        try:
+            return self._library.stewart_selftest(None, None)
+        finally:
+            constant[0] = right
+
+    def value(self, name: str) -> float:
+        where = ctypes.c_void_p.in_dll(self._library, "wrong_constants").value
+        return ctypes.cast(where, ctypes.POINTER(ctypes.POINTER(self._real)))[self.addresses[name]][0]
+
+
+def _baked(sources: dict[str, str]) -> Iterator[tuple[str, int]]:
+    """Makes the constants of the kernel's source writable; their names and places in the list of them."""
+    (name,) = (name for name in sources if re.search(r"_(forces|pose)\.c$", name))
+    text = sources[name]
+    shared = re.findall(r"^#define BAKED_(\w+) REAL\(.*\)$", text, re.M)
+    text = re.sub(
+        r"^#define BAKED_(\w+) (REAL\(.*\))$",
+        r"static stewart_real baked_\1 = \2;\n#define BAKED_\1 baked_\1",
+        text,
+        flags=re.M,
+    )
+    table = re.search(r"static const (\w+) (numbers|legs\[6\]) = \{", text)
+    assert table
+    members = re.findall(r"stewart_real (\w+)(?:\[8\])?;", _struct(text, table[1]))
+    text = text.replace(table[0], table[0].replace("const ", ""))
+    lanes = table[2] == "numbers"
+    of_legs = [(f"{member} of leg {i + 1}", f"&numbers.{member}[{i}]" if lanes else f"&legs[{i}].{member}")
+               for member in members for i in range(6)]  # fmt: skip
+    named = [*((each, f"&baked_{each}") for each in shared), *of_legs]
+    sources[name] = f"{text}\n{_pointers(address for _, address in named)}"
+    yield from ((label, i) for i, (label, _) in enumerate(named))
+
+
+def _of_robot(sources: dict[str, str], symbol: str) -> Iterator[tuple[str, int]]:
+    """The same of the robot's constants."""
+    sources["stewart_robot.h"] = sources["stewart_robot.h"].replace("const stewart_robot", "stewart_robot")
+    text = sources["stewart_robot.c"].replace("const stewart_robot", "stewart_robot")
+    axes = {1: ("",), 3: ("_x", "_y", "_z"), 6: ("_xx", "_xy", "_xz", "_yy", "_yz", "_zz")}
+    named = []
+    for struct, prefix, legs in (("stewart_leg", "leg[{i}].", range(6)), ("stewart_robot", "", range(1))):
+        for member, size in re.findall(
+            r"stewart_real (\w+)(?:\[(\d)\])?;", _struct(sources["stewart.h"], struct)
+        ):
+            for i in legs:
+                for j, axis in enumerate(axes[int(size or 1)]):
+                    label = f"{member}{axis}" + (f" of leg {i + 1}" if struct == "stewart_leg" else "")
+                    index = f"[{j}]" if size else ""
+                    named.append((label, f"&{symbol}.{prefix.format(i=i)}{member}{index}"))
+    sources["stewart_robot.c"] = f"{text}\n{_pointers(address for _, address in named)}"
+    yield from ((label, i) for i, (label, _) in enumerate(named))
+
+
+def _struct(text: str, name: str) -> str:
+    """Members of a struct."""
+    end = re.search(rf"^\}} {name};", text, re.M)
+    assert end
+    return text[text.rindex("typedef struct {", 0, end.start()) : end.start()]
+
+
+def _pointers(addresses: Iterator[str]) -> str:
+    listed = ",\n    ".join(addresses)
+    return (
+        f"static stewart_real *const constants[] = {{\n    {listed}}};\n"
+        "extern stewart_real *const *const wrong_constants;\n"
+        "stewart_real *const *const wrong_constants = constants;\n"
+    )
+
+
+CASES = list(itertools.product(MACHINES, (True, False), SHARE))
+FAST = [("dasgupta", True, "float"), ("six different legs", True, "double")]
+
+
+@pytest.mark.parametrize(
+    ("which", "bake", "precision"),
+    [pytest.param(*case, marks=() if case in FAST else pytest.mark.slow) for case in CASES],
+)
+def test_every_wrong_constant_fails_the_self_test_or_is_named(which: str, bake: bool, precision: str) -> None:
+    robot = MACHINES[which]
+    mutants = Mutants(robot, Choice(bake=bake, precision=precision))
+    assert mutants.selftest() == 0
+    share = SHARE[precision]
+    wrong = [name for name in mutants.addresses if mutants.value(name)]
+    passed = {name for name in wrong if not mutants.selftest(name, share)}
+    hidden = selection(Numbered.of(robot), "exact", "general", precision, bake).hidden
+    assert passed <= set(hidden)
+    assert len(wrong) - len(passed) > 80
+
+
+def test_the_readme_of_a_kit_names_the_constants_that_rounding_hides() -> None:
+    robot = MACHINES["dasgupta"]
+    text = " ".join(kit(robot, Choice(bake=True, precision="float")).files["README.md"].decode().split())
+    hidden = selection(Numbered.of(robot), "exact", "general", "float", True).hidden
+    assert "wrong by 0.001 of itself" in text
+    assert hidden
+    assert all(f"`{name.partition(' of leg ')[0]}`" in text for name in hidden)
+
+
+def random_motions(robot: Robot, count: int, seed: int) -> dict[str, np.ndarray]:
+    """Motions of all paces about the home pose, none of them from the kit's pool, motions last."""
+    rng = np.random.default_rng(seed)
+    size = machines.machine_size(robot)
+    axes = rng.standard_normal((count, 3)) * 0.3
+    found = {
+        "R": np.array([machines.rotation(axis) for axis in axes]),
+        "t": machines.home_position(robot.b, size) + 0.3 * size * rng.standard_normal((count, 3)),
+        "F_ext": np.zeros((count, 3)),
+        "M_ext": np.zeros((count, 3)),
+    }
+    for name, arm in (("omega", 1.0), ("v", size), ("alpha", 1.0), ("a", size)):
+        pace = 10.0 ** rng.uniform(-3, 3, (count, 1)) * (rng.random((count, 1)) < 0.5)
+        found[name] = arm * pace * rng.standard_normal((count, 3))
+    return {name: np.moveaxis(value, 0, -1) for name, value in found.items()}
+
+
+@pytest.mark.parametrize("which", MACHINES)
+def test_no_motion_of_a_sweep_shows_what_is_named(which: str) -> None:
+    """Rounding errors of other terms are larger than changes of these constants, wherever the platform is."""
+    robot = MACHINES[which]
+    hidden = set(selection(Numbered.of(robot), "exact", "general", "float", True).hidden)
+    kernel = folded_kernel(robot, "exact", "general")
+    forces = Forces(kernel, {}, random_motions(robot, 2000, 5), near=False)
+    tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(np.float32).eps)
+    largest = {
+        name: float(np.nanmax(moved / tolerance))
+        for change in changes(kernel, {}, SHARE["float"])
+        for name, moved in zip(change.names, forces.moved(change), strict=True)
+        if name in hidden
+    }
+    assert largest.keys() == hidden
+    assert max(largest.values()) < 1.0
