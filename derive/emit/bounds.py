@@ -20,7 +20,7 @@ from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_er
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_scale import MEMBER, PREPARED, SIZE_BY_LEGS
 from .lane_text import JUDGED, MACROS, dims, entries, filled, judged, loads, names_used, raw_member, stores
 from .lanes import reach_terms, solve_pose
 
@@ -35,6 +35,7 @@ def header(kernel: ForceKernel, version: str) -> str:
     parts = {
         "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
         "@PLATFORM@": _members(blocks.prepare_platform, blocks.kernel.platform_constants(), comment=True),
+        "@SCALE@": [MEMBER],
     }
     text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
     return filled(text, parts).replace("@NAME@", name)
@@ -51,8 +52,6 @@ def source(kernel: ForceKernel, version: str) -> str:
         + singular.MACROS
         + _MACROS
         + "\n"
-        + SWITCH
-        + "\n"
         + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
@@ -62,11 +61,15 @@ def source(kernel: ForceKernel, version: str) -> str:
             )
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
-        UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
-        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model").replace(
-            "STEWART_OVER_LENGTH(largest)", "(largest * model->per_length)"
+        SIZE_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
+        filled(
+            _PREPARE,
+            {
+                "@ZERO@": _zero(),
+                "@ADD@": _add(),
+                "@SCALE@": [PREPARED.format(model="made.", address="&made")],
+            },
         ),
-        filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
         _LEG_STATUS,
         *(
@@ -476,8 +479,7 @@ typedef struct {
     stewart_@NAME@_bounds_leg leg[6];
     stewart_@NAME@_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
-    stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
+@SCALE@
 } stewart_@NAME@_bounds_model;
 
 /* Prepares the constants; k may have any length from 1e-15 to 1e15. Returns a status: STEWART_NOT_FINITE
@@ -681,11 +683,7 @@ int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bou
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
-    made.per_length = 1;
-#if defined(STEWART_SCALED)
-    made.per_length = 1 / unit_of_length(&made);
-#endif
-    made.least = least_pivots(&made);
+@SCALE@
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }

@@ -568,6 +568,18 @@ static void column_rows(
     }
 }
 """,
+    "scale_rows": """\
+/* Takes moments over a length in rows of `width` numbers, three of forces and three of moments. */
+static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
+{
+    int i;
+    if (per_length != REAL(1)) {
+        for (i = 3 * width; i < 6 * width; ++i) {
+            rows[i] = rows[i] * per_length;
+        }
+    }
+}
+""",
 }
 """What kernels and functions share: name -> text."""
 
@@ -584,7 +596,7 @@ static int columns_status(
         size = STEWART_LARGER(arm[i], size);
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
-    if (close == 0 && STEWART_FABS(pivots) > STEWART_SUSPECT * STEWART_CUBE(size)) {
+    if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
         return STEWART_OK;
     }
     column_rows(force, moment, 6, H);
@@ -846,6 +858,7 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
+    scale_rows(model->per_length, 12, A);
     status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
@@ -859,6 +872,7 @@ int stewart_@NAME@_joint_inertia(
     for (i = 0; i < 6; ++i) {
         copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
+    scale_rows(model->per_length, 12, A);
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -894,6 +908,7 @@ int stewart_@NAME@_derivatives(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     inertia_rows(sum, 24, &A[18]);
+    scale_rows(model->per_length, 24, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         if (is_finite(&A[24 * i + 6], 18) == 0) {

@@ -15,8 +15,9 @@ MACROS = """
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 """
 

@@ -77,8 +77,9 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 #define STEWART_INFINITY ((stewart_real)INFINITY)
@@ -87,13 +88,6 @@
  * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
-
-/* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
- * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
- * -DSTEWART_UNSCALED: float without it. -DSTEWART_SCALED: any arithmetic with it. */
-#if defined(STEWART_FLOAT) && !defined(STEWART_UNSCALED) && !defined(STEWART_SCALED)
-#define STEWART_SCALED
-#endif
 
 static int is_finite(const stewart_real *values, int count)
 {
@@ -599,30 +593,26 @@ static void prepare_platform(
     out->p_1[2] = p_1_z;
 }
 
-#if defined(STEWART_SCALED)
-/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
- * 1 if all of them are zero. */
-static stewart_real unit_of_length(const stewart_exact_bounds_model *model)
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real largest = REAL(0), unit = REAL(1);
-    int i, j;
-    for (j = 0; j < 3; ++j) {
-        for (i = 0; i < 6; ++i) {
-            largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j]), largest);
-        }
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.25) && size <= REAL(4.0)) {
+        return unit;
     }
-    for (i = 0; i < 100 && unit < largest; ++i) {
+    for (i = 0; i < 100 && unit < size; ++i) {
         unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
         unit = STEWART_HALF * unit;
     }
-    return unit;
+    return REAL(1) / unit;
 }
-#endif
 
-/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
-static stewart_real least_pivots(const stewart_exact_bounds_model *model)
+/* Largest coordinate of the arms of moments about platform point 1, m. */
+static stewart_real size_of(const stewart_exact_bounds_model *model)
 {
     stewart_real largest = REAL(0);
     int i, j;
@@ -631,9 +621,14 @@ static stewart_real least_pivots(const stewart_exact_bounds_model *model)
             largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j] - model->leg[0].p[j]), largest);
         }
     }
-    largest = (largest * model->per_length);
-    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
-    return largest <= STEWART_MAX ? largest : STEWART_MAX;
+    return largest;
+}
+
+/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
+static stewart_real least_pivots(stewart_real size)
+{
+    const stewart_real least = STEWART_LEAST_PIVOTS(size);
+    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
@@ -686,11 +681,8 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
-    made.per_length = 1;
-#if defined(STEWART_SCALED)
-    made.per_length = 1 / unit_of_length(&made);
-#endif
-    made.least = least_pivots(&made);
+    made.per_length = per_length_of(size_of(&made));
+    made.least = least_pivots(size_of(&made) * made.per_length);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }

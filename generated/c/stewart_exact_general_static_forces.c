@@ -66,18 +66,11 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
-
-#if defined(STEWART_SCALED)
-#define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
-#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = REAL(1) / unit_of_length(made))
-#else
-#define STEWART_OVER_LENGTH(value) (value)
-#define STEWART_CHOOSE_LENGTH(made) ((void)(made))
-#endif
 
 #define STEWART_LEAST (model->least)
 
@@ -217,30 +210,26 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->g[2] = g_z;
 }
 
-#if defined(STEWART_SCALED)
-/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
- * 1 if all of them are zero. */
-static stewart_real unit_of_length(const stewart_exact_general_static_model *model)
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real largest = REAL(0), unit = REAL(1);
-    int i, j;
-    for (j = 0; j < 3; ++j) {
-        for (i = 0; i < 6; ++i) {
-            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i]), largest);
-        }
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.25) && size <= REAL(4.0)) {
+        return unit;
     }
-    for (i = 0; i < 100 && unit < largest; ++i) {
+    for (i = 0; i < 100 && unit < size; ++i) {
         unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
         unit = STEWART_HALF * unit;
     }
-    return unit;
+    return REAL(1) / unit;
 }
-#endif
 
-/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
-static stewart_real least_pivots(const stewart_exact_general_static_model *model)
+/* Largest coordinate of the arms of moments about platform point 1, m. */
+static stewart_real size_of(const stewart_exact_general_static_model *model)
 {
     stewart_real largest = REAL(0);
     int i, j;
@@ -249,9 +238,14 @@ static stewart_real least_pivots(const stewart_exact_general_static_model *model
             largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
         }
     }
-    largest = STEWART_OVER_LENGTH(largest);
-    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
-    return largest <= STEWART_MAX ? largest : STEWART_MAX;
+    return largest;
+}
+
+/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
+static stewart_real least_pivots(stewart_real size)
+{
+    const stewart_real least = STEWART_LEAST_PIVOTS(size);
+    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exact_general_static_model *model)
@@ -318,8 +312,8 @@ int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exa
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    STEWART_CHOOSE_LENGTH(&made);
-    made.least = least_pivots(&made);
+    made.per_length = per_length_of(size_of(&made));
+    made.least = least_pivots(size_of(&made) * made.per_length);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -597,6 +591,17 @@ static void moments_of_pose(leg_lanes *legs)
         legs->arm_c[0][l] = arm_y*c_force_z - arm_z*c_force_y;
         legs->arm_c[1][l] = arm_z*c_force_x - arm_x*c_force_z;
         legs->arm_c[2][l] = arm_x*c_force_y - arm_y*c_force_x;
+    }
+}
+
+/* Takes the moments of the rows [H | c] over a length. */
+static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+{
+    int i, j;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < LANES; ++j) {
+            A[i][j] = A[i][j] * per_length;
+        }
     }
 }
 
@@ -901,12 +906,15 @@ int stewart_exact_general_static_forces(
         }
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
+            A[j + 3][i] = legs.H_moment[j][i];
         }
         A[j][6] = force;
-        A[j + 3][6] = STEWART_OVER_LENGTH(turn);
+        A[j + 3][6] = turn;
         A[j][7] = REAL(0);
         A[j + 3][7] = REAL(0);
+    }
+    if (model->per_length != REAL(1)) {
+        scale_pose(A, model->per_length);
     }
     pivots = solve_pose(A, x);
     if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
@@ -1117,6 +1125,19 @@ static void moments_of_block(
         c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
         c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
         c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+    }
+}
+
+/* The same for eight poses. */
+static void scale_block(block *out, stewart_real per_length)
+{
+    int i, j, l;
+    for (i = 1; i < 7; ++i) {
+        for (j = 3; j < 6; ++j) {
+            for (l = 0; l < LANES; ++l) {
+                out->column[i][j][l] = out->column[i][j][l] * per_length;
+            }
+        }
     }
 }
 
@@ -1560,16 +1581,9 @@ static void forces_of_block(const stewart_exact_general_static_model *model, con
             moments_of_block(&other, first.q, out->column[i], out->column[6]);
         }
     }
-#if defined(STEWART_SCALED)
-    for (l = 0; l < LANES; ++l) {
-        for (i = 1; i < 7; ++i) {
-            int j;
-            for (j = 3; j < 6; ++j) {
-                out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
-            }
-        }
+    if (model->per_length != REAL(1)) {
+        scale_block(out, model->per_length);
     }
-#endif
     solve_block(out->column, out->D, STEWART_LEAST, out->F, out->bad);
 }
 

@@ -56,8 +56,9 @@
  * may be singular to rounding with others while the pivots are large. */
 #define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 typedef struct {
@@ -559,6 +560,24 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
     return STEWART_OK;
 }
 
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
+{
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.25) && size <= REAL(4.0)) {
+        return unit;
+    }
+    for (i = 0; i < 100 && unit < size; ++i) {
+        unit = REAL(2) * unit;
+    }
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
+        unit = STEWART_HALF * unit;
+    }
+    return REAL(1) / unit;
+}
+
 /* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
  * of the pivots. */
 static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
@@ -715,7 +734,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7], arm[6], reach[6], L[6];
-    stewart_real pivots, least, size = REAL(0);
+    stewart_real pivots, per_length, size = REAL(0);
     int i, j, status;
     int close = 0;
     platform_wrench(robot, at, &own);
@@ -749,9 +768,17 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
+    per_length = per_length_of(size);
+    if (per_length != REAL(1)) {
+        for (i = 0; i < 7; ++i) {
+            A[3][i] = A[3][i] * per_length;
+            A[4][i] = A[4][i] * per_length;
+            A[5][i] = A[5][i] * per_length;
+        }
+        size = size * per_length;
+    }
     pivots = solve(A, out->x);
-    least = STEWART_SUSPECT * STEWART_CUBE(size);
-    if (close != 0 || !(STEWART_FABS(pivots) > least)) {
+    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size))) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
             for (j = 0; j < 6; ++j) {
