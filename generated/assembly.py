@@ -85,7 +85,7 @@ def per_length(size: Any) -> Any:
     """
     fraction, exponent = np.frexp(size)
     power = np.ldexp(1.0, np.clip((fraction == 0.5) - exponent, -100, 100))
-    return np.where((size >= 0.25) & (size <= 4.0) | (size == 0.0), 1.0, power)
+    return np.where((size >= 0.0625) & (size <= 64.0) | (size == 0.0), 1.0, power)
 
 
 def over_length(size: Any, H: Array, right: Array) -> tuple[Array, Array]:

@@ -12,7 +12,7 @@ from ..operations import KernelOperations
 from ..thresholds import comment
 from . import singular
 from .infix import infix, wrap
-from .lane_scale import PER_LENGTH
+from .lane_scale import ABOUT_REFERENCE, per_length_function
 
 STATUS = (
     ("OK", 0, "solved"),
@@ -150,7 +150,7 @@ def source(kernel: Kernel, version: str) -> str:
         block_function(kernel.platform, "platform_terms"),
         block_function(kernel.reactions, "reaction_terms"),
         _STATUS_CHECK.replace("@FINITE@", IS_FINITE).replace("@POLE@", _POLE_CHECK if has_pole else ""),
-        PER_LENGTH,
+        per_length_function(*ABOUT_REFERENCE),
         _SOLVE,
         singular.FUNCTION,
         _POSE,

@@ -10,7 +10,7 @@ from ..kernels import Kernel
 from ..operations import KernelOperations
 from .c import operations_table
 from .infix import WIDTH, infix, wrap
-from .lane_scale import LARGEST, SMALLEST
+from .lane_scale import ABOUT_REFERENCE
 
 
 def module(
@@ -41,7 +41,8 @@ def module(
 
 def assembly(version: str) -> str:
     """``assembly.py``: what every kernel shares."""
-    return _ASSEMBLY.format(version=version, smallest=SMALLEST, largest=LARGEST)
+    smallest, largest = ABOUT_REFERENCE
+    return _ASSEMBLY.format(version=version, smallest=smallest, largest=largest)
 
 
 def _operations_literal(name: str, with_friction: KernelOperations, frictionless: KernelOperations) -> str:

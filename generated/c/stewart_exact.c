@@ -606,7 +606,7 @@ static stewart_real per_length_of(stewart_real size)
 {
     stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.25) && size <= REAL(4.0)) {
+    if (size >= REAL(0.0625) && size <= REAL(64.0)) {
         return unit;
     }
     for (i = 0; i < 100 && unit < size; ++i) {
