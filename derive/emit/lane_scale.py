@@ -15,10 +15,10 @@ Of 10^4 poses none loses more than 6.1 rounding units times its condition number
 but 10 at 1/16 m.
 """
 
-MEMBER = """\
+MEMBER = f"""\
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * about a metre. Otherwise one over the least power of two that no arm of a moment exceeds. */
+     * {SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm of a moment exceeds. */
     stewart_real per_length;"""
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
