@@ -199,8 +199,8 @@ def test_every_kernel_is_as_good_as_its_problem_allows_in_many_cases(
 
 
 LUMPED, RARE, FAR = {"heavy leg": "linearisation (A by pose)"}, 0.01, 500.0
-"""What is known to remain, as a heavy upper part is lumped with the platform: of this block, one pose or at most
-a share ``RARE`` beyond ``WITHIN``, and none farther off than ``FAR``."""
+"""What is known to remain, as a heavy upper part is lumped with the platform: of this block one pose, or a
+share ``RARE``, beyond ``WITHIN``, and none farther off than ``FAR``."""
 
 
 def beyond(kind: str, precision: str, cases: int) -> list[str]:
