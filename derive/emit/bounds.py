@@ -334,14 +334,12 @@ def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
     """What tells the status of a leg and of the pose."""
     terms, _ = reach_terms(kernel)
     length, sine = judged(leg.block)
-    arms = [f"STEWART_FABS(arm_{axis})" for axis in AXES]
     return [
         wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
-        f"    const stewart_real arms[3] = {{{', '.join(arms)}}};",
         f"    out->L = {length};",
         f"    out->sine = {sine};",
         f"    out->reach = largest(terms, {len(terms)}, STEWART_SHORTEST / STEWART_ROUNDING);",
-        "    out->arm = largest(arms, 3, 0);",
+        *(f"    out->arm[{i}] = arm_{axis};" for i, axis in enumerate(AXES)),
     ]
 
 
@@ -619,7 +617,7 @@ typedef struct {
 typedef struct {
     stewart_real D, L;
     stewart_real sine; /* of the angle between the leg and the fixed axis */
-    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
+    stewart_real reach, arm[3]; /* size of what the leg vector is the sum of; arm of its moment */
 @TERMS@
 } leg_terms;
 
@@ -628,7 +626,7 @@ typedef struct {
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
-    stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    stewart_real L[6], reach[6], arm[6][3]; /* of the legs */
     int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
@@ -918,8 +916,8 @@ static int equations_of_pose(
         D[i] = leg.D;
         out->L[i] = leg.L;
         out->reach[i] = leg.reach;
-        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
+            out->arm[i][j] = leg.arm[j];
             out->H[j][i] = leg.H_force[j];
             out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
@@ -935,7 +933,7 @@ static int equations_of_pose(
 /* Status of the platform's equations by the product of their pivots. */
 static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real H[6][6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     if (of->close == 0 && STEWART_FABS(pivots) > least) {
         return STEWART_OK;
@@ -944,8 +942,11 @@ static int pose_status(const platform_equations *of, stewart_real pivots, stewar
         for (j = 0; j < 6; ++j) {
             H[i][j] = of->H[i][j];
         }
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = of->arm[i][j];
+        }
     }
-    return singular_status(H, of->L, of->reach, of->arm);
+    return singular_status(H, arm, of->L, of->reach);
 }
 
 /* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */

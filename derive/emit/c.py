@@ -595,7 +595,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 {
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7], arm[6], reach[6], L[6];
+    stewart_real A[6][7], arm[6][3], reach[6], L[6];
     stewart_real pivots, per_length, size = REAL(0);
     int i, j, status;
     int close = 0;
@@ -606,10 +606,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        arm[i] = largest(terms.q, 3, REAL(0));
-        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, arm[i]));
+        reach[i] = largest(terms.q, 3, REAL(0));
+        size = STEWART_LARGER(reach[i], size);
+        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, reach[i]));
         L[i] = terms.L;
-        size = STEWART_LARGER(arm[i], size);
         status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
@@ -617,6 +617,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
+            arm[i][j] = terms.q[j];
             out->K[i][j] = terms.K[j];
             out->H[j][i] = terms.H_force[j];
             out->H[j + 3][i] = terms.H_moment[j];
@@ -647,7 +648,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
                 H[i][j] = out->H[i][j];
             }
         }
-        status = singular_status(H, L, reach, arm);
+        status = singular_status(H, arm, L, reach);
         if (status != STEWART_OK) {
             return status;
         }

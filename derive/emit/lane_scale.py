@@ -18,7 +18,7 @@ but 10 at 1/16 m.
 MEMBER = f"""\
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * {SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm of a moment exceeds. */
+     * {SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;"""
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST

@@ -1012,19 +1012,16 @@ _POSE = """\
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
 {
-    stewart_real H[6][6], arm[6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     for (i = 0; i < 6; ++i) {
-        arm[i] = REAL(0);
         for (j = 0; j < 3; ++j) {
-            <A:const stewart_real coordinate = STEWART_FABS(legs->q[j][i] - legs->q[j][0]);:A>
-            <O:const stewart_real coordinate = STEWART_FABS(legs->q[j][i]);:O>
-            arm[i] = STEWART_LARGER(coordinate, arm[i]);
+            arm[i][j] = legs->q[j][i]<A: - legs->q[j][0]:A>;
             H[j][i] = legs->H_force[j][i];
             H[j + 3][i] = legs->H_moment[j][i];
         }
     }
-    return singular_status(H, legs->L, legs->reach, arm);
+    return singular_status(H, arm, legs->L, legs->reach);
 }
 
 int stewart_@NAME@_forces(

@@ -586,14 +586,15 @@ static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
 _COLUMNS_STATUS = """\
 /* Status of a pose by its H and the product of the pivots of H. */
 static int columns_status(
-    const stewart_@NAME@_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
-    const leg_judgement *judged, stewart_real pivots)
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
+    stewart_real (*moment)[LANES], const leg_judgement *judged, stewart_real pivots)
 {
-    stewart_real H[36], rows[6][6], arm[6], size = REAL(0);
-    int i, close = 0;
+    stewart_real H[36], rows[6][6], arm[6][3], size = REAL(0);
+    int i, j, close = 0;
     for (i = 0; i < 6; ++i) {
-        arm[i] = STEWART_FABS(model->p[0][i]) + STEWART_FABS(model->p[1][i]) + STEWART_FABS(model->p[2][i]);
-        size = STEWART_LARGER(arm[i], size);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(model->p[j][i]), size);
+        }
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
     if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
@@ -603,7 +604,13 @@ static int columns_status(
     for (i = 0; i < 36; ++i) {
         rows[i / 6][i % 6] = H[i];
     }
-    return singular_status(rows, judged->L, judged->reach, arm);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = motion->R[3 * j] * model->p[0][i] + motion->R[3 * j + 1] * model->p[1][i]
+                + motion->R[3 * j + 2] * model->p[2][i];
+        }
+    }
+    return singular_status(rows, arm, judged->L, judged->reach);
 }
 """
 
@@ -859,7 +866,7 @@ int stewart_@NAME@_joint_inertia(
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
     scale_rows(model->per_length, 12, A);
-    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    status = columns_status(model, motion, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }

@@ -225,11 +225,10 @@ def solve(robot: Any, motion: Any, leg: dict[str, Array], platform: dict[str, Ar
     for i in range(6):
         c = c + of_legs[..., i, :]
     q = leg["q"]
-    arm = np.abs(q).max(axis=-1)
-    x, pivots = eliminate(*over_length(arm.max(axis=-1), H, c))
+    x, pivots = eliminate(*over_length(np.abs(q).max(axis=(-1, -2)), H, c))
     F = leg["D"] - x
     reach = np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)).max(axis=(0, -1))
-    status = singular_status(H, pivots, leg["L"], reach, arm)
+    status = singular_status(H, pivots, leg["L"], reach, q)
     status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
     fault = leg_status(robot, motion, leg)
     status = np.where(fault == OK, status, fault).astype(np.int32)
@@ -291,10 +290,10 @@ def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
 def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array) -> Array:
     """OK, SINGULAR or NOT_FINITE of every pose: whether H (..., 6, 6) is singular to rounding.
 
-    pivots: their product (...). L, reach, arm (..., 6): length of each leg, size of the vectors that it is
-    the sum of, size of the arm of its moment. As ``singular_status`` of the C, where the bound is explained.
+    pivots: their product (...). L, reach (..., 6): length of each leg, size of the vectors that it is the sum
+    of; arm (..., 6, 3): of its moment. As ``singular_status`` of the C, where the bound is explained.
     """
-    size = arm.max(axis=-1)
+    size = np.abs(arm).max(axis=(-1, -2))
     close = (L <= SHORT_SHARE * reach).any(axis=-1)
     close |= ~(np.abs(pivots) > SUSPECT * (size * per_length(size)) ** 3)
     status = np.zeros(pivots.shape, dtype=np.int32)
@@ -306,13 +305,12 @@ def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array)
 def _status_of_close(H: Array, L: Array, reach: Array, arm: Array, size: Array) -> Array:
     scaled = H / np.where(np.arange(6) < 3, 1.0, size)[..., None]
     Y, _ = eliminate_many(scaled, np.broadcast_to(np.eye(6), H.shape))
-    force, moment = np.abs(Y[..., :3]).sum(axis=-1), np.abs(Y[..., 3:]).sum(axis=-1)
-    error = 4 * np.finfo(np.float64).eps * (reach / L + 2)
-    turn = 3 * error * arm / size + 8 * np.finfo(np.float64).eps
+    turned = Y[..., None, :3] + np.cross(Y[..., None, 3:], (arm / size[..., None])[..., None, :, :])
+    G = np.abs(turned).sum(axis=-1) * (reach / L + 2)[..., None, :]
+    G = (G + 2 * np.abs(Y[..., 3:]).sum(axis=-1)[..., None]) * 4 * np.finfo(np.float64).eps
     v, worst = np.ones(L.shape), np.full(L.shape[:-1], np.inf)
     for _ in range(4):
-        grown = force * (error * v).sum(axis=-1, keepdims=True)
-        grown = grown + moment * (turn * v).sum(axis=-1, keepdims=True)
+        grown = (G * v[..., None, :]).sum(axis=-1)
         worst = np.minimum(worst, (grown / v).max(axis=-1))
         v = np.maximum(grown / grown.max(axis=-1, keepdims=True), np.finfo(np.float64).eps)
     status = np.where(worst <= 0.5, OK, SINGULAR)

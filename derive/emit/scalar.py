@@ -181,15 +181,14 @@ def _closely(kernel: ForceKernel) -> str:
     terms = [*exprs[n.q], *(symbol for quantity in around for symbol in quantity.symbols)]
     sizes = [f"STEWART_FABS({infix(term, SQRT)})" for term in terms if term != 0]
     given = {out.quantity: out.exprs for out in block.outputs}
-    arms = [f"STEWART_FABS({infix(e, SQRT)} - q_1_{axis})" for e, axis in zip(given[n.q], "xyz", strict=True)]
+    arms = [f"{infix(e, SQRT)} - q_1_{axis}" for e, axis in zip(given[n.q], "xyz", strict=True)]
     column = [*given[n.H_force], *given[n.H_moment]]
     body = [
         *_leg_loads(kernel, dict.fromkeys((*block.inputs, *around)), used),
         *step_lines(block.steps, "    "),
         "    out->reach = STEWART_SHORTEST / STEWART_ROUNDING;",
         *(wrap(f"    out->reach = STEWART_LARGER({size}, out->reach);", " " * 8) for size in sizes),
-        "    out->arm = REAL(0);",
-        *(wrap(f"    out->arm = STEWART_LARGER({size}, out->arm);", " " * 8) for size in arms),
+        *(f"    out->arm[{i}] = {arm};" for i, arm in enumerate(arms)),
         f"    out->L = {infix(exprs[n.L][0], SQRT)};",
         *(f"    out->column[{i}] = {infix(e, SQRT)};" for i, e in enumerate(column)),
     ]
@@ -508,12 +507,12 @@ static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out, stewart_re
 """
 
 _CLOSELY = """\
-/* What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, of the
- * arm of its moment, and its column of H. */
+/* What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the arm
+ * of its moment, and its column of H. */
 typedef struct {
     stewart_real L;
     stewart_real reach;
-    stewart_real arm;
+    stewart_real arm[3];
     stewart_real column[6];
 } leg_sizes;
 
@@ -617,7 +616,7 @@ STEWART_APART static int pose_status(
     stewart_real H[6][6];
     stewart_real length[6];
     stewart_real reach[6];
-    stewart_real arm[6];
+    stewart_real arm[6][3];
     int i;
     int j;
     for (i = 0; i < 6; ++i) {
@@ -630,12 +629,14 @@ STEWART_APART static int pose_status(
         }
         length[i] = sizes.L;
         reach[i] = sizes.reach;
-        arm[i] = sizes.arm;
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = sizes.arm[j];
+        }
         for (j = 0; j < 6; ++j) {
             H[j][i] = sizes.column[j];
         }
     }
-    return singular_status(H, length, reach, arm);
+    return singular_status(H, arm, length, reach);
 }
 
 """

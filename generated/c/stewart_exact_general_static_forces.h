@@ -40,7 +40,7 @@ typedef struct {
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm of a moment exceeds. */
+     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_general_static_model;
 
