@@ -537,7 +537,9 @@ STEWART_APART static int short_status(
     if (!(sizes.L <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    pose->close = 1;
+    if (!(sizes.L > (STEWART_SHORT_SHARE * sizes.reach))) {
+        pose->close = 1;
+    }
     return (sizes.L > (STEWART_ROUNDING * sizes.reach)) ? STEWART_OK : STEWART_SHORT_LEG;
 }
 """
@@ -662,7 +664,7 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     pose_of(motion, &pose, A); //B
     pose.close = 0;
     /* A leg above this is long beside the vectors that it is the sum of. */
-    least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
+    least = STEWART_SHORTEST + (STEWART_SHORT_SHARE
         * (STEWART_FABS(motion->t[0]) + STEWART_FABS(motion->t[1]) + STEWART_FABS(motion->t[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(

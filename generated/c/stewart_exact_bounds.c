@@ -68,14 +68,23 @@
 
 #define LANES 8
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
-#if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#else
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
 
 /* The same for arms of moments that are no larger than `size`. */
 #if !defined(STEWART_LEAST_PIVOTS)
