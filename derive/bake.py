@@ -6,7 +6,6 @@ all legs share becomes a literal; the others stay a table over the legs. Constan
 sum become one. Knows numbers by the names of the blocks' inputs, and nothing of printing.
 """
 
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -47,7 +46,7 @@ class _Constants:
 
 def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
     """The kernel, not shared yet, with a robot's numbers folded in; ``name``: of the result."""
-    kernel = replace(kernel, per_length=_per_length(robot), size=_size(robot))
+    kernel = replace(kernel, size=_size(robot), extent=_extent(robot))
     constants = _prepared(kernel, robot)
     simple = {s: sp.Integer(int(v[0])) for s, v in constants.values.items() if _is_simple(v)}
 
@@ -74,17 +73,15 @@ def _with_inputs(block: Block, constants: _Constants) -> Block:
     return rebuilt(block, block.steps, block.outputs, inputs)
 
 
-def _per_length(robot: Numbers) -> float:
-    """One over the least power of two that no coordinate of a platform point exceeds; 1 if all are zero."""
-    largest = max(abs(float(x)) for point in robot[n.p.name] for x in point)
-    fraction, exponent = math.frexp(largest)
-    return math.ldexp(1.0, (fraction == 0.5) - exponent) if largest else 1.0
-
-
 def _size(robot: Numbers) -> float:
     """Largest coordinate of the platform points from the first, platform frame."""
     points = [[float(x) for x in point] for point in robot[n.p.name]]
     return max(abs(x - first) for point in points for x, first in zip(point, points[0], strict=True))
+
+
+def _extent(robot: Numbers) -> float:
+    """Largest sum of the sizes of a base or platform point's coordinates."""
+    return max(sum(abs(float(x)) for x in point) for q in (n.p, n.b) for point in robot[q.name])
 
 
 def _is_simple(values: tuple[mpf, ...]) -> bool:

@@ -82,7 +82,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     version = generator_version()
     files = {
         "c/stewart.h": c.common_header(version),
-        "assembly.py": numpy.ASSEMBLY.format(version=version),
+        "assembly.py": numpy.assembly(version),
         "__init__.py": _PACKAGE.format(version=version),
     }
     for form in FORMULATIONS:

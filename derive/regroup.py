@@ -41,8 +41,8 @@ class ForceKernel:
     platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_pole: the same, for poses
     in which a leg is near its joint singularity. about_tip: moments are about platform point 1, made by
     ``moments`` and ``shift``, and of moments a leg's own block has no more than its friction; otherwise they
-    are about the reference point, and a leg's block has them. per_length: 1/m, of a baked kernel, one over
-    the length by which float takes its moments; size: m, largest coordinate of the arms of its moments.
+    are about the reference point, and a leg's block has them. size, extent: m, of a baked kernel, the largest
+    coordinate of the arms of its moments, and the largest sum of sizes of a point's coordinates.
     """
 
     formulation: Formulation
@@ -57,8 +57,8 @@ class ForceKernel:
     meaning: str = ""
     constants: Mapping[Quantity, tuple[float, ...]] | None = None
     baked_name: str = ""
-    per_length: float | None = None
-    size: float | None = None
+    size: float = 0.0
+    extent: float = 0.0
 
     @property
     def name(self) -> str:
@@ -246,18 +246,18 @@ def _platform_moments() -> Block:
 def _whole(kernel: ForceKernel) -> ForceKernel:
     turned = zip(p.q_1.names, n.R.value * n.p_1.value, strict=True)
     tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
-    pose = _joined(kernel.shared, kernel.shift, tip, (n.R, n.p_1))
+    pose = joined(kernel.shared, kernel.shift, tip, (n.R, n.p_1))
     pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
-    near = None if kernel.leg_near_pole is None else _joined(kernel.leg_near_pole, kernel.moments)
+    near = None if kernel.leg_near_pole is None else joined(kernel.leg_near_pole, kernel.moments)
     before = kernel.prepare_platform
     given = replace(
         before, inputs=(*before.inputs, n.p_1), outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols))
     )
-    leg = _joined(kernel.leg, kernel.moments)
+    leg = joined(kernel.leg, kernel.moments)
     return replace(kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False)
 
 
-def _joined(
+def joined(
     first: Block, second: Block, between: Iterable[Step] = (), inputs: Iterable[Quantity] = ()
 ) -> Block:
     """Two blocks as one; what the second reads of the first keeps its name, and so the order of its sums."""

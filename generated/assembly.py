@@ -38,11 +38,11 @@ def solve(robot: Any, motion: Any, leg: dict[str, Array], platform: dict[str, Ar
     of_legs = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
     for i in range(6):
         c = c + of_legs[..., i, :]
-    x, pivots = eliminate(H, c)
-    F = leg["D"] - x
     q = leg["q"]
+    x, pivots = eliminate(*over_length(np.abs(q).max(axis=(-1, -2)), H, c))
+    F = leg["D"] - x
     reach = np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)).max(axis=(0, -1))
-    status = singular_status(H, pivots, leg["L"], reach, np.abs(q).max(axis=-1))
+    status = singular_status(H, pivots, leg["L"], reach, q)
     status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
     fault = leg_status(robot, motion, leg)
     status = np.where(fault == OK, status, fault).astype(np.int32)
@@ -77,6 +77,24 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
     return x, pivots
 
 
+def per_length(size: Any) -> Any:
+    """What moments are multiplied by in the solve, 1/m; ``size``: m, largest coordinate of their arms.
+
+    1 for sizes of about a metre, else one over the least power of two, 2^-100 to 2^100, that is as large.
+    """
+    fraction, exponent = np.frexp(size)
+    power = np.ldexp(1.0, np.clip((fraction == 0.5) - exponent, -100, 100))
+    return np.where((size >= 0.0625) & (size <= 64.0) | (size == 0.0), 1.0, power)
+
+
+def over_length(size: Any, H: Array, right: Array) -> tuple[Array, Array]:
+    """H (..., 6, 6) and right (..., 6) or (..., 6, n), moments over a length that suits ``size``: pivots are
+    chosen among forces and moments.
+    """
+    factor = np.where(np.arange(6) < 3, 1.0, np.asarray(per_length(size))[..., None])
+    return H * factor[..., None], right * (factor if right.ndim < H.ndim else factor[..., None])
+
+
 def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
     """X (..., 6, n) of H X = right, column by column, and the product of the pivots (...)."""
     solved = [eliminate(H, right[..., j]) for j in range(right.shape[-1])]
@@ -86,11 +104,12 @@ def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
 def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array) -> Array:
     """OK, SINGULAR or NOT_FINITE of every pose: whether H (..., 6, 6) is singular to rounding.
 
-    pivots: their product (...). L, reach, arm (..., 6): length of each leg, size of the vectors that it is
-    the sum of, size of the arm of its moment. As ``singular_status`` of the C, where the bound is explained.
+    pivots: their product (...). L, reach (..., 6): length of each leg, size of the vectors that it is the sum
+    of; arm (..., 6, 3): of its moment. As ``singular_status`` of the C, where the bound is explained.
     """
-    size = arm.max(axis=-1)
-    close = (L <= SHORT_SHARE * reach).any(axis=-1) | ~(np.abs(pivots) > SUSPECT * size**3)
+    size = np.abs(arm).max(axis=(-1, -2))
+    close = (L <= SHORT_SHARE * reach).any(axis=-1)
+    close |= ~(np.abs(pivots) > SUSPECT * (size * per_length(size)) ** 3)
     status = np.zeros(pivots.shape, dtype=np.int32)
     if close.any():
         status[close] = _status_of_close(H[close], L[close], reach[close], arm[close], size[close, None])
@@ -100,13 +119,12 @@ def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array)
 def _status_of_close(H: Array, L: Array, reach: Array, arm: Array, size: Array) -> Array:
     scaled = H / np.where(np.arange(6) < 3, 1.0, size)[..., None]
     Y, _ = eliminate_many(scaled, np.broadcast_to(np.eye(6), H.shape))
-    force, moment = np.abs(Y[..., :3]).sum(axis=-1), np.abs(Y[..., 3:]).sum(axis=-1)
-    error = 4 * np.finfo(np.float64).eps * (reach / L + 2)
-    turn = 3 * error * arm / size + 8 * np.finfo(np.float64).eps
+    turned = Y[..., None, :3] + np.cross(Y[..., None, 3:], (arm / size[..., None])[..., None, :, :])
+    G = np.abs(turned).sum(axis=-1) * (reach / L + 2)[..., None, :]
+    G = (G + 2 * np.abs(Y[..., 3:]).sum(axis=-1)[..., None]) * 4 * np.finfo(np.float64).eps
     v, worst = np.ones(L.shape), np.full(L.shape[:-1], np.inf)
     for _ in range(4):
-        grown = force * (error * v).sum(axis=-1, keepdims=True)
-        grown = grown + moment * (turn * v).sum(axis=-1, keepdims=True)
+        grown = (G * v[..., None, :]).sum(axis=-1)
         worst = np.minimum(worst, (grown / v).max(axis=-1))
         v = np.maximum(grown / grown.max(axis=-1, keepdims=True), np.finfo(np.float64).eps)
     status = np.where(worst <= 0.5, OK, SINGULAR)

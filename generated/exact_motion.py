@@ -26,6 +26,7 @@ from .assembly import (
     SHORTEST,
     Array,
     eliminate_many,
+    over_length,
     singular_status,
 )
 
@@ -138,9 +139,8 @@ def joint_inertia(robot: Any, motion: Any) -> dict[str, Array]:
     """H^-1 M H^-T, inertia (..., 6, 6), and status (...)."""
     found = equations(robot, motion)
     H = found["H"]
-    half, pivots = eliminate_many(H, found["M"])
-    fault = _singular_status(robot, motion, H, pivots)
-    whole, _ = eliminate_many(H, half.swapaxes(-1, -2))
+    half, fault = _solve_columns(robot, motion, H, found["M"])
+    whole, _ = _solve_columns(robot, motion, H, half.swapaxes(-1, -2))
     status = np.where(found["status"] == OK, fault, found["status"])
     return _good({"inertia": 0.5 * (whole + whole.swapaxes(-1, -2))}, status)
 
@@ -151,8 +151,7 @@ def derivatives(robot: Any, motion: Any, F: Array) -> dict[str, Array]:
     pose, twist = _slopes(total)
     right = np.concatenate([pose, twist, _inertia(total)], axis=-1)
     H = _columns(leg, "H")
-    x, pivots = eliminate_many(H, right)
-    fault = _singular_status(robot, motion, H, pivots)
+    x, fault = _solve_columns(robot, motion, H, right)
     names = ("by_pose", "by_twist", "by_acceleration")
     found = dict(zip(names, np.split(x, 3, axis=-1), strict=True))
     return _good(found, np.where(status == OK, fault, status))
@@ -223,14 +222,14 @@ def _leg_status(leg: dict[str, Array], motion: Any, parts: dict[str, Array]) -> 
     return np.take_along_axis(fault, first[..., None], axis=-1)[..., 0]
 
 
-def _singular_status(robot: Any, motion: Any, H: Array, pivots: Array) -> Array:
-    """Whether H is singular to rounding, from the robot's and the motion's numbers."""
+def _solve_columns(robot: Any, motion: Any, H: Array, right: Array) -> tuple[Array, Array]:
+    """X (..., 6, n) of H X = right, and whether H is singular to rounding: status (...)."""
     with np.errstate(all="ignore"):
         q = np.einsum("...ij,lj->...li", motion.R, robot.p)
         terms = np.broadcast_arrays(q, motion.t[..., None, :], robot.b)
         L = np.sqrt(np.sum((q + motion.t[..., None, :] - robot.b) ** 2, axis=-1))
-        arm = np.abs(q).max(axis=-1)
-        return singular_status(H, pivots, L, np.abs(terms).max(axis=(0, -1)), arm)
+        x, pivots = eliminate_many(*over_length(np.abs(q).max(axis=(-1, -2)), H, right))
+        return x, singular_status(H, pivots, L, np.abs(terms).max(axis=(0, -1)), q)
 
 
 def _matrix(total: dict[str, Array], name: str, symmetric: bool = False) -> Array:

@@ -63,7 +63,7 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (767, 649, 12, 6),
     },
 }
-MODEL_NUMBERS = 249
+MODEL_NUMBERS = 250
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

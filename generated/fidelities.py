@@ -12,7 +12,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact",
         "meaning": "everything",
         "universal": True,
-        "model_numbers": 282,
+        "model_numbers": 283,
         "operations": {
             "leg": 265, "platform": 192, "moments": 21, "sum of c": 51, "solve": 162, "forces": 6,
             "total": 2106,
@@ -22,7 +22,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_frictionless",
         "meaning": "no friction",
         "universal": True,
-        "model_numbers": 257,
+        "model_numbers": 258,
         "operations": {
             "leg": 234, "platform": 186, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 1896,
@@ -32,7 +32,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_axisymmetric_friction",
         "meaning": "legs alike all round their axis, with friction",
         "universal": True,
-        "model_numbers": 186,
+        "model_numbers": 187,
         "operations": {
             "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 162, "forces": 6,
             "total": 1866,
@@ -42,7 +42,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_axisymmetric",
         "meaning": "legs alike all round their axis",
         "universal": True,
-        "model_numbers": 161,
+        "model_numbers": 162,
         "operations": {
             "leg": 194, "platform": 186, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 1656,
@@ -52,7 +52,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender_friction",
         "meaning": "no inertia about the leg's axis, with friction",
         "universal": True,
-        "model_numbers": 170,
+        "model_numbers": 171,
         "operations": {
             "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 162, "forces": 6,
             "total": 1854,
@@ -62,7 +62,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender",
         "meaning": "no inertia about the leg's axis",
         "universal": False,
-        "model_numbers": 89,
+        "model_numbers": 90,
         "operations": {
             "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 1134,
@@ -72,7 +72,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_point_masses_friction",
         "meaning": "parts of the legs as points, with friction",
         "universal": True,
-        "model_numbers": 170,
+        "model_numbers": 171,
         "operations": {
             "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 162, "forces": 6,
             "total": 1854,
@@ -82,7 +82,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_point_masses",
         "meaning": "parts of the legs as points",
         "universal": False,
-        "model_numbers": 89,
+        "model_numbers": 90,
         "operations": {
             "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 1134,
@@ -92,7 +92,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless_friction",
         "meaning": "legs without mass, with friction",
         "universal": True,
-        "model_numbers": 114,
+        "model_numbers": 115,
         "operations": {
             "leg": 126, "platform": 186, "moments": 21, "sum of c": 51, "solve": 162, "forces": 6,
             "total": 1266,
@@ -102,7 +102,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless",
         "meaning": "legs without mass, (41)",
         "universal": False,
-        "model_numbers": 65,
+        "model_numbers": 66,
         "operations": {
             "leg": 31, "platform": 180, "moments": 12, "sum of c": 0, "solve": 162, "forces": 0,
             "total": 588,
@@ -112,7 +112,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_general_static",
         "meaning": "at rest",
         "universal": True,
-        "model_numbers": 136,
+        "model_numbers": 137,
         "operations": {
             "leg": 88, "platform": 75, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 909,
@@ -122,7 +122,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender_static",
         "meaning": "at rest, centres of mass on the legs' axes",
         "universal": False,
-        "model_numbers": 64,
+        "model_numbers": 65,
         "operations": {
             "leg": 40, "platform": 75, "moments": 21, "sum of c": 33, "solve": 162, "forces": 6,
             "total": 621,
@@ -132,7 +132,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless_static",
         "meaning": "at rest, legs without mass",
         "universal": False,
-        "model_numbers": 56,
+        "model_numbers": 57,
         "operations": {
             "leg": 31, "platform": 75, "moments": 12, "sum of c": 0, "solve": 162, "forces": 0,
             "total": 483,

@@ -63,7 +63,7 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (983, 751, 18, 12),
     },
 }
-MODEL_NUMBERS = 218
+MODEL_NUMBERS = 219
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

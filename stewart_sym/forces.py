@@ -70,9 +70,7 @@ class ForceKernel(Frozen):
         option(self.precision, ("double", "float"), "precision")
         with np.errstate(over="ignore"):
             numbers = robot_numbers(self.robot).astype(self.dtype)
-        more = self.precision == "float"  # the length that its solve takes moments over
-        size = model_numbers(self.robot, self.formulation, self.fidelity) + more
-        model = np.zeros(size, dtype=self.dtype)
+        model = np.zeros(model_numbers(self.robot, self.formulation, self.fidelity), dtype=self.dtype)
         if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
             raise overflows(self.robot, self.precision)
         self._set({"model": model})

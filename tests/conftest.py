@@ -1,7 +1,7 @@
 """How tests are shared among workers: those of a costly fixture in one worker, modules of long tests first.
 
 ``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what is left for the
-end is short and the workers finish together. Each process has one BLAS thread, as xdist runs a process for each core.
+end is short and the workers finish together. Each has one BLAS thread, as there is a worker for each core.
 """
 
 import os

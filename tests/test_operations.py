@@ -36,6 +36,9 @@ static Real operator*(Real a, Real b) { ++counts.mul; return Real(a.value * b.va
 static Real operator/(Real a, Real b) { ++counts.div; return Real(a.value / b.value); }
 static Real operator-(Real a) { return Real(-a.value); }
 static bool operator>(Real a, Real b) { return a.value > b.value; }
+static bool operator<(Real a, Real b) { return a.value < b.value; }
+static bool operator>=(Real a, Real b) { return a.value >= b.value; }
+static bool operator!=(Real a, Real b) { return a.value != b.value; }
 static bool operator<=(Real a, Real b) { return a.value <= b.value; }
 static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
 /* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
@@ -52,7 +55,7 @@ static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_MAX Real(1e308)
 #define STEWART_SHORTEST Threshold()
 #define STEWART_SUSPECT Threshold()
-#define STEWART_CUBE(v) Threshold()
+#define STEWART_LEAST_PIVOTS(v) Threshold()
 @INCLUDES@
 int main() {
     static stewart_robot robot;

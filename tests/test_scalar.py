@@ -214,31 +214,15 @@ def test_float_forces_are_within_100_units_times_condition_on_two_thousand_machi
     assert max(errors) <= BOUND
 
 
-def test_in_double_no_moment_is_taken_over_a_length_unless_asked_for() -> None:
-    """A power of two changes bits through the choice of pivots alone: scaled, some force differs."""
-    robot = random_robot(np.random.default_rng(7), scale=1e-3)
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
+def test_moments_over_a_length_leave_the_forces_those_of_the_lanes(scale: float) -> None:
+    robot = random_robot(np.random.default_rng(7), scale=scale)
     motion = random_motion(np.random.default_rng(8), robot, (200,))
-    kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
-    text = scalar.source(kernel, "")
-    assert text.count("STEWART_OVER_LENGTH") > 8
-    F, _ = prepared(robot).forces_and_status(motion)
-    again = dataclasses.replace(prepared(robot), library=_built(kernel, {"STEWART_SCALED": 1}))
-    raw, model = robot_numbers(robot), np.zeros(1000)
-    call = again.library.stewart_exact_pose_prepare
-    assert call(ctypes.c_void_p(raw.ctypes.data), ctypes.c_void_p(model.ctypes.data)) == OK
-    scaled, _ = dataclasses.replace(again, model=model).forces_and_status(motion)
-    assert (F != scaled).any()
-    np.testing.assert_allclose(F, scaled, rtol=0, atol=1e-9 * np.abs(F).max())
-
-
-def _built(kernel: Any, defines: dict[str, str | int]) -> ctypes.CDLL:
-    file = f"stewart_{kernel.name}_pose"
-    sources = {
-        "stewart.h": common_header(""),
-        f"{file}.h": scalar.header(kernel, None, ""),
-        f"{file}.c": scalar.source(kernel, ""),
-    }
-    return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines)
+    for precision in ("double", "float"):
+        F, _ = prepared(robot, precision=precision).forces_and_status(motion)
+        expected = ss.prepare(robot, precision=precision).forces(motion)  # type: ignore[arg-type]
+        tolerance = {"double": 1e-11, "float": 1e-2}[precision] * np.abs(expected).max()
+        np.testing.assert_allclose(F, expected, rtol=0, atol=tolerance)
 
 
 # --- near failure -----------------------------------------------------------------------------

@@ -20,7 +20,7 @@ from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_er
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import LEAST_PIVOTS_BY_LEGS, SWITCH, UNIT_OF_LENGTH_BY_LEGS
+from .lane_scale import MEMBER, PREPARED, SIZE_BY_LEGS
 from .lane_text import (
     JUDGED,
     MACROS,
@@ -48,6 +48,7 @@ def header(kernel: ForceKernel, version: str) -> str:
     parts = {
         "@LEG@": _members(blocks.prepare_leg, kernel.leg_constants(), comment=True),
         "@PLATFORM@": _members(blocks.prepare_platform, blocks.kernel.platform_constants(), comment=True),
+        "@SCALE@": [MEMBER],
     }
     text = _HEADER.replace("@GUARD@", f"STEWART_{name.upper()}_BOUNDS_H").replace("@VERSION@", version)
     return filled(text, parts).replace("@NAME@", name)
@@ -64,8 +65,6 @@ def source(kernel: ForceKernel, version: str) -> str:
         + singular.MACROS
         + _MACROS
         + "\n"
-        + SWITCH
-        + "\n"
         + IS_FINITE,
         _ERRORS,
         filled(_STRUCTS, blocks.structs()),
@@ -81,11 +80,15 @@ def source(kernel: ForceKernel, version: str) -> str:
             )
             for text, block in zip((_PREPARE_LEG, _PREPARE_PLATFORM), prepared, strict=True)
         ),
-        UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
-        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model").replace(
-            "STEWART_OVER_LENGTH(largest)", "(largest * model->per_length)"
+        SIZE_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_bounds_model"),
+        filled(
+            _PREPARE,
+            {
+                "@ZERO@": _zero(),
+                "@ADD@": _add(),
+                "@SCALE@": [PREPARED.format(model="made.", address="&made")],
+            },
         ),
-        filled(_PREPARE, {"@ZERO@": _zero(), "@ADD@": _add()}),
         _function(_SHARED, _values(blocks.shared, blocks.pose_owner)),
         _LEG_STATUS,
         *(
@@ -350,14 +353,12 @@ def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
     """What tells the status of a leg and of the pose."""
     terms, _ = reach_terms(kernel)
     length, sine = judged(leg.block)
-    arms = [f"STEWART_FABS(arm_{axis})" for axis in AXES]
     return [
         wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
-        f"    const stewart_real arms[3] = {{{', '.join(arms)}}};",
         f"    out->L = {length};",
         f"    out->sine = {sine};",
         f"    out->reach = largest(terms, {len(terms)}, STEWART_SHORTEST / STEWART_ROUNDING);",
-        "    out->arm = largest(arms, 3, 0);",
+        *(f"    out->arm[{i}] = arm_{axis};" for i, axis in enumerate(AXES)),
     ]
 
 
@@ -495,8 +496,7 @@ typedef struct {
     stewart_@NAME@_bounds_leg leg[6];
     stewart_@NAME@_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
-    stewart_real per_length; /* 1/m: of moment rows in the solve, a power of two; 1 but in float */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
+@SCALE@
 } stewart_@NAME@_bounds_model;
 
 /* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
@@ -636,7 +636,7 @@ typedef struct {
 typedef struct {
     stewart_real D, L;
     stewart_real sine; /* of the angle between the leg and the fixed axis */
-    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
+    stewart_real reach, arm[3]; /* size of what the leg vector is the sum of; arm of its moment */
 @TERMS@
 } leg_terms;
 
@@ -645,7 +645,7 @@ typedef struct {
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
-    stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    stewart_real L[6], reach[6], arm[6][3]; /* of the legs */
     int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
@@ -700,11 +700,7 @@ int stewart_@NAME@_bounds_prepare(const stewart_robot *robot, stewart_@NAME@_bou
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
-    made.per_length = 1;
-#if defined(STEWART_SCALED)
-    made.per_length = 1 / unit_of_length(&made);
-#endif
-    made.least = least_pivots(&made);
+@SCALE@
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -939,8 +935,8 @@ static int equations_of_pose(
         D[i] = leg.D;
         out->L[i] = leg.L;
         out->reach[i] = leg.reach;
-        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
+            out->arm[i][j] = leg.arm[j];
             out->H[j][i] = leg.H_force[j];
             out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
@@ -956,7 +952,7 @@ static int equations_of_pose(
 /* Status of the platform's equations by the product of their pivots. */
 static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real H[6][6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     if (of->close == 0 && STEWART_FABS(pivots) > least) {
         return STEWART_OK;
@@ -965,8 +961,11 @@ static int pose_status(const platform_equations *of, stewart_real pivots, stewar
         for (j = 0; j < 6; ++j) {
             H[i][j] = of->H[i][j];
         }
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = of->arm[i][j];
+        }
     }
-    return singular_status(H, of->L, of->reach, of->arm);
+    return singular_status(H, arm, of->L, of->reach);
 }
 
 /* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */

@@ -12,6 +12,7 @@ from ..operations import KernelOperations
 from ..thresholds import comment
 from . import singular
 from .infix import infix, wrap
+from .lane_scale import ABOUT_REFERENCE, per_length_function
 
 STATUS = (
     ("OK", 0, "solved"),
@@ -149,6 +150,7 @@ def source(kernel: Kernel, version: str) -> str:
         block_function(kernel.platform, "platform_terms"),
         block_function(kernel.reactions, "reaction_terms"),
         _STATUS_CHECK.replace("@FINITE@", IS_FINITE).replace("@POLE@", _POLE_CHECK if has_pole else ""),
+        per_length_function(*ABOUT_REFERENCE),
         _SOLVE,
         singular.FUNCTION,
         _POSE,
@@ -593,8 +595,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 {
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7], arm[6], reach[6], L[6];
-    stewart_real pivots, least, size = REAL(0);
+    stewart_real A[6][7], arm[6][3], reach[6], L[6];
+    stewart_real pivots, per_length, size = REAL(0);
     int i, j, status;
     int close = 0;
     platform_wrench(robot, at, &own);
@@ -604,10 +606,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        arm[i] = largest(terms.q, 3, REAL(0));
-        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, arm[i]));
+        reach[i] = largest(terms.q, 3, REAL(0));
+        size = STEWART_LARGER(reach[i], size);
+        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, reach[i]));
         L[i] = terms.L;
-        size = STEWART_LARGER(arm[i], size);
         status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
@@ -615,6 +617,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
+            arm[i][j] = terms.q[j];
             out->K[i][j] = terms.K[j];
             out->H[j][i] = terms.H_force[j];
             out->H[j + 3][i] = terms.H_moment[j];
@@ -628,16 +631,24 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
+    per_length = per_length_of(size);
+    if (per_length != REAL(1)) {
+        for (i = 0; i < 7; ++i) {
+            A[3][i] = A[3][i] * per_length;
+            A[4][i] = A[4][i] * per_length;
+            A[5][i] = A[5][i] * per_length;
+        }
+        size = size * per_length;
+    }
     pivots = solve(A, out->x);
-    least = STEWART_SUSPECT * STEWART_CUBE(size);
-    if (close != 0 || !(STEWART_FABS(pivots) > least)) {
+    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size))) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
             for (j = 0; j < 6; ++j) {
                 H[i][j] = out->H[i][j];
             }
         }
-        status = singular_status(H, L, reach, arm);
+        status = singular_status(H, arm, L, reach);
         if (status != STEWART_OK) {
             return status;
         }

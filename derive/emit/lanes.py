@@ -17,8 +17,7 @@ from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import LEAST_PIVOTS, MEMBER, SWITCH, UNIT_OF_LENGTH
-from .lane_scale import macros as scale_macros
+from .lane_scale import IS_SCALED, MEMBER, PREPARED, SIZE, per_length
 from .lane_text import (
     EMPTY,
     JUDGED,
@@ -59,7 +58,6 @@ def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) 
         operations=counts,
         legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
         platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
-        switch=SWITCH,
         scale=MEMBER,
     )
 
@@ -81,12 +79,13 @@ def source(kernel: ForceKernel, version: str) -> str:
     name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + singular.MACROS,
-        scale_macros(kernel.per_length) + suspect(kernel),
+        suspect(kernel),
         _only(_structs(kernel), kernel),
         *_model(kernel),
         _scalar_shared(kernel),
         *_legs(kernel),
         *_moments_of_pose(kernel),
+        *([_SCALE_POSE] if is_scaled(kernel) else []),
         solve_pose(kernel.about_tip),
         singular.FUNCTION,
         _pose(kernel),
@@ -94,6 +93,7 @@ def source(kernel: ForceKernel, version: str) -> str:
         _block_shared(kernel),
         _leg_of_block(kernel),
         *_moments_of_block(kernel),
+        *([_only(_SCALE_BLOCK, kernel)] if is_scaled(kernel) else []),
         _solve_block(kernel),
         _batch(kernel),
     ]
@@ -107,7 +107,8 @@ def _only(text: str, kernel: ForceKernel) -> str:
     a code path of its own near the joint singularity, in <Q: :Q> of others; in <M: :M> of kernels with a
     prepared model, in <B: :B> of baked ones; in <A: :A> of kernels with moments about platform point 1, in
     <O: :O> of others; in <F: :F> of legs with moments of their own in c, in <G: :G> of those about platform
-    point 1 that add to c.
+    point 1 that add to c; in <S: :S> of prepared models, which may have a length to take moments over, in <Z:
+    :Z> of baked kernels that have one.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
@@ -124,18 +125,21 @@ def _only(text: str, kernel: ForceKernel) -> str:
         "O": not kernel.about_tip,
         "F": n.c_moment in given,
         "G": kernel.about_tip and n.c_force in given,
+        "S": not bare,
+        "Z": bare and is_scaled(kernel),
     }
     for mark, kept in marks.items():
         if not kept:
             text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
         text = re.sub(rf"<{mark}:|:{mark}>", "", text)
-    return text
+    length = f"REAL({per_length(kernel.size)!r})" if bare else "model->per_length"
+    return text.replace("@IS_SCALED@", IS_SCALED).replace("@PER_LENGTH@", length)
 
 
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     numbers = LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
-    return numbers + 1
+    return numbers + 2
 
 
 def _member(quantity: Quantity, lanes: str) -> str:
@@ -195,8 +199,7 @@ def _model(kernel: ForceKernel) -> list[str]:
         return [
             prepare_function(kernel.prepare_leg, "prepared_leg"),
             prepare_function(kernel.prepare_platform, "prepared_platform"),
-            UNIT_OF_LENGTH,
-            LEAST_PIVOTS,
+            SIZE.replace("@MODEL@", "stewart_@NAME@_model"),
             _prepare(kernel),
         ]
     tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
@@ -260,6 +263,7 @@ def _prepare(kernel: ForceKernel) -> str:
         "@PLATFORM@": [
             f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
         ],
+        "@SCALE@": [PREPARED.format(model="made.", address="&made")],
     }
     return filled(_PREPARE, parts)
 
@@ -511,10 +515,15 @@ def _moments_of_block(kernel: ForceKernel) -> list[str]:
 
 def suspect(kernel: ForceKernel) -> str:
     """What a product of pivots is compared with."""
-    if kernel.size is None:
+    if kernel.constants is None:
         return "\n#define STEWART_LEAST (model->least)\n"
-    size = f"STEWART_OVER_LENGTH(REAL({kernel.size!r}))"
-    return f"\n#define STEWART_LEAST (STEWART_SUSPECT * STEWART_CUBE({size}))\n"
+    size = kernel.size * per_length(kernel.size)
+    return f"\n#define STEWART_LEAST STEWART_LEAST_PIVOTS(REAL({size!r}))\n"
+
+
+def is_scaled(kernel: ForceKernel) -> bool:
+    """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
+    return kernel.constants is None or per_length(kernel.size) != 1.0
 
 
 def solve_pose(about_tip: bool) -> str:
@@ -697,7 +706,6 @@ _HEADER = """\
 
 #include "stewart.h"
 
-{switch}
 #ifdef __cplusplus
 extern "C" {{
 #endif
@@ -706,7 +714,6 @@ extern "C" {{
 typedef struct {{
 {legs}
 {platform}
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 {scale}
 }} stewart_{name}_model;
 
@@ -853,8 +860,7 @@ int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *mod
     }
     prepare_platform(robot, &sum, &platform);
 @PLATFORM@
-    STEWART_CHOOSE_LENGTH(&made);
-    made.least = least_pivots(&made);
+@SCALE@
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -1011,19 +1017,16 @@ _POSE = """\
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
 {
-    stewart_real H[6][6], arm[6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     for (i = 0; i < 6; ++i) {
-        arm[i] = REAL(0);
         for (j = 0; j < 3; ++j) {
-            <A:const stewart_real coordinate = STEWART_FABS(legs->q[j][i] - legs->q[j][0]);:A>
-            <O:const stewart_real coordinate = STEWART_FABS(legs->q[j][i]);:O>
-            arm[i] = STEWART_LARGER(coordinate, arm[i]);
+            arm[i][j] = legs->q[j][i]<A: - legs->q[j][0]:A>;
             H[j][i] = legs->H_force[j][i];
             H[j + 3][i] = legs->H_moment[j][i];
         }
     }
-    return singular_status(H, legs->L, legs->reach, arm);
+    return singular_status(H, arm, legs->L, legs->reach);
 }
 
 int stewart_@NAME@_forces(
@@ -1068,13 +1071,17 @@ int stewart_@NAME@_forces(
         <C:}:C>
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
+            A[j + 3][i] = legs.H_moment[j][i];
         }
         A[j][6] = force;
-        A[j + 3][6] = STEWART_OVER_LENGTH(turn);
+        A[j + 3][6] = turn;
         A[j][7] = REAL(0);
         A[j + 3][7] = REAL(0);
     }
+    <S:if (@IS_SCALED@) {:S>
+    <S:    scale_pose(A, @PER_LENGTH@);:S>
+    <S:}:S>
+    <Z:scale_pose(A, @PER_LENGTH@);:Z>
     pivots = solve_pose(A, x);
     if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
         status = pose_status(&legs);
@@ -1092,6 +1099,34 @@ int stewart_@NAME@_forces(
         F[i] = found[i];
     }
     return STEWART_OK;
+}
+"""
+
+_SCALE_POSE = """\
+/* Takes the moments of the rows [H | c] over a length. */
+static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+{
+    int i, j;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < LANES; ++j) {
+            A[i][j] = A[i][j] * per_length;
+        }
+    }
+}
+"""
+
+_SCALE_BLOCK = """\
+/* The same for eight poses. */
+static void scale_block(block *out, stewart_real per_length)
+{
+    int i, j, l;
+    for (i = <A:1:A><O:0:O>; i < 7; ++i) {
+        for (j = 3; j < 6; ++j) {
+            for (l = 0; l < LANES; ++l) {
+                out->column[i][j][l] = out->column[i][j][l] * per_length;
+            }
+        }
+    }
 }
 """
 
@@ -1185,16 +1220,10 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
         <A:    moments_of_block(&other, first.q, out->column[i], out->column[6]);:A>
         <A:}:A>
     }
-#if defined(STEWART_SCALED)
-    for (l = 0; l < LANES; ++l) {
-        for (i = <A:1:A><O:0:O>; i < 7; ++i) {
-            int j;
-            for (j = 3; j < 6; ++j) {
-                out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
-            }
-        }
-    }
-#endif
+    <S:if (@IS_SCALED@) {:S>
+    <S:    scale_block(out, @PER_LENGTH@);:S>
+    <S:}:S>
+    <Z:scale_block(out, @PER_LENGTH@);:Z>
     solve_block(out->column, <D:out->D, :D>STEWART_LEAST, out->F, out->bad);
 }
 

@@ -587,30 +587,49 @@ static void column_rows(
     }
 }
 """,
+    "scale_rows": """\
+/* Takes moments over a length in rows of `width` numbers, three of forces and three of moments. */
+static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
+{
+    int i;
+    if (per_length != REAL(1)) {
+        for (i = 3 * width; i < 6 * width; ++i) {
+            rows[i] = rows[i] * per_length;
+        }
+    }
+}
+""",
 }
 """What kernels and functions share: name -> text."""
 
 _COLUMNS_STATUS = """\
 /* Status of a pose by its H and the product of the pivots of H. */
 static int columns_status(
-    const stewart_@NAME@_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
-    const leg_judgement *judged, stewart_real pivots)
+    const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
+    stewart_real (*moment)[LANES], const leg_judgement *judged, stewart_real pivots)
 {
-    stewart_real H[36], rows[6][6], arm[6], size = REAL(0);
-    int i, close = 0;
+    stewart_real H[36], rows[6][6], arm[6][3], size = REAL(0);
+    int i, j, close = 0;
     for (i = 0; i < 6; ++i) {
-        arm[i] = STEWART_FABS(model->p[0][i]) + STEWART_FABS(model->p[1][i]) + STEWART_FABS(model->p[2][i]);
-        size = STEWART_LARGER(arm[i], size);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(model->p[j][i]), size);
+        }
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
-    if (close == 0 && STEWART_FABS(pivots) > STEWART_SUSPECT * STEWART_CUBE(size)) {
+    if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
         return STEWART_OK;
     }
     column_rows(force, moment, 6, H);
     for (i = 0; i < 36; ++i) {
         rows[i / 6][i % 6] = H[i];
     }
-    return singular_status(rows, judged->L, judged->reach, arm);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = motion->R[3 * j] * model->p[0][i] + motion->R[3 * j + 1] * model->p[1][i]
+                + motion->R[3 * j + 2] * model->p[2][i];
+        }
+    }
+    return singular_status(rows, arm, judged->L, judged->reach);
 }
 """
 
@@ -865,7 +884,8 @@ int stewart_@NAME@_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    scale_rows(model->per_length, 12, A);
+    status = columns_status(model, motion, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }
@@ -878,6 +898,7 @@ int stewart_@NAME@_joint_inertia(
     for (i = 0; i < 6; ++i) {
         copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
+    scale_rows(model->per_length, 12, A);
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -913,6 +934,7 @@ int stewart_@NAME@_derivatives(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     inertia_rows(sum, 24, &A[18]);
+    scale_rows(model->per_length, 24, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         if (is_finite(&A[24 * i + 6], 18) == 0) {

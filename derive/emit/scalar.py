@@ -10,17 +10,16 @@ from collections.abc import Iterable
 import sympy as sp
 
 from .. import notation as n
-from ..block import Block, Output, Quantity, rebuilt
+from ..block import Block, Quantity, Step, rebuilt
 from ..operations import force_operations
 from ..prepared import ADDED, arm_c, q_1
-from ..regroup import ForceKernel
+from ..regroup import ForceKernel, joined
 from . import singular
 from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import LEAST_PIVOTS_BY_LEGS, MEMBER, SWITCH, UNIT_OF_LENGTH_BY_LEGS
-from .lane_scale import macros as scale_macros
+from .lane_scale import IS_SCALED, MEMBER, PREPARED, SIZE_BY_LEGS, per_length
 from .lane_text import dims, entries, filled, literal_macro, literal_macros, loads, names_used, stores
-from .lanes import prepare_function, suspect
+from .lanes import is_scaled, prepare_function, suspect
 
 SQRT = "STEWART_SQRT"
 _RIGHT_SIDE = (n.c_force, n.c_moment)
@@ -34,7 +33,6 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
     model = "" if before is not None else _MODEL
     parts = {
-        "@SWITCH@": [SWITCH] if model else [],
         "@SCALE@": [MEMBER],
         "@FIDELITY@": [f" * Fidelity: {kernel.meaning or 'everything'}.{folded}"],
         "@OPERATIONS@": [operations_table(force_operations(kernel), None, " * ")],
@@ -49,12 +47,13 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
     parts = [
-        _TOP + ARITHMETIC + _MACROS + singular.MACROS + scale_macros(kernel.per_length) + suspect(kernel),
+        _TOP + ARITHMETIC + _MACROS + singular.MACROS + suspect(kernel),
         *_preparation(kernel),
         _shared(kernel),
         _closely(kernel),
-        _moments(kernel),
+        _shift(kernel),
         *_legs(kernel),
+        *([_SCALE] if is_scaled(kernel) else []),
         _solve(),
         singular.FUNCTION,
         _only(_STATUS, kernel),
@@ -64,7 +63,7 @@ def source(kernel: ForceKernel, version: str) -> str:
 
 
 def _named(text: str, kernel: ForceKernel, version: str) -> str:
-    size = "model->size" if kernel.constants is None else f"REAL({_size(kernel)!r})"
+    size = "model->size" if kernel.constants is None else f"REAL({kernel.extent!r})"
     marks = {
         "@SIZE@": size,
         "@NAME@": kernel.name,
@@ -82,6 +81,9 @@ def _only(text: str, kernel: ForceKernel) -> str:
     given = {out.quantity for out in kernel.leg.outputs}
     bare = kernel.constants is not None
     kept = {"M": not bare, "B": bare, "D": n.D in given, "C": n.c_force in given}
+    kept |= {"S": not bare, "Z": bare and is_scaled(kernel)}
+    length = f"REAL({per_length(kernel.size)!r})" if bare else "model->per_length"
+    text = text.replace("@IS_SCALED@", IS_SCALED).replace("@PER_LENGTH@", length)
     lines = []
     for line in text.split("\n"):
         body, mark, flag = line.partition(" //")
@@ -108,30 +110,14 @@ def _preparation(kernel: ForceKernel) -> list[str]:
         "@ZERO@": [f"    sum->{name} = REAL(0);" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in of_platform],
+        "@LENGTH@": [PREPARED.format(model="model->", address="model")],
     }
     return [
         prepare_function(kernel.prepare_leg, "prepared_leg"),
         prepare_function(kernel.prepare_platform, "prepared_platform"),
-        UNIT_OF_LENGTH_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
-        LEAST_PIVOTS_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
+        SIZE_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
         filled(_PREPARE, parts),
     ]
-
-
-def _size(kernel: ForceKernel) -> float:
-    """The model's ``size`` of a baked kernel, or somewhat more."""
-    constants = {q.name: values for q, values in (kernel.constants or {}).items()}
-    # A coordinate that is 0, 1 or -1 for all legs is no constant any more.
-    missing = {n.p: min(1.0, 1 / (kernel.per_length or 1.0)), n.b: 1.0}
-    extents = [
-        sum(
-            abs((constants[name] * 6)[leg]) if name in constants else missing[quantity]
-            for name in quantity.names
-        )
-        for quantity in (n.p, n.b)
-        for leg in range(6)
-    ]
-    return max(extents)
 
 
 def _table(kernel: ForceKernel) -> str:
@@ -185,72 +171,51 @@ def _load(kernel: ForceKernel, q: Quantity, owner: str, used: set[str]) -> list[
 
 
 def _closely(kernel: ForceKernel) -> str:
-    """What is seldom asked: how long a leg is, and how large the terms are that it is the sum of."""
+    """What is seldom read: a leg's length, the sizes of the terms that it is the sum of, its column of H."""
     exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
     # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
     around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
-    outputs = [Output(each, exprs[each]) for each in (n.q, n.L)]
-    block = rebuilt(kernel.leg, kernel.leg.steps, outputs, kernel.leg.inputs)
+    block = _columns(kernel)
     used = names_used(block) | {name for quantity in around for name in quantity.names}
     terms = [*exprs[n.q], *(symbol for quantity in around for symbol in quantity.symbols)]
     sizes = [f"STEWART_FABS({infix(term, SQRT)})" for term in terms if term != 0]
-    arms = [f"STEWART_FABS({infix(e, SQRT)} - pose->q_1[{i}])" for i, e in enumerate(exprs[n.q])]
+    given = {out.quantity: out.exprs for out in block.outputs}
+    arms = [f"{infix(e, SQRT)} - q_1_{axis}" for e, axis in zip(given[n.q], "xyz", strict=True)]
+    column = [*given[n.H_force], *given[n.H_moment]]
     body = [
         *_leg_loads(kernel, dict.fromkeys((*block.inputs, *around)), used),
-        "    *reach = STEWART_SHORTEST / STEWART_ROUNDING;",
         *step_lines(block.steps, "    "),
-        *(wrap(f"    *reach = STEWART_LARGER({size}, *reach);", " " * 8) for size in sizes),
-        "    *arm = REAL(0);",
-        *(wrap(f"    *arm = STEWART_LARGER({size}, *arm);", " " * 8) for size in arms),
-        f"    return {infix(exprs[n.L][0], SQRT)};",
+        "    out->reach = STEWART_SHORTEST / STEWART_ROUNDING;",
+        *(wrap(f"    out->reach = STEWART_LARGER({size}, out->reach);", " " * 8) for size in sizes),
+        *(f"    out->arm[{i}] = {arm};" for i, arm in enumerate(arms)),
+        f"    out->L = {infix(exprs[n.L][0], SQRT)};",
+        *(f"    out->column[{i}] = {infix(e, SQRT)};" for i, e in enumerate(column)),
     ]
-    body = [*_unused(kernel, body, "model", "leg", "at", "pose"), *body]
+    body = [line.replace("pose->q_1", "q_1") for line in body]
+    body = [*_unused(kernel, body, "model", "leg", "at"), *body]
     return filled(_only(_CLOSELY, kernel), {"@BODY@": body})
 
 
-def _moments(kernel: ForceKernel) -> str:
-    """Moments about platform point 1 of one leg; leg 1 moves the platform's part of c there instead."""
-    shift, leg = kernel.shift, kernel.moments
-    exprs = {out.quantity: out.exprs for out in leg.outputs}
+def _columns(kernel: ForceKernel) -> Block:
+    """A leg's q, length and column of H, moments about platform point 1, and nothing else."""
+    leg = joined(kernel.leg, kernel.moments)
+    kept = [out for out in leg.outputs if out.quantity in (n.q, n.L, n.H_force, n.H_moment)]
+    return rebuilt(leg, leg.steps, kept, leg.inputs)
 
-    def read(quantity: Quantity, owner: str) -> str:
-        parts = [f"{name} = {owner.replace('#', str(i))}" for i, name in enumerate(quantity.names)]
-        return wrap_list(f"        const stewart_real {', '.join(parts)};", " " * 12)
 
-    def stored(target: str, expr: sp.Expr) -> str:
-        return wrap(f"        {target} = {infix(expr, SQRT)};", " " * 12)
-
-    moments = [f"{name} = A[{i + 3}][6]" for i, name in enumerate(n.c_moment.names)]
-    first = [
-        read(q_1, "q[#]"),
-        read(n.c_force, "A[#][6]"),
-        wrap_list(
-            f"        const stewart_real {', '.join(moments)};",
-            " " * 12,
-        ),
-        *(f"        pose->q_1[{i}] = {name};" for i, name in enumerate(q_1.names)),
-        *(stored(f"A[{i + 3}][6]", e) for i, e in enumerate(shift.outputs[0].exprs)),
-        *(f"        A[{i}][0] = REAL(0);" for i in range(3, 6)),
+def _shift(kernel: ForceKernel) -> str:
+    """What leg 1 does instead of adding moments."""
+    given = {q_1: "q[{}]", n.c_force: "A[{}][6]", n.c_moment: "A[3 + {}][6]"}
+    parts = [
+        ", ".join(f"{name} = {place.format(i)}" for i, name in enumerate(q.names))
+        for q, place in given.items()
     ]
-    other = [
-        read(n.q, "q[#]"),
-        read(q_1, "pose->q_1[#]"),
-        read(n.H_force, "A[#][column]"),
-        *([read(n.c_force, "force[#]")] if arm_c in exprs else []),
-        *step_lines(leg.steps, "        "),
-        *(
-            wrap(f"        A[{i + 3}][column] = STEWART_OVER_LENGTH({infix(e, SQRT)});", " " * 12)
-            for i, e in enumerate(exprs[n.H_moment])
-        ),
-        *(
-            wrap(f"        A[{i + 3}][6] = A[{i + 3}][6]{_added(e)};", " " * 12)
-            for i, e in enumerate(exprs.get(arm_c, ()))
-        ),
+    (moved,) = kernel.shift.outputs
+    body = [
+        *(wrap_list(f"    const stewart_real {part};", " " * 8) for part in parts),
+        *(wrap(f"    A[{i + 3}][6] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(moved.exprs)),
     ]
-    # Without the length that float takes moments over no model is read.
-    body = ["    (void)model;"] if kernel.constants is None else []
-    text = _only(_MOMENTS, kernel).replace("@COUNT@", str(leg.operations()))
-    return filled(text, {"@UNUSED@": body, "@FIRST@": first, "@OTHER@": other}).replace("{\n\n", "{\n")
+    return filled(_SHIFT, {"@BODY@": body})
 
 
 def _legs(kernel: ForceKernel) -> list[str]:
@@ -267,7 +232,7 @@ def _legs(kernel: ForceKernel) -> list[str]:
 
 def _leg_loads(kernel: ForceKernel, inputs: Iterable[Quantity], used: set[str]) -> list[str]:
     """Loads of what a leg's block reads."""
-    of_pose = [out.quantity for out in kernel.shared.outputs]
+    of_pose = [*(out.quantity for out in kernel.shared.outputs), q_1]
     of_legs = kernel.leg_constants()
     lines = []
     for q in inputs:
@@ -276,41 +241,53 @@ def _leg_loads(kernel: ForceKernel, inputs: Iterable[Quantity], used: set[str]) 
     return lines
 
 
-def _leg(kernel: ForceKernel, block: Block, name: str, at_pole: str) -> str:
+def _leg(kernel: ForceKernel, own: Block, name: str, at_pole: str) -> str:
     """One leg: its column of H and its D are stored, its part of c is added.
 
     at_pole: what is done where the sine at the universal joint is too small for this block.
     """
+    block = joined(own, kernel.moments)
     exprs = {out.quantity: out.exprs for out in block.outputs}
     near = name == "leg_near_pole"
-    moments = "moments_of(q, " if kernel.constants is not None else "moments_of(model, q, "
-    has_force = n.c_force in exprs
-    right = [(i, q, j) for q, i in ((n.c_force, 0), (n.c_moment, 3)) if q in exprs for j in range(3)]
-    call = [f"    {moments}{'force, ' if has_force else ''}column, pose, A);"]
-    add = [wrap(f"    A[{i + j}][6] = A[{i + j}][6]{_added(exprs[q][j])};", " " * 8) for i, q, j in right]
+    column = (*exprs[n.H_force], *exprs[n.H_moment])
+    before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
+    added = [(i, e) for q, i in ((n.c_force, 0), (n.c_moment, 3), (arm_c, 3)) for e in exprs.get(q, ())]
     body = [
-        *_leg_loads(kernel, block.inputs, names_used(block)),
-        "    stewart_real q[3];",
-        *(["    stewart_real force[3];"] if has_force else []),
-        *step_lines(block.steps, "    "),
+        *_leg_loads(kernel, (q for q in block.inputs if q != q_1), names_used(block)),
+        *step_lines(before, "    "),
         *([] if near else _judged_length(kernel, exprs)),
         *_judged_sine(exprs, "STEWART_POLE_SINE" if at_pole == _AT_POLE else "STEWART_NEAR_POLE", at_pole),
-        *(wrap(f"    A[{i}][column] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.H_force])),
-        *(wrap(f"    q[{i}] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(exprs[n.q])),
+        *step_lines(after, "    "),
+        "    if (column == 0) {",
+        *(wrap(f"        pose->q_1[{i}] = {infix(e, SQRT)};", " " * 12) for i, e in enumerate(exprs[n.q])),
+        "        shift_of(pose->q_1, A);",
+        "    }",
+        *_load(kernel, q_1, "pose", names_used(block)),
+        *step_lines(block.steps[len(own.steps) :], "    "),
+        *(wrap(f"    A[{i}][column] = {infix(e, SQRT)};", " " * 8) for i, e in enumerate(column)),
         *(
-            wrap(f"    force[{i}] = {infix(e, SQRT)};", " " * 8)
-            for i, e in enumerate(exprs.get(n.c_force, ()))
+            wrap(f"    A[{i + k % 3}][6] = A[{i + k % 3}][6]{_added(e)};", " " * 8)
+            for k, (i, e) in enumerate(added)
         ),
-        *(["    if (column == 0) {", *(f"    {line}" for line in call), "    }"] if add else []),
-        *add,
-        *(["    if (column != 0) {", *(f"    {line}" for line in call), "    }"] if add else call),
         *(wrap(f"    *known = {infix(expr, SQRT)};", " " * 8) for expr in exprs.get(n.D, ())),
     ]
     body = [*_unused(kernel, body, "model", "leg", "at"), *body]
-    text = _only(_LEG, kernel).replace("@COUNT@", str(block.operations())).replace("@FUNCTION@", name)
+    count = own.operations() + kernel.moments.operations()
+    text = _only(_LEG, kernel).replace("@COUNT@", str(count)).replace("@FUNCTION@", name)
     if near:
         text = re.sub(r",\n    stewart_real least\)", ")", text)
     return filled(text.replace("@APART@", "STEWART_APART " if near else ""), {"@BODY@": body})
+
+
+def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[list[Step], list[Step]]:
+    """The steps that some expressions need, and the others, each in their order."""
+    names = {symbol.name for expr in wanted for symbol in expr.free_symbols}
+    before: list[Step] = []
+    for step in reversed(block.steps):
+        if step.name in names:
+            names |= {symbol.name for symbol in step.expr.free_symbols}
+            before.insert(0, step)
+    return before, [step for step in block.steps if step not in before]
 
 
 def _added(expr: sp.Expr) -> str:
@@ -325,16 +302,10 @@ def _judged_length(kernel: ForceKernel, exprs: dict[Quantity, tuple[sp.Expr, ...
     model = "" if kernel.constants is not None else "model, "
     return [
         f"    if (!({infix(exprs[n.L][0], SQRT)} > least)) {{",
-        "        stewart_real reach;",
-        "        stewart_real arm;",
-        f"        const stewart_real length = leg_length({model}leg, at, pose, &reach, &arm);",
-        "        if (!(length <= STEWART_MAX)) {",
-        "            return STEWART_NOT_FINITE;",
+        f"        const int status = short_status({model}leg, at, pose);",
+        "        if (status != STEWART_OK) {",
+        "            return status;",
         "        }",
-        "        if (!(length > (STEWART_ROUNDING * reach))) {",
-        "            return STEWART_SHORT_LEG;",
-        "        }",
-        "        pose->close = 1;",
         "    }",
     ]
 
@@ -399,7 +370,6 @@ _HEADER = """\
 
 #include "stewart.h"
 
-@SWITCH@
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -428,7 +398,6 @@ typedef struct {
     stewart_@NAME@_pose_leg leg[6];
     stewart_real size; /* m: no platform point and no base point is farther from its origin */
 @PLATFORM@
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
 @SCALE@
 } stewart_@NAME@_pose_model;
 
@@ -516,8 +485,7 @@ int stewart_@NAME@_pose_prepare(const stewart_robot *robot, stewart_@NAME@_pose_
     }
 @PLATFORM@
     model->size = size;
-    STEWART_CHOOSE_LENGTH(model);
-    model->least = least_pivots(model);
+@LENGTH@
     return STEWART_OK;
 }
 """
@@ -538,30 +506,60 @@ static void pose_of(@MODEL@const stewart_motion *at, pose_terms *out, stewart_re
 """
 
 _CLOSELY = """\
-/* Length of a leg, the size of the vectors that it is the sum of, and of the arm of its moment. */
-STEWART_APART static stewart_real leg_length(
+/* What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the arm
+ * of its moment, and its column of H. */
+typedef struct {
+    stewart_real L;
+    stewart_real reach;
+    stewart_real arm[3];
+    stewart_real column[6];
+} leg_sizes;
+
+STEWART_APART static void leg_closely(
     const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
     const leg_numbers *leg, //B
-    const stewart_motion *at, const pose_terms *pose, stewart_real *reach, stewart_real *arm)
+    const stewart_motion *at, const stewart_real q_1[3], leg_sizes *out)
+{
+@BODY@
+}
+
+/* Status of a leg: not finite, no longer than the rounding of its terms, or at most short beside them. */
+STEWART_APART static int short_status(
+    const stewart_@NAME@_pose_model *model, const stewart_@NAME@_pose_leg *leg, //M
+    const leg_numbers *leg, //B
+    const stewart_motion *at, pose_terms *pose)
+{
+    static const stewart_real origin[3] = {REAL(0), REAL(0), REAL(0)};
+    leg_sizes sizes;
+    leg_closely(model, leg, at, origin, &sizes); //M
+    leg_closely(leg, at, origin, &sizes); //B
+    if (!(sizes.L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(sizes.L > (STEWART_SHORT_SHARE * sizes.reach))) {
+        pose->close = 1;
+    }
+    return (sizes.L > (STEWART_ROUNDING * sizes.reach)) ? STEWART_OK : STEWART_SHORT_LEG;
+}
+"""
+
+_SHIFT = """\
+/* Leg 1: the platform's part of c moves to its platform point, about which moments are taken. */
+static void shift_of(const stewart_real q[3], stewart_real A[6][7])
 {
 @BODY@
 }
 """
 
-_MOMENTS = """\
-/* Moments about platform point 1: of leg 1 none, the platform's part of c moves there; @COUNT@ operations of
- * another. */
-static void moments_of(
-    const stewart_@NAME@_pose_model *model, //M
-    const stewart_real q[3],
-    const stewart_real force[3], //C
-    int column, pose_terms *pose, stewart_real A[6][7])
+_SCALE = """\
+/* Takes the moments of the rows [H | c] over a length. */
+static void scale_moments(stewart_real A[6][7], stewart_real per_length)
 {
-@UNUSED@
-    if (column == 0) {
-@FIRST@
-    } else {
-@OTHER@
+    int i;
+    for (i = 0; i < 7; ++i) {
+        A[3][i] = A[3][i] * per_length;
+        A[4][i] = A[4][i] * per_length;
+        A[5][i] = A[5][i] * per_length;
     }
 }
 """
@@ -613,35 +611,33 @@ _STATUS = """\
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(
     const stewart_@NAME@_pose_model *model, //M
-    const stewart_motion *at, pose_terms *pose, stewart_real A[6][7], stewart_real least)
+    const stewart_motion *at, const pose_terms *pose)
 {
+    leg_sizes sizes;
     stewart_real H[6][6];
     stewart_real length[6];
     stewart_real reach[6];
-    stewart_real arm[6];
-    stewart_real known; //D
+    stewart_real arm[6][3];
     int i;
     int j;
     for (i = 0; i < 6; ++i) {
-        (void)leg_of(
+        leg_closely(
             model, &model->leg[i], //M
             &legs[i], //B
-            at, pose, i, A,
-            &known, //D
-            least);
-        length[i] = leg_length(
-            model, &model->leg[i], //M
-            &legs[i], //B
-            at, pose, &reach[i], &arm[i]);
-        if (!(length[i] <= STEWART_MAX)) {
+            at, pose->q_1, &sizes);
+        if (!(sizes.L <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
-        arm[i] = STEWART_OVER_LENGTH(arm[i]);
+        length[i] = sizes.L;
+        reach[i] = sizes.reach;
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = sizes.arm[j];
+        }
         for (j = 0; j < 6; ++j) {
-            H[j][i] = A[j][i];
+            H[j][i] = sizes.column[j];
         }
     }
-    return singular_status(H, length, reach, arm);
+    return singular_status(H, arm, length, reach);
 }
 
 """
@@ -663,17 +659,11 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
     }
-    if (!(SIZE > REAL(0))) { //M
-        return STEWART_SINGULAR; //M
-    } //M
     pose_of(model, motion, &pose, A); //M
     pose_of(motion, &pose, A); //B
     pose.close = 0;
-    pose.q_1[0] = REAL(0);
-    pose.q_1[1] = REAL(0);
-    pose.q_1[2] = REAL(0);
     /* A leg above this is long beside the vectors that it is the sum of. */
-    least = STEWART_SHORTEST + (REAL(2) * STEWART_SHORT_SHARE
+    least = STEWART_SHORTEST + (STEWART_SHORT_SHARE
         * (STEWART_FABS(motion->t[0]) + STEWART_FABS(motion->t[1]) + STEWART_FABS(motion->t[2]) + SIZE));
     for (i = 0; i < 6; ++i) {
         status = leg_of(
@@ -686,15 +676,14 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
             return status;
         }
     }
-#if defined(STEWART_SCALED)
-    A[3][6] = STEWART_OVER_LENGTH(A[3][6]);
-    A[4][6] = STEWART_OVER_LENGTH(A[4][6]);
-    A[5][6] = STEWART_OVER_LENGTH(A[5][6]);
-#endif
+    if (@IS_SCALED@) { //S
+        scale_moments(A, @PER_LENGTH@); //S
+    } //S
+    scale_moments(A, @PER_LENGTH@); //Z
     pivots = solve(A, x);
     if ((pose.close != 0) || (!(STEWART_FABS(pivots) > STEWART_LEAST))) {
-        status = pose_status(model, motion, &pose, A, least); //M
-        status = pose_status(motion, &pose, A, least); //B
+        status = pose_status(model, motion, &pose); //M
+        status = pose_status(motion, &pose); //B
         if (status != STEWART_OK) {
             return status;
         }
@@ -702,10 +691,11 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
 @FORCES@
     if (!((STEWART_FABS(x[0]) + STEWART_FABS(x[1]) + STEWART_FABS(x[2]) + STEWART_FABS(x[3])
             + STEWART_FABS(x[4]) + STEWART_FABS(x[5])) <= STEWART_MAX)) {
-        for (i = 0; i < 6; ++i) {
-            if (!(STEWART_FABS(x[i]) <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
+        /* The sum may be infinite where no force is. */
+        if (!((STEWART_FABS(x[0]) <= STEWART_MAX) && (STEWART_FABS(x[1]) <= STEWART_MAX)
+                && (STEWART_FABS(x[2]) <= STEWART_MAX) && (STEWART_FABS(x[3]) <= STEWART_MAX)
+                && (STEWART_FABS(x[4]) <= STEWART_MAX) && (STEWART_FABS(x[5]) <= STEWART_MAX))) {
+            return STEWART_NOT_FINITE;
         }
     }
     F[0] = x[0];

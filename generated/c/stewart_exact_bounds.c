@@ -68,17 +68,27 @@
 
 #define LANES 8
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
-#if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#else
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
+
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 #define STEWART_INFINITY ((stewart_real)INFINITY)
@@ -87,13 +97,6 @@
  * lose by their own roundings and by sizes that are rounded themselves, a few thousand operations deep. */
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
-
-/* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
- * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
- * -DSTEWART_UNSCALED: float without it. -DSTEWART_SCALED: any arithmetic with it. */
-#if defined(STEWART_FLOAT) && !defined(STEWART_UNSCALED) && !defined(STEWART_SCALED)
-#define STEWART_SCALED
-#endif
 
 static int is_finite(const stewart_real *values, int count)
 {
@@ -189,7 +192,7 @@ typedef struct {
 typedef struct {
     stewart_real D, L;
     stewart_real sine; /* of the angle between the leg and the fixed axis */
-    stewart_real reach, arm; /* size of what the leg vector is the sum of, and of the arm of its moment */
+    stewart_real reach, arm[3]; /* size of what the leg vector is the sum of; arm of its moment */
     stewart_real H_force[3], H_force_err[3];
     stewart_real H_moment[3], H_moment_err[3];
     stewart_real c_force[3], c_force_err[3];
@@ -202,7 +205,7 @@ typedef struct {
 typedef struct {
     stewart_real H[6][6], H_err[6][6];
     stewart_real c[6], c_err[6], c_own[6];
-    stewart_real L[6], reach[6], arm[6]; /* of the legs */
+    stewart_real L[6], reach[6], arm[6][3]; /* of the legs */
     int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
 } platform_equations;
 
@@ -622,30 +625,26 @@ static void prepare_platform(
     out->p_1[2] = p_1_z;
 }
 
-#if defined(STEWART_SCALED)
-/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
- * 1 if all of them are zero. */
-static stewart_real unit_of_length(const stewart_exact_bounds_model *model)
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real largest = REAL(0), unit = REAL(1);
-    int i, j;
-    for (j = 0; j < 3; ++j) {
-        for (i = 0; i < 6; ++i) {
-            largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j]), largest);
-        }
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.125) && size <= REAL(64.0)) {
+        return unit;
     }
-    for (i = 0; i < 100 && unit < largest; ++i) {
+    for (i = 0; i < 100 && unit < size; ++i) {
         unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
         unit = STEWART_HALF * unit;
     }
-    return unit;
+    return REAL(1) / unit;
 }
-#endif
 
-/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
-static stewart_real least_pivots(const stewart_exact_bounds_model *model)
+/* Largest coordinate of the arms of moments about platform point 1, m. */
+static stewart_real size_of(const stewart_exact_bounds_model *model)
 {
     stewart_real largest = REAL(0);
     int i, j;
@@ -654,9 +653,14 @@ static stewart_real least_pivots(const stewart_exact_bounds_model *model)
             largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j] - model->leg[0].p[j]), largest);
         }
     }
-    largest = (largest * model->per_length);
-    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
-    return largest <= STEWART_MAX ? largest : STEWART_MAX;
+    return largest;
+}
+
+/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
+static stewart_real least_pivots(stewart_real size)
+{
+    const stewart_real least = STEWART_LEAST_PIVOTS(size);
+    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
@@ -709,11 +713,8 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
-    made.per_length = 1;
-#if defined(STEWART_SCALED)
-    made.per_length = 1 / unit_of_length(&made);
-#endif
-    made.least = least_pivots(&made);
+    made.per_length = per_length_of(size_of(&made));
+    made.least = least_pivots(size_of(&made) * made.per_length);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -1031,11 +1032,12 @@ static void leg_of_pose(
     const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
         STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
         STEWART_FABS(b_z)};
-    const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
     out->L = L;
     out->sine = k3;
     out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
-    out->arm = largest(arms, 3, 0);
+    out->arm[0] = arm_x;
+    out->arm[1] = arm_y;
+    out->arm[2] = arm_z;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -1228,11 +1230,12 @@ static void leg_of_pose_near_singularity(
     const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
         STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
         STEWART_FABS(b_z)};
-    const stewart_real arms[3] = {STEWART_FABS(arm_x), STEWART_FABS(arm_y), STEWART_FABS(arm_z)};
     out->L = L;
     out->sine = k3;
     out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
-    out->arm = largest(arms, 3, 0);
+    out->arm[0] = arm_x;
+    out->arm[1] = arm_y;
+    out->arm[2] = arm_z;
 }
 
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
@@ -1404,23 +1407,25 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 #if !defined(STEWART_SINGULAR_STATUS)
 #define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
- * the arms of the moments.
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
  *
- * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
- * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
- * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
- * for the errors of Y itself. */
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
 STEWART_APART static int singular_status(
-    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
 {
-    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
     stewart_real size = REAL(0), worst = REAL(1);
     int i, j, k, turn;
     for (i = 0; i < 6; ++i) {
-        size = STEWART_LARGER(arm[i], size);
-        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
         v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -1454,20 +1459,27 @@ STEWART_APART static int singular_status(
             }
         }
     }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real force = REAL(0), moment = REAL(0), greatest = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            force = force + error[k] * v[k];
-            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
         }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            stewart_real by_force = REAL(0), by_moment = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                by_force = by_force + STEWART_FABS(Y[i][j]);
-                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
             }
-            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             greatest = STEWART_LARGER(grown[i], greatest);
         }
@@ -5470,8 +5482,8 @@ static int equations_of_pose(
         D[i] = leg.D;
         out->L[i] = leg.L;
         out->reach[i] = leg.reach;
-        out->arm[i] = leg.arm;
         for (j = 0; j < 3; ++j) {
+            out->arm[i][j] = leg.arm[j];
             out->H[j][i] = leg.H_force[j];
             out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
             add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
@@ -5487,7 +5499,7 @@ static int equations_of_pose(
 /* Status of the platform's equations by the product of their pivots. */
 static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
 {
-    stewart_real H[6][6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     if (of->close == 0 && STEWART_FABS(pivots) > least) {
         return STEWART_OK;
@@ -5496,8 +5508,11 @@ static int pose_status(const platform_equations *of, stewart_real pivots, stewar
         for (j = 0; j < 6; ++j) {
             H[i][j] = of->H[i][j];
         }
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = of->arm[i][j];
+        }
     }
-    return singular_status(H, of->L, of->reach, of->arm);
+    return singular_status(H, arm, of->L, of->reach);
 }
 
 /* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */

@@ -57,17 +57,27 @@
 
 #define LANES 8
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
-#if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#else
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
+
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
@@ -174,26 +184,39 @@ static void column_rows(
     }
 }
 
+/* Takes moments over a length in rows of `width` numbers, three of forces and three of moments. */
+static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
+{
+    int i;
+    if (per_length != REAL(1)) {
+        for (i = 3 * width; i < 6 * width; ++i) {
+            rows[i] = rows[i] * per_length;
+        }
+    }
+}
+
 #if !defined(STEWART_SINGULAR_STATUS)
 #define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
- * the arms of the moments.
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
  *
- * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
- * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
- * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
- * for the errors of Y itself. */
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
 STEWART_APART static int singular_status(
-    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
 {
-    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
     stewart_real size = REAL(0), worst = REAL(1);
     int i, j, k, turn;
     for (i = 0; i < 6; ++i) {
-        size = STEWART_LARGER(arm[i], size);
-        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
         v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -227,20 +250,27 @@ STEWART_APART static int singular_status(
             }
         }
     }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real force = REAL(0), moment = REAL(0), greatest = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            force = force + error[k] * v[k];
-            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
         }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            stewart_real by_force = REAL(0), by_moment = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                by_force = by_force + STEWART_FABS(Y[i][j]);
-                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
             }
-            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             greatest = STEWART_LARGER(grown[i], greatest);
         }
@@ -254,24 +284,31 @@ STEWART_APART static int singular_status(
 
 /* Status of a pose by its H and the product of the pivots of H. */
 static int columns_status(
-    const stewart_exact_model *model, stewart_real (*force)[LANES], stewart_real (*moment)[LANES],
-    const leg_judgement *judged, stewart_real pivots)
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
+    stewart_real (*moment)[LANES], const leg_judgement *judged, stewart_real pivots)
 {
-    stewart_real H[36], rows[6][6], arm[6], size = REAL(0);
-    int i, close = 0;
+    stewart_real H[36], rows[6][6], arm[6][3], size = REAL(0);
+    int i, j, close = 0;
     for (i = 0; i < 6; ++i) {
-        arm[i] = STEWART_FABS(model->p[0][i]) + STEWART_FABS(model->p[1][i]) + STEWART_FABS(model->p[2][i]);
-        size = STEWART_LARGER(arm[i], size);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(model->p[j][i]), size);
+        }
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
-    if (close == 0 && STEWART_FABS(pivots) > STEWART_SUSPECT * STEWART_CUBE(size)) {
+    if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
         return STEWART_OK;
     }
     column_rows(force, moment, 6, H);
     for (i = 0; i < 36; ++i) {
         rows[i / 6][i % 6] = H[i];
     }
-    return singular_status(rows, judged->L, judged->reach, arm);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = motion->R[3 * j] * model->p[0][i] + motion->R[3 * j + 1] * model->p[1][i]
+                + motion->R[3 * j + 2] * model->p[2][i];
+        }
+    }
+    return singular_status(rows, arm, judged->L, judged->reach);
 }
 
 /* ---- equations ---- */
@@ -5371,7 +5408,8 @@ int stewart_exact_joint_inertia(
     }
     column_rows(legs.H_force, legs.H_moment, 12, A);
     inertia_rows(sum, 12, &A[6]);
-    status = columns_status(model, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
+    scale_rows(model->per_length, 12, A);
+    status = columns_status(model, motion, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
     if (status != STEWART_OK) {
         return status;
     }
@@ -5384,6 +5422,7 @@ int stewart_exact_joint_inertia(
     for (i = 0; i < 6; ++i) {
         copy(&X[6 * i], 6, &A[12 * i + 6]);
     }
+    scale_rows(model->per_length, 12, A);
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -5418,6 +5457,7 @@ int stewart_exact_derivatives(
     block_rows(&sum[21], 24, &A[6]);
     block_rows(&sum[57], 24, &A[12]);
     inertia_rows(sum, 24, &A[18]);
+    scale_rows(model->per_length, 24, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         if (is_finite(&A[24 * i + 6], 18) == 0) {

@@ -23,13 +23,6 @@
 
 #include "stewart.h"
 
-/* In float the solve takes moments over a length: 21 multiplications a pose more. Otherwise the pivots of a
- * machine of millimetres would be chosen among its forces alone, those of a large one among its moments.
- * -DSTEWART_UNSCALED: float without it. -DSTEWART_SCALED: any arithmetic with it. */
-#if defined(STEWART_FLOAT) && !defined(STEWART_UNSCALED) && !defined(STEWART_SCALED)
-#define STEWART_SCALED
-#endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -54,9 +47,9 @@ typedef struct {
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
-#if defined(STEWART_SCALED)
-    stewart_real per_length; /* 1/m: one over the least power of two that no coordinate of p exceeds */
-#endif
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
+     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+    stewart_real per_length;
 } stewart_exact_point_masses_friction_model;
 
 /* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE

@@ -57,27 +57,29 @@
 
 #define LANES 8
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
-#if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
-
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
-#endif
-
-
-#if defined(STEWART_SCALED)
-#define STEWART_OVER_LENGTH(value) ((value) * model->per_length)
-#define STEWART_CHOOSE_LENGTH(made) ((made)->per_length = REAL(1) / unit_of_length(made))
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
 #else
-#define STEWART_OVER_LENGTH(value) (value)
-#define STEWART_CHOOSE_LENGTH(made) ((void)(made))
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
+
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
+
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
+#endif
+
 
 #define STEWART_LEAST (model->least)
 
@@ -288,30 +290,26 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->g[2] = g_z;
 }
 
-#if defined(STEWART_SCALED)
-/* The least power of two, down to 2^-100 and up to 2^100, that no coordinate of the platform points exceeds;
- * 1 if all of them are zero. */
-static stewart_real unit_of_length(const stewart_exact_slender_friction_model *model)
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real largest = REAL(0), unit = REAL(1);
-    int i, j;
-    for (j = 0; j < 3; ++j) {
-        for (i = 0; i < 6; ++i) {
-            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i]), largest);
-        }
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.125) && size <= REAL(64.0)) {
+        return unit;
     }
-    for (i = 0; i < 100 && unit < largest; ++i) {
+    for (i = 0; i < 100 && unit < size; ++i) {
         unit = REAL(2) * unit;
     }
-    for (i = 0; i < 100 && largest > REAL(0) && STEWART_HALF * unit >= largest; ++i) {
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
         unit = STEWART_HALF * unit;
     }
-    return unit;
+    return REAL(1) / unit;
 }
-#endif
 
-/* A product of pivots below which H may be singular: of the size of the largest arm of a moment. */
-static stewart_real least_pivots(const stewart_exact_slender_friction_model *model)
+/* Largest coordinate of the arms of moments about platform point 1, m. */
+static stewart_real size_of(const stewart_exact_slender_friction_model *model)
 {
     stewart_real largest = REAL(0);
     int i, j;
@@ -320,9 +318,14 @@ static stewart_real least_pivots(const stewart_exact_slender_friction_model *mod
             largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
         }
     }
-    largest = STEWART_OVER_LENGTH(largest);
-    largest = STEWART_SUSPECT * STEWART_CUBE(largest);
-    return largest <= STEWART_MAX ? largest : STEWART_MAX;
+    return largest;
+}
+
+/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
+static stewart_real least_pivots(stewart_real size)
+{
+    const stewart_real least = STEWART_LEAST_PIVOTS(size);
+    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_slender_friction_prepare(const stewart_robot *robot, stewart_exact_slender_friction_model *model)
@@ -402,8 +405,8 @@ int stewart_exact_slender_friction_prepare(const stewart_robot *robot, stewart_e
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    STEWART_CHOOSE_LENGTH(&made);
-    made.least = least_pivots(&made);
+    made.per_length = per_length_of(size_of(&made));
+    made.least = least_pivots(size_of(&made) * made.per_length);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -862,6 +865,17 @@ static void moments_of_pose(leg_lanes *legs)
     }
 }
 
+/* Takes the moments of the rows [H | c] over a length. */
+static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+{
+    int i, j;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < LANES; ++j) {
+            A[i][j] = A[i][j] * per_length;
+        }
+    }
+}
+
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
 {
     int j;
@@ -1031,23 +1045,25 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 #if !defined(STEWART_SINGULAR_STATUS)
 #define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
- * the arms of the moments.
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
  *
- * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
- * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
- * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
- * for the errors of Y itself. */
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
 STEWART_APART static int singular_status(
-    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
 {
-    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
     stewart_real size = REAL(0), worst = REAL(1);
     int i, j, k, turn;
     for (i = 0; i < 6; ++i) {
-        size = STEWART_LARGER(arm[i], size);
-        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
         v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -1081,20 +1097,27 @@ STEWART_APART static int singular_status(
             }
         }
     }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real force = REAL(0), moment = REAL(0), greatest = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            force = force + error[k] * v[k];
-            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
         }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            stewart_real by_force = REAL(0), by_moment = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                by_force = by_force + STEWART_FABS(Y[i][j]);
-                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
             }
-            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             greatest = STEWART_LARGER(grown[i], greatest);
         }
@@ -1109,18 +1132,16 @@ STEWART_APART static int singular_status(
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
 {
-    stewart_real H[6][6], arm[6];
+    stewart_real H[6][6], arm[6][3];
     int i, j;
     for (i = 0; i < 6; ++i) {
-        arm[i] = REAL(0);
         for (j = 0; j < 3; ++j) {
-            const stewart_real coordinate = STEWART_FABS(legs->q[j][i] - legs->q[j][0]);
-            arm[i] = STEWART_LARGER(coordinate, arm[i]);
+            arm[i][j] = legs->q[j][i] - legs->q[j][0];
             H[j][i] = legs->H_force[j][i];
             H[j + 3][i] = legs->H_moment[j][i];
         }
     }
-    return singular_status(H, legs->L, legs->reach, arm);
+    return singular_status(H, arm, legs->L, legs->reach);
 }
 
 int stewart_exact_slender_friction_forces(
@@ -1164,12 +1185,15 @@ int stewart_exact_slender_friction_forces(
         }
         for (i = 0; i < LANES; ++i) {
             A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = STEWART_OVER_LENGTH(legs.H_moment[j][i]);
+            A[j + 3][i] = legs.H_moment[j][i];
         }
         A[j][6] = force;
-        A[j + 3][6] = STEWART_OVER_LENGTH(turn);
+        A[j + 3][6] = turn;
         A[j][7] = REAL(0);
         A[j + 3][7] = REAL(0);
+    }
+    if (model->per_length != REAL(1)) {
+        scale_pose(A, model->per_length);
     }
     pivots = solve_pose(A, x);
     if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
@@ -1513,6 +1537,19 @@ static void moments_of_block(
         c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
         c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
         c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+    }
+}
+
+/* The same for eight poses. */
+static void scale_block(block *out, stewart_real per_length)
+{
+    int i, j, l;
+    for (i = 1; i < 7; ++i) {
+        for (j = 3; j < 6; ++j) {
+            for (l = 0; l < LANES; ++l) {
+                out->column[i][j][l] = out->column[i][j][l] * per_length;
+            }
+        }
     }
 }
 
@@ -1960,16 +1997,9 @@ static void forces_of_block(const stewart_exact_slender_friction_model *model, c
             moments_of_block(&other, first.q, out->column[i], out->column[6]);
         }
     }
-#if defined(STEWART_SCALED)
-    for (l = 0; l < LANES; ++l) {
-        for (i = 1; i < 7; ++i) {
-            int j;
-            for (j = 3; j < 6; ++j) {
-                out->column[i][j][l] = STEWART_OVER_LENGTH(out->column[i][j][l]);
-            }
-        }
+    if (model->per_length != REAL(1)) {
+        scale_block(out, model->per_length);
     }
-#endif
     solve_block(out->column, out->D, STEWART_LEAST, out->F, out->bad);
 }
 

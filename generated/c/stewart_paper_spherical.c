@@ -47,17 +47,27 @@
 #define STEWART_APART
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding. */
-#if !defined(STEWART_SUSPECT)
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
-#define STEWART_SHORT_SHARE (REAL(16) * STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#else
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
 
-#if !defined(STEWART_CUBE)
-#define STEWART_CUBE(value) ((value) * (value) * (value))
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
+
+/* The same for arms of moments that are no larger than `size`. */
+#if !defined(STEWART_LEAST_PIVOTS)
+#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 typedef struct {
@@ -516,6 +526,24 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
     return STEWART_OK;
 }
 
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
+ * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+static stewart_real per_length_of(stewart_real size)
+{
+    stewart_real unit = REAL(1);
+    int i;
+    if (size >= REAL(0.0625) && size <= REAL(64.0)) {
+        return unit;
+    }
+    for (i = 0; i < 100 && unit < size; ++i) {
+        unit = REAL(2) * unit;
+    }
+    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
+        unit = STEWART_HALF * unit;
+    }
+    return REAL(1) / unit;
+}
+
 /* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
  * of the pivots. */
 static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
@@ -556,23 +584,25 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 #if !defined(STEWART_SINGULAR_STATUS)
 #define STEWART_SINGULAR_STATUS
 /* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `L`: lengths of the legs; `reach`: size of the vectors that a leg is the sum of; `arm`: size of
- * the arms of the moments.
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
  *
- * A column s of H errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of
- * each operation, and what the elimination adds. If H less its error, in size at most E, is singular, then no
- * v > 0 has |Y| E v < v: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room
- * for the errors of Y itself. */
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
 STEWART_APART static int singular_status(
-    stewart_real H[6][6], const stewart_real *L, const stewart_real *reach, const stewart_real *arm)
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
 {
-    stewart_real Y[6][6], error[6], v[6], grown[6];
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
     stewart_real size = REAL(0), worst = REAL(1);
     int i, j, k, turn;
     for (i = 0; i < 6; ++i) {
-        size = STEWART_LARGER(arm[i], size);
-        error[i] = REAL(4) * STEWART_EPSILON * (reach[i] / L[i] + REAL(2));
         v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -606,20 +636,27 @@ STEWART_APART static int singular_status(
             }
         }
     }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real force = REAL(0), moment = REAL(0), greatest = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            force = force + error[k] * v[k];
-            moment = moment + (REAL(3) * error[k] * arm[k] / size + REAL(8) * STEWART_EPSILON) * v[k];
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
         }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
         worst = REAL(0);
         for (i = 0; i < 6; ++i) {
-            stewart_real by_force = REAL(0), by_moment = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                by_force = by_force + STEWART_FABS(Y[i][j]);
-                by_moment = by_moment + STEWART_FABS(Y[i][j + 3]);
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
             }
-            grown[i] = (by_force * force + by_moment * moment) / STEWART_FABS(H[i][i]);
             worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
             greatest = STEWART_LARGER(grown[i], greatest);
         }
@@ -671,8 +708,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
 {
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7], arm[6], reach[6], L[6];
-    stewart_real pivots, least, size = REAL(0);
+    stewart_real A[6][7], arm[6][3], reach[6], L[6];
+    stewart_real pivots, per_length, size = REAL(0);
     int i, j, status;
     int close = 0;
     platform_wrench(robot, at, &own);
@@ -682,10 +719,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        arm[i] = largest(terms.q, 3, REAL(0));
-        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, arm[i]));
+        reach[i] = largest(terms.q, 3, REAL(0));
+        size = STEWART_LARGER(reach[i], size);
+        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, reach[i]));
         L[i] = terms.L;
-        size = STEWART_LARGER(arm[i], size);
         status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
@@ -693,6 +730,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
+            arm[i][j] = terms.q[j];
             out->K[i][j] = terms.K[j];
             out->H[j][i] = terms.H_force[j];
             out->H[j + 3][i] = terms.H_moment[j];
@@ -706,16 +744,24 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
+    per_length = per_length_of(size);
+    if (per_length != REAL(1)) {
+        for (i = 0; i < 7; ++i) {
+            A[3][i] = A[3][i] * per_length;
+            A[4][i] = A[4][i] * per_length;
+            A[5][i] = A[5][i] * per_length;
+        }
+        size = size * per_length;
+    }
     pivots = solve(A, out->x);
-    least = STEWART_SUSPECT * STEWART_CUBE(size);
-    if (close != 0 || !(STEWART_FABS(pivots) > least)) {
+    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size))) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
             for (j = 0; j < 6; ++j) {
                 H[i][j] = out->H[i][j];
             }
         }
-        status = singular_status(H, L, reach, arm);
+        status = singular_status(H, arm, L, reach);
         if (status != STEWART_OK) {
             return status;
         }

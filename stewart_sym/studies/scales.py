@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 
-DOUBLE, FLOAT, UNSCALED = "double", "float", "float without a unit of length"
+DOUBLE, FLOAT = "double", "float"
 SIZES = tuple(10.0**power for power in range(-4, 4))
 """Radii of the base, m."""
 MASSES = tuple(10.0**power for power in range(-6, 7, 3))
@@ -63,7 +63,6 @@ class _Arithmetic:
 _ARITHMETIC: Mapping[str, _Arithmetic] = {
     DOUBLE: _Arithmetic(np.float64, {}),
     FLOAT: _Arithmetic(np.float32, {"STEWART_FLOAT": 1}),
-    UNSCALED: _Arithmetic(np.float32, {"STEWART_FLOAT": 1, "STEWART_UNSCALED": 1}),
 }
 _WIDE = _Arithmetic(
     np.longdouble,
@@ -73,7 +72,6 @@ _WIDE = _Arithmetic(
         "STEWART_FABS(value)": "fabsl(value)",
         "STEWART_EPSILON": "LDBL_EPSILON",
         "STEWART_MAX": "LDBL_MAX",
-        "STEWART_SCALED": 1,
     },
     ("-include", "float.h", "-include", "math.h"),
 )
@@ -258,8 +256,7 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
     sources = c_sources(f"{name}_forces")
     functions = native.load(f"stewart_{name}_forces", sources, how.flags, how.defines)
     given = numbers.astype(how.dtype)
-    # Arithmetic with a length for its moments holds one number more.
-    model = np.zeros(module(name).MODEL_NUMBERS + 1, dtype=how.dtype)
+    model = np.zeros(module(name).MODEL_NUMBERS, dtype=how.dtype)
     count = motion.t.shape[0]
     F = np.full((count, 6), np.nan, dtype=how.dtype)
     if getattr(functions, f"stewart_{name}_prepare")(address(given), address(model)) == OK:
@@ -280,9 +277,8 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
 def csv_rows(data: Scales) -> str:
     """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
     header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
-    names = {DOUBLE: "double", FLOAT: "float", UNSCALED: "float_unscaled"}
     for name in data.errors:
-        header += [f"{names[name]}_median", f"{names[name]}_largest"]
+        header += [f"{name}_median", f"{name}_largest"]
     rows: list[tuple[str | float, ...]] = [tuple(header)]
     for s, size in enumerate(data.sizes.tolist()):
         for p, platform in enumerate(data.platform_masses.tolist()):
@@ -296,7 +292,6 @@ def csv_rows(data: Scales) -> str:
 
 # Okabe and Ito's colours, told apart by marks and dashes as well.
 _STYLE: Mapping[str, Mapping[str, Any]] = {
-    UNSCALED: {"color": "#d55e00", "marker": "^", "linestyle": (0, (4, 1.5))},
     FLOAT: {"color": "#0072b2", "marker": "o", "linestyle": "-"},
     DOUBLE: {"color": "#555555", "marker": "s", "linestyle": (0, (1.2, 1.2))},
 }
