@@ -1,32 +1,36 @@
-"""How tests are shared among workers: those of a costly fixture in one worker, modules of long tests first.
+"""How tests are shared among workers: a module with a costly fixture in one worker, long modules first.
 
 ``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what is left for the
-end is short and the workers finish together. Each has one BLAS thread, as there is a worker for each core.
+end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups, since
+pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """
 
 import os
+from pathlib import PurePosixPath
+from typing import Any
 
 import pytest
 
+# A process for each core: BLAS threads would wait for each other.
 for library in ("OMP", "OPENBLAS", "MKL"):
     os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
-COSTLY = {
-    "test_bench": ("written",),
-    "test_build": ("files", "wrapped"),
-    "test_cluster": ("cluster",),
-    "test_controller": ("found",),
-    "test_economy": ("found",),
-    "test_economy_plot": ("picture",),
-    "test_generated": ("regenerated",),
-    "test_misra": ("name",),
-    "test_motion_subsets": ("kernels",),
-    "test_noise": ("sweep",),
-    "test_passage": ("root",),
-    "test_pictures": ("picture",),
-    "test_reproduce": ("found",),
+WHOLE = {
+    "test_bench",
+    "test_build",
+    "test_cluster",
+    "test_controller",
+    "test_economy",
+    "test_economy_plot",
+    "test_generated",
+    "test_motion_subsets",
+    "test_noise",
+    "test_operations",
+    "test_passage",
+    "test_pictures",
+    "test_reproduce",
 }
-"""Module -> fixtures that take seconds, made once a worker, or once for each value of a parameter."""
+"""Modules in which tests share what takes seconds and is made once a worker."""
 LONG = (
     "test_noise",
     "test_identification_noise",
@@ -57,17 +61,20 @@ LONG = (
 """Modules with tests of more than two seconds, the longest first."""
 
 
-@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    for item in items:
-        if isinstance(item, pytest.Function):
-            for fixture in COSTLY.get(item.path.stem, ()):
-                if fixture in item.fixturenames:
-                    item.add_marker(pytest.mark.xdist_group(_group(item, fixture)))
     rank = {name: number for number, name in enumerate(LONG)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(LONG)))
 
 
-def _group(item: pytest.Function, fixture: str) -> str:
-    parameters = item.callspec.params if hasattr(item, "callspec") else {}
-    return " ".join([item.path.stem, fixture, str(parameters.get(fixture, ""))]).strip()
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    if config.getvalue("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Modules(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            module = nodeid.split("::")[0]
+            return module if PurePosixPath(module).stem in WHOLE else nodeid
+
+    return Modules(config, log)
