@@ -279,7 +279,7 @@ def _leg(kernel: ForceKernel, own: Block, name: str, at_pole: str) -> str:
     return filled(text.replace("@APART@", "STEWART_APART " if near else ""), {"@BODY@": body})
 
 
-def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[list[Step], list[Step]]:
+def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[tuple[Step, ...], tuple[Step, ...]]:
     """The steps that some expressions need, and the others, each in their order."""
     names = {symbol.name for expr in wanted for symbol in expr.free_symbols}
     before: list[Step] = []
@@ -287,7 +287,7 @@ def _parted(block: Block, wanted: Iterable[sp.Expr]) -> tuple[list[Step], list[S
         if step.name in names:
             names |= {symbol.name for symbol in step.expr.free_symbols}
             before.insert(0, step)
-    return before, [step for step in block.steps if step not in before]
+    return tuple(before), tuple(step for step in block.steps if step not in before)
 
 
 def _added(expr: sp.Expr) -> str:
