@@ -375,7 +375,7 @@ def test_vectors_have_the_members_of_the_c_structs_in_their_order() -> None:
         "inverse_kinematics": {"L": 6, "L_dot": 6},
         "forward_kinematics": {"R": 9, "t": 3},
         "forward_velocity": {"v": 3, "omega": 3},
-        **dict.fromkeys(ROTATION, {"R": 9, "omega": 3, "alpha": 3}),
+        **{function: {"R": 9, "omega": 3, "alpha": 3} for function in ROTATION},
     }
 
 
