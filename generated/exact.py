@@ -63,7 +63,7 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (1067, 799, 18, 12),
     },
 }
-MODEL_NUMBERS = 282
+MODEL_NUMBERS = 300
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
