@@ -96,9 +96,7 @@ def forward_dynamics(
         return np.full(6, np.nan)
 
 
-def at_50_digits(
-    robot: Robot, motion: Motion, faults: frozenset[int] = reference.EXACT
-) -> dict[str, Array]:
+def at_50_digits(robot: Robot, motion: Motion, faults: frozenset[int] = reference.EXACT) -> dict[str, Array]:
     """M, C, g, friction and bias of one pose by 50 digits, rounded: where double precision loses its own."""
     parts, _ = _terms(_wide_wrench(faults), _wide_robot(robot), _wide_motion(motion))
     return {name: value.astype(np.float64) for name, value in parts.items()}

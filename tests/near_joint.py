@@ -108,7 +108,9 @@ class Truth:
     sensitivity: dict[str, Array]
 
 
-def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False, rotation: bool = False) -> Truth:
+def truth(
+    robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False, rotation: bool = False
+) -> Truth:
     """Every output in quadruple precision, and what one rounding unit of each input number does to it.
 
     plain: without the code paths for lost digits, so that the truth shares nothing with them; it then loses
@@ -277,7 +279,8 @@ static void rotate(stewart_real *R)
 }
 
 void near_joint(
-    const double *numbers, int samples, int plain, int rotation, double *high, double *low, double *sensitivity, int *status)
+    const double *numbers, int samples, int plain, int rotation, double *high, double *low,
+    double *sensitivity, int *status)
 {
     const stewart_real share = ldexpq(1, -70), unit = ldexpq(1, -52);
     uint64_t seed = 88172645463325252ULL;

@@ -269,7 +269,9 @@ def test_wider_arithmetic_agrees_with_fifty_digits_of_the_derived_equations(kind
     numbers, sizes, robots = machines_of(33, 3)
     for index in range(3):
         robot, motion = case(kind, numbers, sizes, robots, 1, 34, index)
-        # Exact numbers: the derived equations take k for a unit vector and R for a rotation.
+        # Exact numbers: the derived equations take k for a unit vector and R for a rotation, which a heavy
+        # leg feels.
+        motion = dataclasses.replace(motion, R=np.eye(3)) if kind == "heavy leg" else motion
         robot = (
             dataclasses.replace(robot, k=np.eye(3)[[0, 1, 1, 0, 0, 1]]) if kind == "proportions" else robot
         )

@@ -4988,7 +4988,8 @@ static void leg_rows(
         size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
         size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
         size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
-        size[0] = STEWART_LARGER(size[0], STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[0])), least));
+        size[0] = STEWART_LARGER(size[0], STEWART_SQRT(STEWART_FABS(inertia[0])));
+        size[0] = STEWART_LARGER(size[0], least);
         weigh(inertia, size, by->weight[l]);
         for (i = 0; i < 3; ++i) {
             for (j = 0; j < 3; ++j) {
