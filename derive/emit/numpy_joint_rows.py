@@ -116,7 +116,7 @@ def _balanced(by: _Rows, force: Array) -> tuple[Array, Array]:
     """Accelerations (n, 24, m) of the coordinates, under which each block balances their forces, and whose.
 
     From these the unknown accelerations are measured: the coordinates' own large forces are then out of the
-    way. Whose (n, 8, 3) (n, 8, 3): without rows that have no inertia of their own beside the rows before them.
+    way. Whose, (n, 8, 3): without rows that have no inertia of their own beside the rows before them.
     """
     W, moved = by.weight.copy(), force.reshape(len(force), 8, 3, -1).copy()
     balanced = np.zeros(by.size.shape, dtype=bool)

@@ -5134,9 +5134,9 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
     }
 }
 
-/* Accelerations of the rows that serve as coordinates, and of no others, under which the inertia of each block
- * balances the forces of these rows; `balanced` says which they are, without those that have no inertia of
- * their own beside the rows before them. */
+/* Accelerations of the rows that serve as coordinates, and of no others, under which the inertia of each
+ * block balances the forces of these rows; `balanced` says which they are, without those that have no inertia
+ * of their own beside the rows before them. */
 static void balance(
     const row_factors *by, const stewart_real *force, stewart_real (*moved)[3], int (*balanced)[3])
 {
