@@ -25,7 +25,7 @@ from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
 from .reduce import share
 from .regressor import Regressor, regressor
-from .regroup import ForceKernel, force_kernel
+from .regroup import ForceKernel, force_kernel, with_numbers
 from .rotation import quaternion, rpy
 
 
@@ -45,6 +45,12 @@ def reduced(form: Formulation, friction: bool = True) -> Kernel:
 def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
     """The kernel of the forces alone as it is emitted: derived, regrouped, then shared."""
     return shared_blocks(force_kernel(form, friction))
+
+
+def prepared_model(form: Formulation) -> ForceKernel:
+    """The same with all constants that are prepared for it and, of ``exact``, for the closed form."""
+    kernel = force_kernel(form)
+    return shared_blocks(with_numbers(kernel, motion.OWN_MASSES) if form == EXACT else kernel)
 
 
 def shared_blocks(raw: ForceKernel) -> ForceKernel:
@@ -91,7 +97,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
         files[f"c/stewart_{form.kernel_name}.h"] = c.header(built, *counts, version)
         files[f"c/stewart_{form.kernel_name}.c"] = c.source(built, version)
-        forces, smooth = reduced_forces(form), reduced_forces(form, friction=False)
+        forces, smooth = prepared_model(form), reduced_forces(form, friction=False)
         force_counts = force_operations(forces), force_operations(smooth)
         fast = f"c/stewart_{form.kernel_name}_forces"
         files[f"{fast}.h"] = lanes.header(forces, smooth, version)
@@ -165,7 +171,7 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
     Raises ValueError for other functions and for none.
     """
-    return _motion_files(reduced_forces(EXACT), generator_version(), functions)
+    return _motion_files(prepared_model(EXACT), generator_version(), functions)
 
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
@@ -178,7 +184,7 @@ def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) 
 
 
 def _closed_form(version: str) -> dict[str, str]:
-    built, model = reduced_motion(), reduced_forces(EXACT)
+    built, model = reduced_motion(), prepared_model(EXACT)
     sources = _motion_files(model, version, motion_text.FUNCTIONS)
     return {
         f"{EXACT.kernel_name}_motion.py": numpy_motion.module(built, model, version),

@@ -158,25 +158,31 @@ def kernel(name: str, friction: bool) -> SumKernel:
 
 @dataclass(frozen=True)
 class _Platform:
-    """First moment h, inertia J about the reference point, in the base frame, and omega x h, J omega."""
+    """Mass, first moment h, inertia J about the reference point, base frame, and omega x h, J omega."""
 
+    mass: sp.Expr
     h: sp.Matrix
     J: sp.Matrix
     w_h: sp.Matrix
     J_w: sp.Matrix
 
 
-def _platform(build: Builder) -> _Platform:
+def _platform(build: Builder, alone: bool = False) -> _Platform:
+    """alone: without the masses of the upper parts, which legs then have themselves."""
     R, omega = n.R.value, n.omega.value
-    h = build.vector("h_base", R * p.h_P.value, "(30)", "first moment of the platform, base frame")
-    J = build.tensor("J_base", R * p.J_P.value * R.T, "(32)", "inertia of the platform, base frame")
+    mass, first, tensor = p.M_P.value, p.h_P.value, p.J_P.value
+    if alone:
+        mass, first = n.M.value, n.M.value * n.R_0.value
+        tensor = build.tensor("J_0", n.I_p.value + p.point_inertia(mass, n.R_0.value))
+    h = build.vector("h_base", R * first, "(30)", "first moment of the platform, base frame")
+    J = build.tensor("J_base", R * tensor * R.T, "(32)", "inertia of the platform, base frame")
     w_h = build.vector("w_h", cross(omega, h), "(31)", "omega x h")
     J_w = build.vector("J_w", J * omega, "(34)", "I omega")
-    return _Platform(h, J, w_h, J_w)
+    return _Platform(mass, h, J, w_h, J_w)
 
 
 def _platform_inertia(at: _Platform) -> list[tuple[Quantity, sp.Matrix]]:
-    return [(M_VV, p.M_P.value * sp.eye(3)), (M_VW, -tip.skew(at.h)), (M_WW, at.J)]
+    return [(M_VV, at.mass * sp.eye(3)), (M_VW, -tip.skew(at.h)), (M_WW, at.J)]
 
 
 def _platform_bias(at: _Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
@@ -185,14 +191,17 @@ def _platform_bias(at: _Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]
     moment = cross(omega, at.J_w) - cross(at.h, g)
     if friction:
         moment += p.C_P.value * omega
-    return cross(omega, at.w_h) - p.M_P.value * g, moment
+    return cross(omega, at.w_h) - at.mass * g, moment
 
 
 def _external() -> tuple[sp.Matrix, sp.Matrix]:
     return n.R.value * n.F_ext.value, n.R.value * n.M_ext.value
 
 
-_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g)
+OWN_MASSES = (n.M, n.R_0, n.I_p, n.m_u)
+"""Numbers of the robot for what takes the platform and the upper parts apart."""
+
+_POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g, *OWN_MASSES[:3])
 
 
 def _centripetal(build: Builder) -> sp.Matrix:
@@ -231,6 +240,11 @@ def _leg(build: Builder) -> _Leg:
 
 def _judged(at: JointFrame) -> list[tuple[Quantity, sp.Expr | sp.Matrix]]:
     return [(n.q, at.q), (n.L, at.L), (n.k3, at.k3)]
+
+
+def _by_joints(at: JointFrame) -> sp.Matrix:
+    """Motion of the platform point, leg frame, by L, theta and phi, 3x3."""
+    return tip.of_tip().xreplace({tip.L: at.L, tip.k3: at.k3})
 
 
 def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
@@ -345,9 +359,9 @@ def forward_kernel(friction: bool) -> SumKernel:
     return SumKernel("forward_dynamics", (*INERTIA, *RIGHT), pose, block)
 
 
-def _forward_of_platform(name: str, friction: bool) -> Block:
+def _forward_of_platform(name: str, friction: bool, alone: bool = False) -> Block:
     build = Builder()
-    at = _platform(build)
+    at = _platform(build, alone)
     bias, load = _platform_bias(at, friction), _external()
     return build.block(
         name,
@@ -364,12 +378,16 @@ def _forward_of_platform(name: str, friction: bool) -> Block:
 def joint_rows_kernel(friction: bool) -> SumKernel:
     """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
 
-    M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau.
+    M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau. An upper part
+    is with its leg as a whole: riding on the platform, a heavy one's mass would be in the way of its digits.
     """
     build = Builder()
     leg = _leg(build)
     at = leg.at
     tau, f = _tip_bias(build, leg, friction)
+    fall = build.vector("fall", B_0.value * at.q - n.g.value, "", "of the platform point, from free fall")
+    m_u, to_tip = n.m_u.value, _by_joints(at)
+    own = to_tip.T * m_u * build.vector("fall_T", leg.T.T * fall)
     rows = sp.Matrix.vstack(at.s.T, -at.inv_L * leg.z.T, at.inv_rho * at.y.T)
     rows = _named(build, "row_v", rows)
     nothing = [(q, sp.zeros(*q.shape)) for q in INERTIA]
@@ -380,13 +398,13 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
         [
             *nothing,
             *zip(RIGHT, (sp.zeros(3, 1), f), strict=True),
-            (M_XI, joint_inertia(build, at).matrix()),
+            (M_XI, joint_inertia(build, at).matrix() + m_u * to_tip.T * to_tip),
             *zip(ROWS, (rows, -rows * tip.skew(at.q)), strict=True),
-            (TAU, sp.Matrix([tau.along - F_LEG.value, tau.about_y, tau.about_k])),
+            (TAU, sp.Matrix([tau.along - F_LEG.value, tau.about_y, tau.about_k]) + own),
             *_judged(at),
         ],
     )
-    pose = _forward_of_platform("joint_rows_of_platform", friction)
+    pose = _forward_of_platform("joint_rows_of_platform", friction, alone=True)
     return SumKernel("joint_rows", (*INERTIA, *RIGHT), pose, block)
 
 
@@ -507,9 +525,9 @@ def derivatives_kernel(friction: bool) -> SumKernel:
     return SumKernel("derivatives", summed, _derivatives_of_platform(friction), *legs)
 
 
-def _derivatives_of_platform(friction: bool) -> Block:
+def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:
     build = Builder()
-    at = _platform(build)
+    at = _platform(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
     turn, J = tip.skew(omega), at.J
     B = rotary(build, omega, alpha)
@@ -535,7 +553,7 @@ def _derivatives_of_platform(friction: bool) -> Block:
     )
     twist = (zero, -tip.skew(at.w_h) - turn * tip.skew(at.h), zero, by_omega)
     return build.block(
-        "derivatives_of_platform",
+        f"{name}_of_platform",
         "the platform's part of the derivatives of the wrench",
         _POSE_INPUTS,
         [
@@ -751,6 +769,14 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
+    fall = T.T * build.vector("fall", _centripetal_acceleration(build, leg.at) - n.g.value)
+    fall = build.vector(
+        "fall_T",
+        fall + _by_joints(leg.at) * TURNED.value,
+        "",
+        "acceleration of the platform point from free fall, leg frame",
+    )
+    m_u = n.m_u.value
     S, S_dot, S_ddot = (
         _named(
             build,
@@ -759,9 +785,9 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             "generalised forces by the tip's motion",
         )
         for name, value in (
-            ("tau_S", by.S),
+            ("tau_S", by.S + tip.by_place_of_mass(m_u, fall)),
             ("tau_S_dot", by.S_dot),
-            ("tau_S_ddot", by.inertia * tip.gradients().value),
+            ("tau_S_ddot", by.inertia * tip.gradients().value + m_u * tip.of_tip().T),
         )
     )
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
@@ -794,7 +820,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             *_judged(leg.at),
         ],
     )
-    pose = replace(_derivatives_of_platform(friction), name="joint_slopes_of_platform")
+    pose = _derivatives_of_platform(friction, "joint_slopes", alone=True)
     return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 

@@ -161,6 +161,20 @@ def with_constants(
     )
 
 
+def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKernel:
+    """The kernel with these numbers of the robot in its prepared model as well."""
+    numbers = tuple(numbers)
+    of_leg, of_platform = (
+        dict.fromkeys((*(out.quantity for out in block.outputs), *numbers))
+        for block in (kernel.prepare_leg, kernel.prepare_platform)
+    )
+    return replace(
+        kernel,
+        prepare_leg=p.prepare_leg(of_leg, p.riding(kernel.prepare_leg)),
+        prepare_platform=p.prepare_platform(of_platform),
+    )
+
+
 def without_zeros(kernel: ForceKernel) -> ForceKernel:
     """The kernel without outputs that are zero; a leg keeps what it has on either road."""
     legs = [leg for leg in (kernel.leg, kernel.leg_near_pole) if leg is not None]

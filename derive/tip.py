@@ -113,6 +113,26 @@ class Gradients:
     second: sp.Matrix
 
 
+def of_tip() -> sp.Matrix:
+    """How the tip moves with L, theta and phi, 3x3, leg frame: Gamma^-1."""
+    return sp.Matrix([[1, 0, 0], [0, 0, L * k3], [0, -L, 0]])
+
+
+def by_place_of_mass(mass: sp.Expr, e: sp.Matrix) -> sp.Matrix:
+    """Derivative by S of the generalised forces Gamma^-T m e of a mass at the tip, 3x3, leg frame.
+
+    e: its acceleration from free fall, fixed in the base frame; Gamma^-1 turns and grows with the leg.
+    """
+    e_s, e_y, e_z = e
+    return mass * sp.Matrix(
+        [
+            [0, inv_L * e_y, inv_L * e_z],
+            [-e_z, k1 * inv_k3 * e_y, e_s],
+            [k3 * e_y, k1 * e_z - k3 * e_s, -k1 * e_y],
+        ]
+    )
+
+
 def skew(w: sp.Matrix) -> sp.Matrix:
     """[w]x of a 3x1 matrix."""
     return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
@@ -169,7 +189,7 @@ def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
     )
 
 
-_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p)
+_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p, n.m_u)
 _GEOMETRY = (L, inv_L, k1, k3, inv_k3)
 
 

@@ -44,8 +44,8 @@ OPERATIONS: dict[str, int] = {
     "bias": 2031,
     "forward_dynamics": 2913,
     "derivatives": 11204,
-    "joint_rows": 2223,
-    "joint_slopes": 12530,
+    "joint_rows": 2430,
+    "joint_slopes": 12815,
 }
 
 _ADDED = ("M_add", "h_add_x", "h_add_y", "h_add_z", "J_add_xx", "J_add_xy", "J_add_xz", "J_add_yy",
@@ -313,7 +313,7 @@ def _factored(total: dict[str, Array], leg: dict[str, Array]) -> _Rows:
     theta = np.maximum(np.sqrt(theta), least[..., None] * L)
     phi = np.maximum(np.sqrt(phi), least[..., None] * rho)
     along = np.maximum(np.abs(M_xi[..., 0, 1]) / theta, np.abs(M_xi[..., 0, 2]) / phi)
-    along = np.maximum(along, least[..., None])
+    along = np.maximum(along, np.maximum(np.sqrt(np.abs(M_xi[..., 0, 0])), least[..., None]))
     c = np.stack([total["M_vw_yz"], -total["M_vw_xz"], total["M_vw_xy"]], axis=-1)
     c = c * np.where(mass > 0, 1 / mass, 0.0)[..., None]
     square = np.sum(c * c, axis=-1)[..., None, None] * np.eye(3) - c[..., None] * c[..., None, :]
@@ -365,15 +365,11 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     """
     at = np.arange(len(force))[:, None]
     force = force / by.size[..., None]
-    own = np.diagonal(by.weight, axis1=-2, axis2=-1).reshape(by.size.shape)
-    balanced = np.zeros_like(own, dtype=bool)
-    balanced[at, by.pivot] = np.abs(own[at, by.pivot]) > 0.5
-    # Accelerations that balance the coordinates' own large forces, from which the unknown ones are measured.
-    ratio = np.where(balanced[..., None], force / np.where(balanced, own, 1.0)[..., None], 0.0)
-    start = ratio[at, by.pivot]
+    moved, balanced = _balanced(by, force)
+    start = moved[at, by.pivot]
     moved = by.share @ start
-    others = by.weight * ~(balanced.reshape(-1, 8, 3, 1) & np.eye(3, dtype=bool))
-    rest = np.where(balanced[..., None], 0.0, force) - _weighted(others, moved)
+    others = by.weight * ~(balanced[..., None] & balanced[..., None, :])
+    rest = np.where(balanced.reshape(-1, 24, 1), 0.0, force) - _weighted(others, moved)
     unit = np.where(by.column < 3, 1.0, by.length[:, None])[..., None]
     y = wrench[at, by.column] / unit
     for k in range(6):
@@ -392,6 +388,28 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     solved = np.empty_like(x)
     solved[at, by.column] = x / unit
     return solved, held, turned, status
+
+
+def _balanced(by: _Rows, force: Array) -> tuple[Array, Array]:
+    """Accelerations (n, 24, m) of the coordinates, under which each block balances their forces, and whose.
+
+    From these the unknown accelerations are measured: the coordinates' own large forces are then out of the
+    way. Whose, (n, 8, 3): without rows that have no inertia of their own beside the rows before them.
+    """
+    W, moved = by.weight.copy(), force.reshape(len(force), 8, 3, -1).copy()
+    balanced = np.zeros(by.size.shape, dtype=bool)
+    balanced[np.arange(len(force))[:, None], by.pivot] = True
+    balanced = balanced.reshape(-1, 8, 3)
+    for k in range(3):
+        balanced[..., k] &= W[..., k, k] > KEPT
+        for i in range(k + 1, 3):
+            factor = np.where(balanced[..., k], W[..., i, k] / W[..., k, k], 0.0)[..., None]
+            moved[..., i, :] -= factor * moved[..., k, :]
+            W[..., i, k + 1 :] -= factor * W[..., k, k + 1 :]
+    for k in (2, 1, 0):
+        left = moved[..., k, :] - np.sum(W[..., k, k + 1 :, None] * moved[..., k + 1 :, :], axis=-2)
+        moved[..., k, :] = np.where(balanced[..., k, None], left / W[..., k, k, None], 0.0)
+    return moved.reshape(force.shape), balanced
 
 
 def _weighted(weight: Array, rows: Array) -> Array:
@@ -548,6 +566,7 @@ def prepare_leg(robot: Any) -> dict[str, Any]:
         "g_x_k_y": g_z*k_unit_x - g_x*k_unit_z,
         "g_x_k_z": g_x*k_unit_y - g_y*k_unit_x,
         "C_us": C_s + C_u,
+        "m_u": m_u,
         "M_add": m_u,
         "h_add_x": c11,
         "h_add_y": c12,
@@ -620,6 +639,16 @@ def prepare_platform(robot: Any, added: Any) -> dict[str, Any]:
         "g_x": g_x,
         "g_y": g_y,
         "g_z": g_z,
+        "M": M,
+        "R_0_x": R_0_x,
+        "R_0_y": R_0_y,
+        "R_0_z": R_0_z,
+        "I_p_xx": I_p_xx,
+        "I_p_xy": I_p_xy,
+        "I_p_xz": I_p_xz,
+        "I_p_yy": I_p_yy,
+        "I_p_yz": I_p_yz,
+        "I_p_zz": I_p_zz,
     }
 
 
@@ -3923,7 +3952,7 @@ def derivatives_of_leg_near(leg: Any, platform: Any, pose: Any, motion: Any, F: 
 def joint_rows_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     """The platform's part of M and of the right side.
 
-    Operations: 201 (117 mul, 84 add, 0 div, 0 sqrt).
+    Operations: 222 (129 mul, 93 add, 0 div, 0 sqrt).
     """
     R_xx = motion.R[..., 0, 0]
     R_xy = motion.R[..., 0, 1]
@@ -3943,39 +3972,51 @@ def joint_rows_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     M_ext_x = motion.M_ext[..., 0]
     M_ext_y = motion.M_ext[..., 1]
     M_ext_z = motion.M_ext[..., 2]
-    M_P = platform["M_P"]
-    h_P_x = platform["h_P_x"]
-    h_P_y = platform["h_P_y"]
-    h_P_z = platform["h_P_z"]
-    J_P_xx = platform["J_P_xx"]
-    J_P_xy = platform["J_P_xy"]
-    J_P_xz = platform["J_P_xz"]
-    J_P_yy = platform["J_P_yy"]
-    J_P_yz = platform["J_P_yz"]
-    J_P_zz = platform["J_P_zz"]
     C_P = platform["C_P"]
     g_x = platform["g_x"]
     g_y = platform["g_y"]
     g_z = platform["g_z"]
+    M = platform["M"]
+    R_0_x = platform["R_0_x"]
+    R_0_y = platform["R_0_y"]
+    R_0_z = platform["R_0_z"]
+    I_p_xx = platform["I_p_xx"]
+    I_p_xy = platform["I_p_xy"]
+    I_p_xz = platform["I_p_xz"]
+    I_p_yy = platform["I_p_yy"]
+    I_p_yz = platform["I_p_yz"]
+    I_p_zz = platform["I_p_zz"]
+    c1 = R_0_y*R_0_y
+    c2 = R_0_z*R_0_z
+    J_0_xx = I_p_xx + M*(c1 + c2)
+    c3 = M*R_0_x
+    J_0_xy = I_p_xy - R_0_y*c3
+    J_0_xz = I_p_xz - R_0_z*c3
+    c4 = R_0_x*R_0_x
+    J_0_yy = I_p_yy + M*(c2 + c4)
+    c5 = M*R_0_y
+    J_0_yz = I_p_yz - R_0_z*c5
+    J_0_zz = I_p_zz + M*(c1 + c4)
+    c6 = M*R_0_z
     # (30) first moment of the platform, base frame
-    h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z
-    h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z
-    h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z
-    c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz
-    c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz
-    c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz
-    c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz
-    c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz
-    c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz
+    h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6
+    h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6
+    h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6
+    c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz
+    c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz
+    c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz
+    c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz
+    c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz
+    c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz
     # (32) inertia of the platform, base frame
-    J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3
-    J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3
-    J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3
-    J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6
+    J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9
+    J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9
+    J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9
+    J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12
+    J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12
     J_base_zz = (
-        R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy + J_P_yz*R_zz)
-        + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz)
+        R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy + J_0_yz*R_zz)
+        + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz)
     )
     # (31) omega x h
     w_h_x = h_base_z*omega_y - h_base_y*omega_z
@@ -4006,12 +4047,12 @@ def joint_rows_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "B_0_zx": omega_xz,
         "B_0_zy": omega_yz,
         "B_0_zz": B_zz,
-        "M_vv_xx": M_P,
+        "M_vv_xx": M,
         "M_vv_xy": 0,
         "M_vv_xz": 0,
-        "M_vv_yy": M_P,
+        "M_vv_yy": M,
         "M_vv_yz": 0,
-        "M_vv_zz": M_P,
+        "M_vv_zz": M,
         "M_vw_xx": 0,
         "M_vw_xy": h_base_z,
         "M_vw_xz": -h_base_y,
@@ -4027,15 +4068,9 @@ def joint_rows_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "M_ww_yy": J_base_yy,
         "M_ww_yz": J_base_yz,
         "M_ww_zz": J_base_zz,
-        "right_force_x": (
-            F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z
-        ),
-        "right_force_y": (
-            F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x
-        ),
-        "right_force_z": (
-            F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y
-        ),
+        "right_force_x": F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M*g_x + omega_z*w_h_y - omega_y*w_h_z,
+        "right_force_y": F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M*g_y + omega_x*w_h_z - omega_z*w_h_x,
+        "right_force_z": F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M*g_z + omega_y*w_h_x - omega_x*w_h_y,
         "right_moment_x": (
             J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x
             - J_w_z*omega_y - g_y*h_base_z
@@ -4054,7 +4089,7 @@ def joint_rows_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
 def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's inertia and generalised forces in its joint coordinates, and their gradients.
 
-    Operations: 310 (190 mul, 116 add, 2 div, 2 sqrt).
+    Operations: 341 (207 mul, 130 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -4065,6 +4100,7 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
     k_x = leg["k_x"]
     k_y = leg["k_y"]
     k_z = leg["k_z"]
+    m_u = leg["m_u"]
     C_p = leg["C_p"]
     C_s = leg["C_s"]
     h_x = leg["h_x"]
@@ -4184,26 +4220,30 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
     theta_dot2 = theta_dot*theta_dot
     phi_dot2 = phi_dot*phi_dot
     two_phi_dot = 2*phi_dot
+    c1 = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
+    c2 = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
+    c3 = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z
     # (7) acceleration of the platform point, a = alpha = 0
-    S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z
-    S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z
-    S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z
-    k33 = k3*k3
+    S_ddot_x = c1
+    S_ddot_y = c2
+    S_ddot_z = c3
+    c4 = k3*k3
+    k33 = c4
     # (8) accelerations of the joint coordinates
     L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
     own_theta_ddot = -2*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
     own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
-    c1 = k1*k3
+    c5 = k1*k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = c1*phi_dot2 + own_theta_ddot
+    theta_ddot = c5*phi_dot2 + own_theta_ddot
     phi_ddot = own_phi_ddot - lean*two_phi_dot
-    k13 = c1
+    k13 = c5
     L_h2 = L*h2_x
     a1 = L_h2 + dJ_zx
-    c2 = L*h2_z
-    c3 = J2_xz - c2
-    a2 = c3
+    c6 = L*h2_z
+    c7 = J2_xz - c6
+    a2 = c7
     a3 = J_xy - L*h_y
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1*k33 + a2*k13
@@ -4223,20 +4263,29 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
     # (20) generalised forces about y and about k
     tau_y = (
         C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x + g_k*w_n
-        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
+        + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c7*(0.5 - k33)) - C_s*(omega_x*y_x + omega_y*y_y
         + omega_z*y_z)
     )
     tau_k = (
         C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(0.5*J2_xz + J_xx*kappa - 0.5*c2)) - C_s*(k_x*omega_x
+        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(0.5*J2_xz + J_xx*kappa - 0.5*c6)) - C_s*(k_x*omega_x
         + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n
     )
+    # of the platform point, from free fall
+    fall_x = c1 - g_x
+    fall_y = c2 - g_y
+    fall_z = c3 - g_z
+    fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z
+    fall_T_y = fall_x*y_x + fall_y*y_y + fall_z*y_z
+    fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z
     row_v_yx = -inv_L*z_x
     row_v_yy = -inv_L*z_y
     row_v_yz = -inv_L*z_z
     row_v_zx = inv_rho*y_x
     row_v_zy = inv_rho*y_y
     row_v_zz = inv_rho*y_z
+    c8 = m_u*L*L
+    c9 = L*m_u
     return {
         "M_vv_xx": 0,
         "M_vv_xy": 0,
@@ -4265,12 +4314,12 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
         "right_moment_x": C_s*(k_x*phi_dot + theta_dot*y_x),
         "right_moment_y": C_s*(k_y*phi_dot + theta_dot*y_y),
         "right_moment_z": C_s*(k_z*phi_dot + theta_dot*y_z),
-        "M_xi_xx": 0,
+        "M_xi_xx": m_u,
         "M_xi_xy": h_z,
         "M_xi_xz": -k3_h,
-        "M_xi_yy": M_theta,
+        "M_xi_yy": M_theta + c8,
         "M_xi_yz": M_mixed,
-        "M_xi_zz": M_phi,
+        "M_xi_zz": M_phi + c4*c8,
         "row_v_xx": s_x,
         "row_v_xy": s_y,
         "row_v_xz": s_z,
@@ -4289,9 +4338,12 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
         "row_w_zx": q_y*row_v_zz - q_z*row_v_zy,
         "row_w_zy": q_z*row_v_zx - q_x*row_v_zz,
         "row_w_zz": q_x*row_v_zy - q_y*row_v_zx,
-        "tau_x": C_p*L_dot + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot,
-        "tau_y": tau_y,
-        "tau_z": tau_k,
+        "tau_x": (
+            C_p*L_dot + fall_T_x*m_u + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2
+            - k3_h*phi_ddot
+        ),
+        "tau_y": tau_y - c9*fall_T_z,
+        "tau_z": c9*fall_T_y*k3 + tau_k,
         "q_x": q_x,
         "q_y": q_y,
         "q_z": q_z,
@@ -4303,7 +4355,7 @@ def joint_rows_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -
 def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     """The platform's part of the derivatives of the wrench.
 
-    Operations: 338 (168 mul, 170 add, 0 div, 0 sqrt).
+    Operations: 359 (180 mul, 179 add, 0 div, 0 sqrt).
     """
     R_xx = motion.R[..., 0, 0]
     R_xy = motion.R[..., 0, 1]
@@ -4329,60 +4381,72 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     M_ext_x = motion.M_ext[..., 0]
     M_ext_y = motion.M_ext[..., 1]
     M_ext_z = motion.M_ext[..., 2]
-    M_P = platform["M_P"]
-    h_P_x = platform["h_P_x"]
-    h_P_y = platform["h_P_y"]
-    h_P_z = platform["h_P_z"]
-    J_P_xx = platform["J_P_xx"]
-    J_P_xy = platform["J_P_xy"]
-    J_P_xz = platform["J_P_xz"]
-    J_P_yy = platform["J_P_yy"]
-    J_P_yz = platform["J_P_yz"]
-    J_P_zz = platform["J_P_zz"]
     C_P = platform["C_P"]
     g_x = platform["g_x"]
     g_y = platform["g_y"]
     g_z = platform["g_z"]
+    M = platform["M"]
+    R_0_x = platform["R_0_x"]
+    R_0_y = platform["R_0_y"]
+    R_0_z = platform["R_0_z"]
+    I_p_xx = platform["I_p_xx"]
+    I_p_xy = platform["I_p_xy"]
+    I_p_xz = platform["I_p_xz"]
+    I_p_yy = platform["I_p_yy"]
+    I_p_yz = platform["I_p_yz"]
+    I_p_zz = platform["I_p_zz"]
+    c1 = R_0_y*R_0_y
+    c2 = R_0_z*R_0_z
+    J_0_xx = I_p_xx + M*(c1 + c2)
+    c3 = M*R_0_x
+    J_0_xy = I_p_xy - R_0_y*c3
+    J_0_xz = I_p_xz - R_0_z*c3
+    c4 = R_0_x*R_0_x
+    J_0_yy = I_p_yy + M*(c2 + c4)
+    c5 = M*R_0_y
+    J_0_yz = I_p_yz - R_0_z*c5
+    J_0_zz = I_p_zz + M*(c1 + c4)
+    c6 = M*R_0_z
     # (30) first moment of the platform, base frame
-    h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z
-    h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z
-    h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z
-    c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz
-    c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz
-    c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz
-    c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz
-    c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz
-    c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz
+    h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6
+    h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6
+    h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6
+    c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz
+    c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz
+    c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz
+    c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz
+    c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz
+    c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz
     # (32) inertia of the platform, base frame
-    J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3
-    J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3
-    J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3
-    J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6
+    J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9
+    J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9
+    J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9
+    J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12
+    J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12
     J_base_zz = (
-        R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy + J_P_yz*R_zz)
-        + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz)
+        R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy + J_0_yz*R_zz)
+        + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz)
     )
-    c7 = h_base_y*omega_z
-    c8 = h_base_z*omega_y
-    c9 = h_base_x*omega_z
-    c10 = h_base_z*omega_x
-    c11 = h_base_x*omega_y
-    c12 = h_base_y*omega_x
+    c13 = h_base_y*omega_z
+    c14 = h_base_z*omega_y
+    c15 = h_base_x*omega_z
+    c16 = h_base_z*omega_x
+    c17 = h_base_x*omega_y
+    c18 = h_base_y*omega_x
     # (31) omega x h
-    w_h_x = c8 - c7
-    w_h_y = c9 - c10
-    w_h_z = c12 - c11
-    c13 = J_base_xy*omega_y
-    c14 = J_base_xz*omega_z
-    c15 = J_base_xy*omega_x
-    c16 = J_base_yz*omega_z
-    c17 = J_base_xz*omega_x
-    c18 = J_base_yz*omega_y
+    w_h_x = c14 - c13
+    w_h_y = c15 - c16
+    w_h_z = c18 - c17
+    c19 = J_base_xy*omega_y
+    c20 = J_base_xz*omega_z
+    c21 = J_base_xy*omega_x
+    c22 = J_base_yz*omega_z
+    c23 = J_base_xz*omega_x
+    c24 = J_base_yz*omega_y
     # (34) I omega
-    J_w_x = J_base_xx*omega_x + c13 + c14
-    J_w_y = J_base_yy*omega_y + c15 + c16
-    J_w_z = J_base_zz*omega_z + c17 + c18
+    J_w_x = J_base_xx*omega_x + c19 + c20
+    J_w_y = J_base_yy*omega_y + c21 + c22
+    J_w_z = J_base_zz*omega_z + c23 + c24
     # products of omega
     omega_xx = omega_x*omega_x
     omega_xy = omega_x*omega_y
@@ -4400,15 +4464,15 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     B_zx = omega_xz - alpha_y
     B_zy = alpha_x + omega_yz
     B_zz = -omega_xx - omega_yy
-    c19 = J_base_xy*alpha_y
-    c20 = J_base_xz*alpha_z
-    J_alpha_x = J_base_xx*alpha_x + c19 + c20
-    c21 = J_base_xy*alpha_x
-    c22 = J_base_yz*alpha_z
-    J_alpha_y = J_base_yy*alpha_y + c21 + c22
-    c23 = J_base_xz*alpha_x
-    c24 = J_base_yz*alpha_y
-    J_alpha_z = J_base_zz*alpha_z + c23 + c24
+    c25 = J_base_xy*alpha_y
+    c26 = J_base_xz*alpha_z
+    J_alpha_x = J_base_xx*alpha_x + c25 + c26
+    c27 = J_base_xy*alpha_x
+    c28 = J_base_yz*alpha_z
+    J_alpha_y = J_base_yy*alpha_y + c27 + c28
+    c29 = J_base_xz*alpha_x
+    c30 = J_base_yz*alpha_y
+    J_alpha_z = J_base_zz*alpha_z + c29 + c30
     # (33) a - g
     rise_x = a_x - g_x
     rise_y = a_y - g_y
@@ -4419,35 +4483,35 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
     M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz
     M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz
     M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz
-    c25 = J_base_xy*omega_z
-    c26 = J_base_xz*omega_y
-    c28 = J_w_z + c17 - J_base_xx*omega_z
-    c29 = J_w_y + c15 - J_base_xx*omega_y
-    c30 = J_w_z + c18 - J_base_yy*omega_z
-    c31 = J_base_yz*omega_x
-    c33 = c25 - c31
-    c34 = J_w_x + c13 - J_base_yy*omega_x
-    c35 = J_w_y + c16 - J_base_zz*omega_y
-    c36 = J_w_x + c14 - J_base_zz*omega_x
+    c31 = J_base_xy*omega_z
+    c32 = J_base_xz*omega_y
+    c34 = J_w_z + c23 - J_base_xx*omega_z
+    c35 = J_w_y + c21 - J_base_xx*omega_y
+    c36 = J_w_z + c24 - J_base_yy*omega_z
+    c37 = J_base_yz*omega_x
+    c39 = c31 - c37
+    c40 = J_w_x + c19 - J_base_yy*omega_x
+    c41 = J_w_y + c22 - J_base_zz*omega_y
+    c42 = J_w_x + c20 - J_base_zz*omega_x
     # derivative of I omega by dphi at fixed omega
-    spin_xx = c25 - c26
-    spin_xy = c28
-    spin_xz = -c29
-    spin_yx = -c30
-    spin_yy = -c33
-    spin_yz = c34
-    spin_zx = c35
-    spin_zy = -c36
-    spin_zz = c26 - c31
-    c37 = J_base_xz*alpha_y
-    c38 = h_base_y*rise_y
-    c39 = h_base_z*rise_z
-    c40 = J_base_xy*alpha_z
-    c41 = h_base_x*rise_x
-    c42 = J_base_yz*alpha_x
-    c43 = h_base_y*omega_y
-    c44 = h_base_z*omega_z
-    c45 = h_base_x*omega_x
+    spin_xx = c31 - c32
+    spin_xy = c34
+    spin_xz = -c35
+    spin_yx = -c36
+    spin_yy = -c39
+    spin_yz = c40
+    spin_zx = c41
+    spin_zy = -c42
+    spin_zz = c32 - c37
+    c43 = J_base_xz*alpha_y
+    c44 = h_base_y*rise_y
+    c45 = h_base_z*rise_z
+    c46 = J_base_xy*alpha_z
+    c47 = h_base_x*rise_x
+    c48 = J_base_yz*alpha_x
+    c49 = h_base_y*omega_y
+    c50 = h_base_z*omega_z
+    c51 = h_base_x*omega_x
     return {
         "B_xx": B_xx,
         "B_xy": B_xy,
@@ -4458,12 +4522,12 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "B_zx": B_zx,
         "B_zy": B_zy,
         "B_zz": B_zz,
-        "M_vv_xx": M_P,
+        "M_vv_xx": M,
         "M_vv_xy": 0,
         "M_vv_xz": 0,
-        "M_vv_yy": M_P,
+        "M_vv_yy": M,
         "M_vv_yz": 0,
-        "M_vv_zz": M_P,
+        "M_vv_zz": M,
         "M_vw_xx": 0,
         "M_vw_xy": h_base_z,
         "M_vw_xz": -h_base_y,
@@ -4506,33 +4570,33 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "W_mt_zx": 0,
         "W_mt_zy": 0,
         "W_mt_zz": 0,
-        "W_mr_xx": c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx,
+        "W_mr_xx": c46 + omega_y*spin_zx - c43 - c44 - c45 - omega_z*spin_yx,
         "W_mr_xy": (
-            J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z
+            J_alpha_z + c29 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z
             - omega_z*spin_yy
         ),
         "W_mr_xz": (
-            J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21
+            J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c27
             - omega_z*spin_yz
         ),
         "W_mr_yx": (
-            J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24
+            J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c30
             - omega_x*spin_zx
         ),
-        "W_mr_yy": c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy,
+        "W_mr_yy": c48 + omega_z*spin_xy - c45 - c46 - c47 - omega_x*spin_zy,
         "W_mr_yz": (
-            J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x
+            J_alpha_x + c25 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x
             - omega_x*spin_zz
         ),
         "W_mr_zx": (
-            J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y
+            J_alpha_y + c28 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y
             - omega_y*spin_xx
         ),
         "W_mr_zy": (
-            J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20
+            J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c26
             - omega_y*spin_xy
         ),
-        "W_mr_zz": c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz,
+        "W_mr_zz": c43 + omega_x*spin_yz - c44 - c47 - c48 - omega_y*spin_xz,
         "W_fv_xx": 0,
         "W_fv_xy": 0,
         "W_fv_xz": 0,
@@ -4542,15 +4606,15 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "W_fv_zx": 0,
         "W_fv_zy": 0,
         "W_fv_zz": 0,
-        "W_fw_xx": c43 + c44,
-        "W_fw_xy": w_h_z - c11,
-        "W_fw_xz": -c9 - w_h_y,
-        "W_fw_yx": -c12 - w_h_z,
-        "W_fw_yy": c44 + c45,
-        "W_fw_yz": w_h_x - c7,
-        "W_fw_zx": w_h_y - c10,
-        "W_fw_zy": -c8 - w_h_x,
-        "W_fw_zz": c43 + c45,
+        "W_fw_xx": c49 + c50,
+        "W_fw_xy": w_h_z - c17,
+        "W_fw_xz": -c15 - w_h_y,
+        "W_fw_yx": -c18 - w_h_z,
+        "W_fw_yy": c50 + c51,
+        "W_fw_yz": w_h_x - c13,
+        "W_fw_zx": w_h_y - c16,
+        "W_fw_zy": -c14 - w_h_x,
+        "W_fw_zz": c49 + c51,
         "W_mv_xx": 0,
         "W_mv_xy": 0,
         "W_mv_xz": 0,
@@ -4560,22 +4624,22 @@ def joint_slopes_of_platform(platform: Any, motion: Any) -> dict[str, Any]:
         "W_mv_zx": 0,
         "W_mv_zy": 0,
         "W_mv_zz": 0,
-        "W_mw_xx": C_P + c26 - c25,
-        "W_mw_xy": c30,
-        "W_mw_xz": -c35,
-        "W_mw_yx": -c28,
-        "W_mw_yy": C_P + c33,
-        "W_mw_yz": c36,
-        "W_mw_zx": c29,
-        "W_mw_zy": -c34,
-        "W_mw_zz": C_P + c31 - c26,
+        "W_mw_xx": C_P + c32 - c31,
+        "W_mw_xy": c36,
+        "W_mw_xz": -c41,
+        "W_mw_yx": -c34,
+        "W_mw_yy": C_P + c39,
+        "W_mw_yz": c42,
+        "W_mw_zx": c35,
+        "W_mw_zy": -c40,
+        "W_mw_zz": C_P + c37 - c32,
     }
 
 
 def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any) -> dict[str, Any]:
     """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives.
 
-    Operations: 1939 (1234 mul, 701 add, 2 div, 2 sqrt).
+    Operations: 1983 (1250 mul, 729 add, 2 div, 2 sqrt).
     """
     b_x = leg["b_x"]
     b_y = leg["b_y"]
@@ -4586,6 +4650,7 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     k_x = leg["k_x"]
     k_y = leg["k_y"]
     k_z = leg["k_z"]
+    m_u = leg["m_u"]
     C_p = leg["C_p"]
     C_s = leg["C_s"]
     h_x = leg["h_x"]
@@ -4711,16 +4776,20 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     inv_k3 = L*inv_rho
     # (6) leg's turning about z
     W_z = c1*inv_L
+    c4 = omega_z*w_q_y
+    c5 = omega_x*w_q_z - omega_z*w_q_x
+    c6 = omega_y*w_q_x
     # (7) acceleration of the platform point
-    S_ddot_x = omega_y*w_q_z - omega_z*w_q_y
-    S_ddot_y = omega_z*w_q_x - omega_x*w_q_z
-    S_ddot_z = omega_x*w_q_y - omega_y*w_q_x
+    S_ddot_x = omega_y*w_q_z - c4
+    S_ddot_y = -c5
+    S_ddot_z = omega_x*w_q_y - c6
     # (8) acceleration of the length
     L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + turned_x
-    c4 = 2*L_share
+    c7 = 2*L_share
+    c8 = k3*turned_z
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z - W_z*c4
+    own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
+    own_z = c8 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c7
     # gravity along k x y and along y
     gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
     gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
@@ -4730,205 +4799,218 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     normal_z = k_x*y_y - k_y*y_x
     # omega along k x y, y and k
     w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z
-    c5 = inv_rho*net_z
-    c6 = inv_L*net_y
+    c9 = inv_rho*net_z
+    c10 = inv_L*net_y
     # force at the tip, less the actuator's
-    R_tip_x = c5*y_x + net_x*s_x - c6*z_x
-    R_tip_y = c5*y_y + net_x*s_y - c6*z_y
-    R_tip_z = c5*y_z + net_x*s_z - c6*z_z
-    c7 = h_z*own_y
-    c8 = W_z*W_z
-    c9 = inv_L*inv_L
-    c10 = L_dot*c9
-    c11 = 2*h_y
-    c12 = W_z*c11
-    c13 = h_y*inv_L
-    c14 = inv_k3*k1
-    c15 = c13*c14
-    c16 = 4*W_z
-    c17 = c16*theta_dot
-    c18 = c8*h_z
-    c19 = c18*inv_L
-    c20 = 4*c14
+    R_tip_x = c9*y_x + net_x*s_x - c10*z_x
+    R_tip_y = c9*y_y + net_x*s_y - c10*z_y
+    R_tip_z = c9*y_z + net_x*s_z - c10*z_z
+    fall_x = omega_y*w_q_z - c4 - g_x
+    fall_y = -c5 - g_y
+    fall_z = omega_x*w_q_y - c6 - g_z
+    # acceleration of the platform point from free fall, leg frame
+    fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x
+    fall_T_y = L*c8 + fall_x*y_x + fall_y*y_y + fall_z*y_z
+    fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y
+    c11 = h_z*own_y
+    c12 = W_z*W_z
+    c13 = inv_L*inv_L
+    c14 = L_dot*c13
+    c15 = 2*h_y
+    c16 = W_z*c15
+    c17 = h_y*inv_L
+    c18 = inv_k3*k1
+    c19 = c17*c18
+    c20 = 4*W_z
+    c21 = c20*theta_dot
+    c22 = c12*h_z
+    c23 = c22*inv_L
+    c24 = 4*c18
     tau_S_leg_11 = (
-        2*L_dot*c9*h_z*theta_dot + 2*c3*h_x*inv_L + 2*c8*h_x*inv_L + h_y*inv_L*own_z - c10*c12 - c15*c17
-        - c19*c20 - c7*inv_L
+        2*L_dot*c13*h_z*theta_dot + 2*c12*h_x*inv_L + 2*c3*h_x*inv_L + h_y*inv_L*own_z - c11*inv_L - c14*c16
+        - c19*c21 - c23*c24
     )
-    c21 = L_ddot*c9
-    c22 = c13*c3
-    c23 = h_z*inv_L
-    c24 = 2*theta_dot
-    c25 = c23*c24
-    c26 = h_y*own_y
-    c27 = inv_L*inv_k3
-    c28 = c27*k1
-    c29 = h_z*own_z
-    c30 = c13*c8
-    c31 = 2*h_x
-    c32 = W_z*c10
-    c33 = L_dot*L_dot
-    c34 = inv_L*inv_L*inv_L
-    c35 = c33*c34
-    c36 = inv_k3*inv_k3
-    c37 = 2*c36
-    c38 = h_y*k1
-    c39 = c38*inv_k3
+    c25 = fall_T_y*m_u
+    c26 = L_ddot*c13
+    c27 = c17*c3
+    c28 = h_z*inv_L
+    c29 = 2*theta_dot
+    c30 = c28*c29
+    c31 = h_y*own_y
+    c32 = inv_L*inv_k3
+    c33 = c32*k1
+    c34 = h_z*own_z
+    c35 = c12*c17
+    c36 = 2*h_x
+    c37 = W_z*c14
+    c38 = L_dot*L_dot
+    c39 = inv_L*inv_L*inv_L
+    c40 = c38*c39
+    c41 = inv_k3*inv_k3
+    c42 = 2*c41
+    c43 = h_y*k1
+    c44 = c43*inv_k3
     tau_S_leg_12 = (
-        C_p*W_z + W_z*c25 + c21*h_y + c22 + c26*c28 + c28*c29 + c30*c37 + c31*c32 - c10*c24*c39 - c11*c35
-        - c17*c23*c36 - c20*c32*h_z - c22*c37 - c30
+        C_p*W_z + W_z*c30 + c25*inv_L + c26*h_y + c27 + c31*c33 + c33*c34 + c35*c42 + c36*c37 - c14*c29*c44
+        - c15*c40 - c21*c28*c41 - c24*c37*h_z - c27*c42 - c35
     )
-    c40 = W_z*c24
-    c41 = c31*theta_dot
-    c42 = 2*h_z
+    c45 = fall_T_z*m_u
+    c46 = c3*h_z
+    c47 = W_z*c29
+    c48 = c17*c47
+    c49 = c36*theta_dot
+    c50 = 2*h_z
+    c51 = 2*W_z
+    c52 = c44*c51
     tau_S_leg_13 = (
-        L_ddot*c9*h_z + 2*L_dot*W_z*c9*h_y*inv_k3*k1 + 2*W_z*c36*h_y*inv_L*theta_dot + c3*h_z*inv_L
-        + 2*c36*c8*h_z*inv_L - C_p*theta_dot - c10*c41 - c13*c40 - c19 - c35*c42
+        c14*c52 + c23*c42 + c26*h_z + c41*c48 + c45*inv_L + c46*inv_L - C_p*theta_dot - c14*c49 - c23
+        - c40*c50 - c48
     )
-    c43 = C_us*inv_L
-    c44 = c43*theta_dot
-    c45 = J_yy*inv_L
-    c46 = J_yz*inv_L
-    c47 = c3*h_z
-    c48 = inv_L*theta_dot
-    c49 = J_xy*c48
-    c50 = J_xy*inv_L
-    c51 = c50*k1
-    c52 = c51*inv_k3
-    c53 = c8*inv_L
-    c54 = 4*J_xz
-    c55 = c11*theta_dot
-    c56 = 2*W_z
-    c57 = 2*J_yy
-    c58 = 2*J_xx
-    c59 = c58 - 2*J_zz
-    c60 = c57 + c59
+    c53 = C_us*inv_L
+    c54 = c53*theta_dot
+    c55 = J_yy*inv_L
+    c56 = J_yz*inv_L
+    c57 = inv_L*theta_dot
+    c58 = J_xy*c57
+    c59 = J_xy*inv_L
+    c60 = c59*k1
+    c61 = c60*inv_k3
+    c62 = c12*inv_L
+    c63 = 4*J_xz
+    c64 = c15*theta_dot
+    c65 = 2*J_yy
+    c66 = 2*J_xx
+    c67 = c66 - 2*J_zz
+    c68 = c65 + c67
     tau_S_leg_21 = (
-        2*J_xy*L_dot*W_z*c9*inv_k3*k1 + 4*J_xy*W_z*c36*inv_L*theta_dot + 2*J_xz*c36*c8*inv_L
-        + 2*J_yy*L_dot*c9*theta_dot + 2*J_yz*L_dot*W_z*c9 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
-        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c8*h_z - W_z*c36*c55 - c16*c49 - c18*c36
-        - c2*c39*c56 - c44 - c45*own_y - c46*own_z - c47 - c52*own_z - c53*c54 - c60*c8*inv_L*inv_k3*k1
+        2*J_xy*L_dot*W_z*c13*inv_k3*k1 + 4*J_xy*W_z*c41*inv_L*theta_dot + 2*J_xz*c12*c41*inv_L
+        + 2*J_yy*L_dot*c13*theta_dot + 2*J_yz*L_dot*W_z*c13 + 4*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
+        + 2*L_dot*h_x*inv_L*theta_dot + 2*W_z*h_y*theta_dot + c12*h_z - W_z*c41*c64
+        - c12*c68*inv_L*inv_k3*k1 - c2*c52 - c20*c58 - c22*c41 - c45 - c46 - c54 - c55*own_y - c56*own_z
+        - c61*own_z - c62*c63
     )
-    c62 = c50*own_y
-    c63 = W_z*c41
-    c64 = inv_L*w_z
-    c65 = c64*gamma_y
-    c66 = c46*c8
-    c67 = C_s*inv_L
-    c68 = c16*h_z
-    c69 = k1*own_z
-    c70 = c31*c69
-    c71 = W_z*c43*inv_k3
-    c72 = J_yz*c21
-    c73 = c3*c46
-    c74 = k1*own_y
-    c75 = c46*c74
-    c76 = c14*theta_dot
-    c77 = inv_L*w_x
-    c78 = c77*k1
-    c79 = c78*gamma_y
-    c80 = J_xy*c10
-    c81 = c24*c80
-    c82 = W_z*c54
-    c83 = c10*c82
-    c84 = c8*inv_k3
-    c85 = c48*c82
-    c86 = c2*c31
-    c87 = W_z*c86
-    c88 = 2*J_yz
-    c89 = c35*c88
-    c90 = c21*inv_k3
-    c91 = J_xy*k1
-    c92 = W_z*c42
-    c93 = c36*c92
-    c94 = inv_k3*inv_k3*inv_k3
-    c95 = c92*k1
-    c96 = c95*theta_dot
-    c97 = c38*c8
-    c98 = 2*c94
-    c99 = c3*c98
-    c100 = 2*k1
-    c101 = J_xz*c100
-    c102 = W_z*c48
-    c103 = c10*c88
-    c104 = J_xy*c100*c35
-    c105 = c51*c8
-    c106 = J_xz*c56
-    c107 = c106*c36
-    c108 = c33*c9
-    c109 = W_z*c36
-    c110 = c109*c48
+    c70 = c59*own_y
+    c71 = W_z*c49
+    c72 = inv_L*w_z
+    c73 = c72*gamma_y
+    c74 = c25*k1
+    c75 = c12*c56
+    c76 = C_s*inv_L
+    c77 = c20*h_z
+    c78 = k1*own_z
+    c79 = c36*c78
+    c80 = W_z*c53*inv_k3
+    c81 = J_yz*c26
+    c82 = c3*c56
+    c83 = k1*own_y
+    c84 = c56*c83
+    c85 = c18*theta_dot
+    c86 = inv_L*w_x
+    c87 = c86*k1
+    c88 = c87*gamma_y
+    c89 = J_xy*c14
+    c90 = c29*c89
+    c91 = W_z*c63
+    c92 = c14*c91
+    c93 = c12*inv_k3
+    c94 = c57*c91
+    c95 = c2*c36
+    c96 = W_z*c95
+    c97 = 2*J_yz
+    c98 = c40*c97
+    c99 = c26*inv_k3
+    c100 = J_xy*k1
+    c101 = W_z*c50
+    c102 = c101*c41
+    c103 = inv_k3*inv_k3*inv_k3
+    c104 = c101*k1
+    c105 = c104*theta_dot
+    c106 = c12*c43
+    c107 = 2*c103
+    c108 = c107*c3
+    c109 = 2*k1
+    c110 = J_xz*c109
+    c111 = W_z*c57
+    c112 = c14*c97
+    c113 = J_xy*c109*c40
+    c114 = c12*c60
+    c115 = J_xz*c51
+    c116 = c115*c41
+    c117 = c13*c38
+    c118 = W_z*c41
+    c119 = c118*c57
     tau_S_leg_22 = (
-        L_ddot*c15 + W_z*c48*c59 + c10*c107 + c101*c102*c94 + c103*c76 + c104*inv_k3 + c14*c87 + c2*c55
-        + c2*c68 + c26*c36 + c29 + c3*c39 + c36*c81 + c37*c73 + c45*c69*inv_k3 + c51*c84 + c51*c99 + c62
-        + c66 + c68*c76 + c70*inv_k3 + c71*k1 + c89 + c97*c98 - c105*c98 - 2*c108*c39 - c110*c60 - c14*c85
-        - c2*c36*c55 - c2*c93 - c26 - c3*c52 - c32*c60*inv_k3*k1 - c36*c62 - c37*c66 - c38*c84 - c38*c99
-        - c63 - c65 - c67*inv_k3*w_n_omega - c72 - c73 - c75*inv_k3 - c79*inv_k3 - c81 - c83 - c90*c91
-        - c94*c96
+        L_ddot*c19 + W_z*c57*c67 + c103*c110*c111 + c106*c107 + c108*c60 + c112*c85 + c113*inv_k3 + c116*c14
+        + c18*c96 + c2*c64 + c2*c77 + c3*c44 + c31*c41 + c34 + c41*c90 + c42*c82 + c55*c78*inv_k3 + c60*c93
+        + c70 + c74*inv_k3 + c75 + c77*c85 + c79*inv_k3 + c80*k1 + c98 - c100*c99 - c102*c2 - c103*c105
+        - c107*c114 - c108*c43 - 2*c117*c44 - c119*c68 - c18*c94 - c2*c41*c64 - c3*c61 - c31
+        - c37*c68*inv_k3*k1 - c41*c70 - c42*c75 - c43*c93 - c71 - c73 - c76*inv_k3*w_n_omega - c81 - c82
+        - c84*inv_k3 - c88*inv_k3 - c90 - c92
     )
-    c111 = h_y*own_z
-    c112 = c48*c94
-    c113 = W_z*c103
-    c114 = c56*c80
-    c115 = c101*c53
-    c116 = J_xx - J_zz
+    c120 = h_y*own_z
+    c121 = c103*c57
+    c122 = W_z*c112
+    c123 = c51*c89
+    c124 = c110*c62
+    c125 = J_xx - J_zz
     tau_S_leg_23 = (
-        C_us*L_dot*c9 + 2*J_xy*L_dot*W_z*c9 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c36*inv_L*own_z
-        + J_yy*L_ddot*c9 + J_yy*c3*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
-        + 2*L_dot*W_z*c36*h_y*inv_L + 4*W_z*c94*h_y*k1*theta_dot + c36*c8*inv_L*(J_yy + c116)
-        + 2*c8*c94*h_z*k1 + gamma_n*inv_L*k3*w_x - c108*c31 - c111*c36 - c112*c16*c91 - c113*c14 - c114*c36
-        - c115*c94 - c12*c2 - c31*c8 - c35*c57 - c36*c40*c46 - c39*c40 - c45*c8 - c64*g_k*k3
-        - c64*gamma_n*k1 - c7 - c78*g_k
+        C_us*L_dot*c13 + 2*J_xy*L_dot*W_z*c13 + 2*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c41*inv_L*own_z
+        + J_yy*L_ddot*c13 + J_yy*c3*inv_L + 2*J_yz*W_z*inv_L*theta_dot + 2*L_ddot*h_x*inv_L
+        + 2*L_dot*W_z*c41*h_y*inv_L + 4*W_z*c103*h_y*k1*theta_dot + 2*c103*c12*h_z*k1 + c12*c41*inv_L*(J_yy
+        + c125) + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c100*c121*c20 - c103*c124 - c11 - c117*c36 - c12*c36
+        - c12*c55 - c120*c41 - c122*c18 - c123*c41 - c16*c2 - c40*c65 - c41*c47*c56 - c44*c47 - c72*g_k*k3
+        - c72*gamma_n*k1 - c87*g_k
     )
-    c117 = J_xx*inv_L
-    c118 = c117*inv_k3
-    c119 = c101*inv_L
-    c120 = c46*k3
-    c121 = c92*inv_k3
-    c122 = c48*inv_k3
-    c123 = c31*k3
-    c124 = W_z*c123
-    c125 = 2*k3
-    c126 = c125*c50
-    c127 = inv_L*k3
-    c128 = c58*inv_k3
-    c129 = c100*c80
-    c130 = c103*k3
-    c131 = J_xx*c16
-    c132 = c36*k1
-    c133 = c132*c48
-    c135 = -c59*k3
+    c126 = J_xx*inv_L
+    c127 = c126*inv_k3
+    c128 = c110*inv_L
+    c129 = c56*k3
+    c130 = c101*inv_k3
+    c131 = c57*inv_k3
+    c132 = c36*k3
+    c133 = W_z*c132
+    c134 = 2*k3
+    c135 = c134*c59
+    c136 = inv_L*k3
+    c137 = c66*inv_k3
+    c138 = c109*c89
+    c139 = c112*k3
+    c140 = J_xx*c20
+    c141 = c41*k1
+    c142 = c141*c57
+    c144 = -c67*k3
     tau_S_leg_31 = (
-        c116*c127*own_z + c122*c82 + c124*c2 + c126*c3 + c126*c8 + c128*c32 + c129*theta_dot
-        + c130*theta_dot + c131*c133 + c135*c32 + c83*k1 + c84*h_y - c100*c66 - c100*c73 - c118*own_z
-        - c119*own_z - c120*own_y - c121*theta_dot - c2*c95 - 2*c50*c84 - c62*k1 - c71
+        c12*c135 + c125*c136*own_z + c131*c91 + c133*c2 + c135*c3 + c137*c37 + c138*theta_dot
+        + c139*theta_dot + c140*c142 + c144*c37 + c25*k3 + c92*k1 + c93*h_y - c104*c2 - c109*c75 - c109*c82
+        - c127*own_z - c128*own_z - c129*own_y - c130*theta_dot - 2*c59*c93 - c70*k1 - c80
     )
-    c136 = 2*J_xz
-    c137 = c100*c47
-    c138 = c100*c49
-    c139 = c42*theta_dot
-    c140 = c2*k3
-    c141 = c117*c36
-    c142 = c42*k1
+    c145 = 2*J_xz
+    c146 = c109*c46
+    c147 = c109*c58
+    c148 = c50*theta_dot
+    c149 = c2*k3
+    c150 = c126*c41
+    c151 = c50*k1
     tau_S_leg_32 = (
-        2*J_xx*L_dot*c36*c9*k1*theta_dot + 2*J_xx*c3*c94*inv_L + 2*J_xx*c33*c34*inv_k3
-        + J_xx*c8*inv_L*inv_k3 + 2*J_xy*L_dot*W_z*c9*k3 + J_xy*inv_L*inv_k3*own_z
-        + 2*J_xz*L_dot*c9*inv_k3*theta_dot + 2*J_xz*c3*c36*inv_L*k1 + 2*J_xz*c3*inv_L*k1 + 4*J_xz*c33*c34*k1
-        + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c116*c9*k3 + 2*L_ddot*h_z*inv_L*k1
-        + 2*W_z*c36*h_y*k1*theta_dot + c116*c8*inv_L*k3 + c116*inv_L*k1*own_y + 2*c3*h_x*k3
-        + 2*c33*c9*h_x*k3 + 2*c36*c8*h_z*k1 + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
-        + 2*h_z*inv_k3*own_y - C_us*c10*inv_k3 - J_xx*c90 - L_ddot*c123*inv_L - W_z*c138 - c101*c21
-        - c101*c36*c53 - c108*c142 - c109*c138 - c111*inv_k3 - c113*k1 - c114*inv_k3 - c115
-        - c116*c3*inv_L*k3 - c118*c3 - c120*c40 - c132*c44 - c136*c27*own_y - c137*c36 - c137 - c139*c140
-        - c141*c74 - c2*c41*k1 - c31*c74 - c33*c34*c59*k3 - c50*k3*own_z - c53*c58*c94 - 2*c7*k3
-        - c77*gamma_n
+        2*J_xx*L_dot*c13*c41*k1*theta_dot + 2*J_xx*c103*c3*inv_L + J_xx*c12*inv_L*inv_k3
+        + 2*J_xx*c38*c39*inv_k3 + 2*J_xy*L_dot*W_z*c13*k3 + J_xy*inv_L*inv_k3*own_z
+        + 2*J_xz*L_dot*c13*inv_k3*theta_dot + 2*J_xz*c3*c41*inv_L*k1 + 2*J_xz*c3*inv_L*k1
+        + 4*J_xz*c38*c39*k1 + 2*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c125*c13*k3
+        + 2*L_ddot*h_z*inv_L*k1 + 2*W_z*c41*h_y*k1*theta_dot + c12*c125*inv_L*k3 + 2*c12*c41*h_z*k1
+        + c125*inv_L*k1*own_y + 2*c13*c38*h_x*k3 + 2*c3*h_x*k3 + fall_T_z*k1*m_u
+        + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y + 2*h_z*inv_k3*own_y - C_us*c14*inv_k3
+        - J_xx*c99 - L_ddot*c132*inv_L - W_z*c147 - c103*c62*c66 - 2*c11*k3 - c110*c26 - c110*c41*c62
+        - c117*c151 - c118*c147 - c120*inv_k3 - c122*k1 - c123*inv_k3 - c124 - c125*c3*inv_L*k3 - c127*c3
+        - c129*c47 - c141*c54 - c145*c32*own_y - c146*c41 - c146 - c148*c149 - c150*c83 - c2*c49*k1
+        - c36*c83 - c38*c39*c67*k3 - c59*k3*own_z - c86*gamma_n - fall_T_x*k3*m_u
     )
-    c144 = c109*k1
-    c145 = k1*theta_dot
+    c153 = c118*k1
+    c154 = k1*theta_dot
     tau_S_leg_33 = (
-        c102*c135 + c103*c145 + c105*c36 + c116*c69*inv_L + c121*c2 + c122*c131 + c125*c73 + c127*c136*own_z
-        + c141*c69 + c144*c43 + c145*c93 + c21*c91 + 2*c3*c51 + c62*k3 + c63*k3 + c65*k3 + c72*k3 + c79
-        + c85*k1 - c10*c106*inv_k3 - c101*c110 - c104 - c112*c131 - c125*c29 - c125*c80*theta_dot
-        - c132*c32*c58 - c140*c92 - c36*c97 - c70 - c75 - c87*k1 - c89*k3 - c96
+        c100*c26 + c102*c154 + c111*c144 + c112*c154 + c114*c41 + c125*c78*inv_L + c130*c2 + c131*c140
+        + c134*c82 + c136*c145*own_z + c150*c78 + c153*c53 + 2*c3*c60 + c70*k3 + c71*k3 + c73*k3 + c81*k3
+        + c88 + c94*k1 - c101*c149 - c105 - c106*c41 - c110*c119 - c113 - c115*c14*inv_k3 - c121*c140
+        - c134*c34 - c134*c89*theta_dot - c141*c37*c66 - c74 - c79 - c84 - c96*k1 - c98*k3
     )
     # generalised forces by the tip's motion
     tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x
@@ -4940,27 +5022,27 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x
     tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y
     tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z
-    tau_S_dot_leg_11 = C_p + c13*c56 - c25
-    c146 = c100*c13*inv_k3
-    tau_S_dot_leg_12 = c10*c11 + c14*c16*c23 + c146*theta_dot - W_z*c31*inv_L
-    tau_S_dot_leg_13 = c10*c42 + c31*c48 - W_z*c146
-    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c41 - c46*c56 - c48*c57 - c52*c56
-    c147 = c100*c46
-    c148 = c147*theta_dot
+    tau_S_dot_leg_11 = C_p + c17*c51 - c30
+    c155 = c109*c17*inv_k3
+    tau_S_dot_leg_12 = c14*c15 + c155*theta_dot + c18*c20*c28 - W_z*c36*inv_L
+    tau_S_dot_leg_13 = c14*c50 + c36*c57 - W_z*c155
+    tau_S_dot_leg_21 = 2*W_z*h_y*inv_k3*k1 - c49 - c51*c56 - c51*c61 - c57*c65
+    c156 = c109*c56
+    c157 = c156*theta_dot
     tau_S_dot_leg_22 = (
-        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c36*h_z
-        + W_z*c60*inv_L*inv_k3*k1 + 2*c36*h_y*theta_dot - c103 - c107*inv_L - c129*inv_k3 - c148*inv_k3
-        - 2*c36*c49 - c55 - c92
+        2*J_xy*inv_L*theta_dot + 4*J_xz*W_z*inv_L + 2*L_dot*h_y*inv_L*inv_k3*k1 + 2*W_z*c41*h_z
+        + W_z*c68*inv_L*inv_k3*k1 + 2*c41*h_y*theta_dot - c101 - c112 - c116*inv_L - c138*inv_k3
+        - c157*inv_k3 - 2*c41*c58 - c64
     )
-    c149 = c50*c56
-    tau_S_dot_leg_23 = W_z*c147*inv_k3 + c10*c57 + c12 + c149*c36 + c86 - c12*c36 - c139 - c149 - c43
-    tau_S_dot_leg_31 = W_z*c59*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c27*c58 - c120*c24 - c124 - c138 - c82*inv_L*k1
+    c158 = c51*c59
+    tau_S_dot_leg_23 = W_z*c156*inv_k3 + c14*c65 + c158*c41 + c16 + c95 - c148 - c158 - c16*c41 - c53
+    tau_S_dot_leg_31 = W_z*c67*inv_L*k3 + 2*W_z*h_z*k1 - W_z*c32*c66 - c129*c29 - c133 - c147 - c91*inv_L*k1
     tau_S_dot_leg_32 = (
-        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c59*c9*k3
-        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c126 - c10*c128 - c10*c54*k1 - c12*inv_k3
-        - c122*c136 - c123*c2 - c133*c58
+        C_us*inv_L*inv_k3 + 2*J_xy*W_z*inv_L*inv_k3 + 2*J_yz*W_z*inv_L*k1 + L_dot*c13*c67*k3
+        + 2*L_dot*h_z*inv_L*k1 + 2*h_z*inv_k3*theta_dot - W_z*c135 - c131*c145 - c132*c2 - c137*c14
+        - c14*c63*k1 - c142*c66 - c16*inv_k3
     )
-    tau_S_dot_leg_33 = c106*c27 + c125*c49 + c129 + c130 + c144*c58*inv_L - c121 - c148
+    tau_S_dot_leg_33 = c115*c32 + c134*c58 + c138 + c139 + c153*c66*inv_L - c130 - c157
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x
     tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y
@@ -4971,17 +5053,18 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x
     tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y
     tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z
-    tau_S_ddot_leg_12 = -c13
-    tau_S_ddot_leg_13 = -c23
-    tau_S_ddot_leg_22 = c46 + c52 - c39
-    tau_S_ddot_leg_23 = -c31 - c45
+    tau_S_ddot_leg_12 = -c17
+    tau_S_ddot_leg_13 = -c28
+    tau_S_ddot_leg_22 = c56 + c61 - c44
+    c159 = L*m_u
+    tau_S_ddot_leg_23 = -c159 - c36 - c55
     tau_S_ddot_leg_31 = -h_y*k3
-    tau_S_ddot_leg_32 = c118 + c119 + c123 - c116*c127 - c142
-    tau_S_ddot_leg_33 = h_y*k1 - c120 - c51
+    tau_S_ddot_leg_32 = c127 + c128 + c132 + c159*k3 - c125*c136 - c151
+    tau_S_ddot_leg_33 = h_y*k1 - c129 - c60
     # generalised forces by the tip's motion
-    tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x
-    tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y
-    tau_S_ddot_xz = tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z
+    tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x
+    tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y
+    tau_S_ddot_xz = m_u*s_z + tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z
     tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x
     tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y
     tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z
@@ -5033,17 +5116,17 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz
     Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx
     Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy
-    c150 = net_z*inv_rho*inv_rho
-    bent_leg_12 = -c150*k3
-    c151 = c9*net_y
-    bent_leg_13 = c151
-    c152 = c5*inv_L
-    bent_leg_21 = -c152
-    c153 = inv_rho*k3
-    bent_leg_22 = c153*net_x + c6*inv_rho*k1
-    bent_leg_23 = c152*kappa
-    bent_leg_31 = c151
-    bent_leg_32 = c150*k1
+    c160 = net_z*inv_rho*inv_rho
+    bent_leg_12 = -c160*k3
+    c161 = c13*net_y
+    bent_leg_13 = c161
+    c162 = c9*inv_L
+    bent_leg_21 = -c162
+    c163 = inv_rho*k3
+    bent_leg_22 = c10*inv_rho*k1 + c163*net_x
+    bent_leg_23 = c162*kappa
+    bent_leg_31 = c161
+    bent_leg_32 = c160*k1
     bent_leg_33 = inv_L*net_x
     bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x
     bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x
@@ -5064,45 +5147,45 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x
     bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y
     bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z
-    c154 = bent_xy*q_z
-    c155 = bent_xz*q_y
-    Z_xx = c155 - c154
+    c164 = bent_xy*q_z
+    c165 = bent_xz*q_y
+    Z_xx = c165 - c164
     Z_xy = bent_xx*q_z - bent_xz*q_x
-    c156 = bent_xx*q_y
-    Z_xz = bent_xy*q_x - c156
-    c157 = bent_yy*q_z
-    Z_yx = bent_yz*q_y - c157
-    c158 = bent_yx*q_z
-    c159 = -bent_yz*q_x
-    Z_yy = c158 + c159
-    c160 = -bent_yy*q_x
-    Z_yz = -bent_yx*q_y - c160
-    c161 = -bent_zz*q_y
-    Z_zx = -bent_zy*q_z - c161
-    c162 = bent_zz*q_x
-    Z_zy = bent_zx*q_z - c162
-    c163 = bent_zx*q_y
-    c164 = bent_zy*q_x
-    Z_zz = c164 - c163
-    G_dot_21 = -c48
-    c165 = k1*phi_dot
-    G_dot_22 = c165*inv_L
-    G_dot_23 = c10
-    G_dot_31 = -c153*phi_dot
-    c166 = inv_rho*theta_dot
-    G_dot_32 = -c166*kappa - c2*inv_rho
-    G_dot_33 = c165*inv_rho
-    c167 = C_s*k1
-    f_S_leg_11 = G_dot_31*c167
-    f_S_leg_12 = C_s*(G_dot_32*k1 - c153*theta_dot)
-    f_S_leg_13 = G_dot_33*c167
+    c166 = bent_xx*q_y
+    Z_xz = bent_xy*q_x - c166
+    c167 = bent_yy*q_z
+    Z_yx = bent_yz*q_y - c167
+    c168 = bent_yx*q_z
+    c169 = -bent_yz*q_x
+    Z_yy = c168 + c169
+    c170 = -bent_yy*q_x
+    Z_yz = -bent_yx*q_y - c170
+    c171 = -bent_zz*q_y
+    Z_zx = -bent_zy*q_z - c171
+    c172 = bent_zz*q_x
+    Z_zy = bent_zx*q_z - c172
+    c173 = bent_zx*q_y
+    c174 = bent_zy*q_x
+    Z_zz = c174 - c173
+    G_dot_21 = -c57
+    c175 = k1*phi_dot
+    G_dot_22 = c175*inv_L
+    G_dot_23 = c14
+    G_dot_31 = -c163*phi_dot
+    c176 = inv_rho*theta_dot
+    G_dot_32 = -c176*kappa - c2*inv_rho
+    G_dot_33 = c175*inv_rho
+    c177 = C_s*k1
+    f_S_leg_11 = G_dot_31*c177
+    f_S_leg_12 = C_s*(G_dot_32*k1 - c163*theta_dot)
+    f_S_leg_13 = G_dot_33*c177
     f_S_leg_21 = C_s*G_dot_21
     f_S_leg_22 = C_s*G_dot_22
     f_S_leg_23 = C_s*G_dot_23
-    c168 = C_s*k3
-    f_S_leg_31 = G_dot_31*c168
-    f_S_leg_32 = C_s*(G_dot_32*k3 + c166*k1)
-    f_S_leg_33 = G_dot_33*c168
+    c178 = C_s*k3
+    f_S_leg_31 = G_dot_31*c178
+    f_S_leg_32 = C_s*(G_dot_32*k3 + c176*k1)
+    f_S_leg_33 = G_dot_33*c178
     f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x
     f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x
     f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x
@@ -5122,9 +5205,9 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x
     f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y
     f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z
-    f_S_dot_leg_12 = c167*inv_rho
-    f_S_dot_leg_23 = -c67
-    f_S_dot_leg_32 = C_s*c153
+    f_S_dot_leg_12 = c177*inv_rho
+    f_S_dot_leg_23 = -c76
+    f_S_dot_leg_32 = C_s*c163
     f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x
     f_S_dot_T_xz = f_S_dot_leg_23*y_x
     f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y
@@ -5141,18 +5224,18 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
     f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x
     f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y
     f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z
-    c169 = R_tip_y*q_y
-    c170 = R_tip_z*q_z
-    c171 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
-    c172 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
-    c173 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
-    c174 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
-    c175 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
-    c176 = R_tip_x*q_x
-    c177 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
-    c178 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
-    c179 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
-    c180 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
+    c179 = R_tip_y*q_y
+    c180 = R_tip_z*q_z
+    c181 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x
+    c182 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z
+    c183 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y
+    c184 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z
+    c185 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x
+    c186 = R_tip_x*q_x
+    c187 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y
+    c188 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z
+    c189 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x
+    c190 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y
     return {
         "M_vv_xx": 0,
         "M_vv_xy": 0,
@@ -5193,24 +5276,24 @@ def joint_slopes_of_leg(leg: Any, platform: Any, pose: Any, motion: Any, F: Any)
         "W_fr_zx": Z_zx,
         "W_fr_zy": Z_zy,
         "W_fr_zz": Z_zz,
-        "W_mt_xx": c163 - c158 - f_S_xx,
-        "W_mt_xy": bent_zy*q_y - c157 - f_S_xy,
-        "W_mt_xz": -bent_yz*q_z - c161 - f_S_xz,
+        "W_mt_xx": c173 - c168 - f_S_xx,
+        "W_mt_xy": bent_zy*q_y - c167 - f_S_xy,
+        "W_mt_xz": -bent_yz*q_z - c171 - f_S_xz,
         "W_mt_yx": bent_xx*q_z - bent_zx*q_x - f_S_yx,
-        "W_mt_yy": c154 - c164 - f_S_yy,
-        "W_mt_yz": bent_xz*q_z - c162 - f_S_yz,
-        "W_mt_zx": bent_yx*q_x - c156 - f_S_zx,
-        "W_mt_zy": -bent_xy*q_y - c160 - f_S_zy,
-        "W_mt_zz": -c155 - c159 - f_S_zz,
-        "W_mr_xx": Z_zx*q_y + c172*q_z - Z_yx*q_z - c169 - c170 - c171*q_y,
-        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c171*q_x - Z_yy*q_z - c173*q_z,
-        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c173*q_y - Z_yz*q_z - c172*q_x,
-        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c174*q_z - Z_zx*q_x - c175*q_y,
-        "W_mr_yy": Z_xy*q_z + c175*q_x - Z_zy*q_x - c170 - c176 - c177*q_z,
-        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c177*q_y - Z_zz*q_x - c174*q_x,
-        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c178*q_z - Z_xx*q_y - c179*q_y,
-        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c179*q_x - Z_xy*q_y - c180*q_z,
-        "W_mr_zz": Z_yz*q_x + c180*q_y - Z_xz*q_y - c169 - c176 - c178*q_x,
+        "W_mt_yy": c164 - c174 - f_S_yy,
+        "W_mt_yz": bent_xz*q_z - c172 - f_S_yz,
+        "W_mt_zx": bent_yx*q_x - c166 - f_S_zx,
+        "W_mt_zy": -bent_xy*q_y - c170 - f_S_zy,
+        "W_mt_zz": -c165 - c169 - f_S_zz,
+        "W_mr_xx": Z_zx*q_y + c182*q_z - Z_yx*q_z - c179 - c180 - c181*q_y,
+        "W_mr_xy": R_tip_y*q_x + Z_zy*q_y + c181*q_x - Z_yy*q_z - c183*q_z,
+        "W_mr_xz": R_tip_z*q_x + Z_zz*q_y + c183*q_y - Z_yz*q_z - c182*q_x,
+        "W_mr_yx": R_tip_x*q_y + Z_xx*q_z + c184*q_z - Z_zx*q_x - c185*q_y,
+        "W_mr_yy": Z_xy*q_z + c185*q_x - Z_zy*q_x - c180 - c186 - c187*q_z,
+        "W_mr_yz": R_tip_z*q_y + Z_xz*q_z + c187*q_y - Z_zz*q_x - c184*q_x,
+        "W_mr_zx": R_tip_x*q_z + Z_yx*q_x + c188*q_z - Z_xx*q_y - c189*q_y,
+        "W_mr_zy": R_tip_y*q_z + Z_yy*q_x + c189*q_x - Z_xy*q_y - c190*q_z,
+        "W_mr_zz": Z_yz*q_x + c190*q_y - Z_xz*q_y - c179 - c186 - c188*q_x,
         "W_fv_xx": 0,
         "W_fv_xy": 0,
         "W_fv_xz": 0,

@@ -68,7 +68,7 @@ def equations_of_motion(
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)
     if closed is None:
-        found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+        found = _by_linearity(robot, motion, formulation, backend)
     else:
         terms = closed.run("equations", motion)
         found = EquationsOfMotion(**{name: terms[name] for name in _TERMS}, status=terms["status"])
@@ -159,7 +159,7 @@ def joint_space_inertia(
         direct = closed.run("joint_inertia", motion)
         report_faults(direct["status"], robot, motion, on_singular, stacklevel=3)
         return np.asarray(direct["inertia"])
-    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+    found = _by_linearity(robot, motion, formulation, backend)
     ok = found.status == OK
     H, M = wrench_matrix(robot, motion[ok]), found.M[ok]
     regular = ~reference.is_singular(robot, H)
@@ -216,10 +216,9 @@ class ForwardDynamics:
         self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: NDArray[np.bool_]
     ) -> tuple[Array, NDArray[np.bool_]]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
-        faults = reference.PAPER if self.formulation == "paper" else reference.EXACT
-        near = reference.legs(self.robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
+        faults = _faults(self.formulation)
         x, known = x.copy(), np.array(definite, dtype=np.bool_)
-        for i in map(tuple, np.argwhere(good & (near | ~(digits_kept(M) > _KEPT)))):
+        for i in map(tuple, np.argwhere(good & _digits_lost(self.robot, motion, M, faults))):
             x[i] = reference_equations.forward_dynamics(self.robot, motion[i], F[i], faults)
             known[i] = np.isfinite(x[i]).all()
         return x, known
@@ -242,6 +241,30 @@ class ForwardDynamics:
 _KEPT = 2.0**-5
 """Digits are lost where elimination leaves less than this share of a diagonal number of M, or where a leg and
 its fixed axis make an angle with a smaller sine."""
+
+
+def _faults(formulation: str) -> frozenset[int]:
+    return reference.PAPER if formulation == "paper" else reference.EXACT
+
+
+def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> NDArray[np.bool_]:
+    """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
+    near = reference.legs(robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
+    return np.asarray(near | ~(digits_kept(M) > _KEPT))
+
+
+def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) -> EquationsOfMotion:
+    """The terms drawn from inverse dynamics; the reference's at 50 digits where it loses its own."""
+    found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
+    if backend != "reference":
+        return found
+    parts = {name: np.array(getattr(found, name)) for name in _TERMS}
+    with np.errstate(all="ignore"):
+        lost = (found.status == OK) & _digits_lost(robot, motion, found.M, _faults(formulation))
+    for i in map(tuple, np.argwhere(lost)):
+        for name, value in reference_equations.at_50_digits(robot, motion[i], _faults(formulation)).items():
+            parts[name][i] = value
+    return EquationsOfMotion(**parts, status=found.status)
 
 
 def _at_rest(motion: Motion) -> Motion:
@@ -314,7 +337,7 @@ def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWr
     """H F = H D - c of any robot that differs from this one in numbers alone."""
     first = prepared_kernel(robot, formulation, backend)
     if backend == "reference":
-        faults = reference.PAPER if formulation == "paper" else reference.EXACT
+        faults = _faults(formulation)
         return lambda robot, motion: reference.actuator_wrench(robot, motion, faults)
     kernels: dict[Robot, DynamicsKernel] = {robot: first}
 

@@ -43,15 +43,7 @@ def equations_of_motion(
 def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
     """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
     with np.errstate(all="ignore"):
-        M, bias, status = inertia_and_bias(wrench, robot, motion)
-        bare, weightless = _bare(robot), _weightless(robot)
-        zero = np.zeros_like(motion.t)
-        moving = _with(motion, motion.v, motion.omega, zero, zero)
-        g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
-        inertial, _ = wrench(bare, moving)
-        with_friction, _ = wrench(weightless, moving)
-        C = _coriolis(wrench, robot, motion, M)
-        parts = {"M": M, "C": C, "g": g, "friction": with_friction - inertial, "bias": bias}
+        parts, status = _terms(wrench, robot, motion)
     lead = status.ndim
     finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in parts.values()]
     overflown = (status == OK) & ~np.logical_and.reduce(finite)
@@ -59,6 +51,20 @@ def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> Equati
     bad = status != OK
     blank = {name: _blank(value, bad) for name, value in parts.items()}
     return EquationsOfMotion(**blank, status=status)
+
+
+def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[str, Array], Codes]:
+    M, bias, status = inertia_and_bias(wrench, robot, motion)
+    zero = np.zeros_like(motion.t)
+    g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
+    # Of rates so slow that no inertial force, their square, is left beside the friction.
+    slow = _with(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
+    resisted, inertial = (wrench(machine, slow)[0] for machine in (_weightless(robot), _bare(robot)))
+    C = _coriolis(wrench, robot, motion, M)
+    return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
+
+
+_SLOWLY = 2.0**-100
 
 
 def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[Array, Array, Codes]:
@@ -80,29 +86,45 @@ def forward_dynamics(
     For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
     very short and of very heavy legs.
     """
-    wide: Any = SimpleNamespace(
-        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
-    )
-    if robot.base_joint == "universal":
-        wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
-    bare: Any = SimpleNamespace(
-        **{**vars(wide), **{name: 0 * getattr(wide, name) for name in ("g", "C_u", "C_p", "C_s")}}
-    )
-    none = np.zeros(3)
-    R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
-    load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
-    moving = Motion.unchecked(R, t, omega, v, none, none, *load)
-    leg, H, c = reference.balance(wide, moving, faults)
+    machine, moving = _wide_robot(robot), _wide_motion(motion)
+    leg, H, c = reference.balance(machine, moving, faults)
     rest = H @ (_wide(F) - leg.D[..., 0]) + c
-    columns = []
-    for unit in np.eye(6):
-        leg, H, c = reference.balance(bare, Motion.unchecked(R, t, none, none, unit[3:], unit[:3]), faults)
-        columns.append(H @ leg.D[..., 0] - c)
-    M = _digits().matrix(np.transpose(columns).tolist())
+    M = _digits().matrix(inertia_and_bias(_wide_wrench(faults), machine, moving)[0].tolist())
     try:
         return np.array([float(x) for x in _digits().cholesky_solve(M, _digits().matrix(rest.tolist()))])
     except ValueError:
         return np.full(6, np.nan)
+
+
+def at_50_digits(robot: Robot, motion: Motion, faults: frozenset[int] = reference.EXACT) -> dict[str, Array]:
+    """M, C, g, friction and bias of one pose by 50 digits, rounded: where double precision loses its own."""
+    parts, _ = _terms(_wide_wrench(faults), _wide_robot(robot), _wide_motion(motion))
+    return {name: value.astype(np.float64) for name, value in parts.items()}
+
+
+def _wide_wrench(faults: frozenset[int]) -> ActuatorWrench:
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+        leg, H, c = reference.balance(robot, motion, faults)
+        return (H @ leg.D)[..., 0] - c, np.zeros(motion.shape, dtype=np.int32)
+
+    return wrench
+
+
+def _wide_robot(robot: Robot) -> Any:
+    wide = SimpleNamespace(
+        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
+    )
+    if robot.base_joint == "universal":
+        wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
+    return wide
+
+
+def _wide_motion(motion: Motion) -> Motion:
+    """Pose, rates and load at 50 digits, without accelerations."""
+    none = np.zeros_like(motion.t)
+    R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
+    load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
+    return Motion.unchecked(R, t, omega, v, none, none, *load)
 
 
 @functools.cache
@@ -134,7 +156,7 @@ def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) ->
     [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt = C + C^T.
     """
     length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1)))) or 1.0
-    speed = np.linalg.norm(motion.omega, axis=-1) + np.linalg.norm(motion.v, axis=-1) / length
+    speed = _size(motion.omega) + _size(motion.v) / length
     # Directions as large as the twist itself lose no digits in the differences.
     step = np.where(speed > 0.0, speed, 1.0)[..., None] * np.repeat([length, 1.0], 3)
     twist = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
@@ -161,16 +183,30 @@ def _with(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Mot
     return Motion.unchecked(R, t, omega, v, alpha, a)
 
 
-@functools.lru_cache(maxsize=16)
+def _size(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
+
+
 def _weightless(robot: Robot) -> Robot:
-    return dataclasses.replace(robot, g=np.zeros(3))
+    return _without(robot, ("g",))
 
 
-@functools.lru_cache(maxsize=16)
 def _bare(robot: Robot) -> Robot:
     """The robot without gravity and friction."""
-    none = np.zeros(6)
-    return dataclasses.replace(robot, g=np.zeros(3), C_u=none, C_p=none, C_s=none)
+    return _without(robot, ("g", "C_u", "C_p", "C_s"))
+
+
+def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
+    """The robot, or one of wider numbers, with zeros in these places."""
+    if isinstance(robot, Robot):
+        return _zeroed(robot, names)
+    wide: Any = SimpleNamespace(**{**vars(robot), **{name: 0 * getattr(robot, name) for name in names}})
+    return wide
+
+
+@functools.lru_cache(maxsize=16)
+def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
+    return dataclasses.replace(robot, **{name: np.zeros_like(getattr(robot, name)) for name in names})
 
 
 def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:

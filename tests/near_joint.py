@@ -108,11 +108,15 @@ class Truth:
     sensitivity: dict[str, Array]
 
 
-def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False) -> Truth:
+def truth(
+    robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool = False, rotation: bool = False
+) -> Truth:
     """Every output in quadruple precision, and what one rounding unit of each input number does to it.
 
     plain: without the code paths for lost digits, so that the truth shares nothing with them; it then loses
     digits itself, of 34, like the square of the sine's inverse and more.
+
+    rotation: with R made a rotation to all of 34 digits; the two agree for no other.
 
     samples: 0 for the sum over all numbers of absolute changes; else that many changes of all at once with
     random signs, the largest of which is taken: never more than the sum, and cheaper.
@@ -122,9 +126,11 @@ def truth(robot: Robot, motion: Motion, F: Array, samples: int = 0, plain: bool 
     size = sum(int(np.prod(shape)) for shape in BLOCKS.values())
     high, low, sensitivity = (np.full(size, np.nan) for _ in range(3))
     status = np.zeros(len(WHOLE), dtype=np.int32)
-    _library(plain).near_joint(
+    _library().near_joint(
         address(numbers),
         ctypes.c_int(samples),
+        ctypes.c_int(plain),
+        ctypes.c_int(rotation),
         address(high),
         address(low),
         address(sensitivity),
@@ -185,13 +191,26 @@ def outputs(
     return found, status
 
 
+def of_reference(robot: Robot, motion: Motion, F: Array) -> tuple[dict[str, Array], dict[str, int]]:
+    """What the vector reference has of the same, by the same names, and each function's status."""
+    terms = ss.equations_of_motion(robot, motion, backend="reference", on_singular="nan")
+    inertia = ss.joint_space_inertia(robot, motion, backend="reference", on_singular="nan")
+    a, alpha = ss.forward_dynamics(robot, motion, F, backend="reference", on_singular="nan")
+    found = {f"equations.{name}": getattr(terms, name) for name in ("M", "C", "g", "friction", "bias")}
+    found |= {"bias.bias": terms.bias, "joint_inertia.inertia": inertia}
+    found |= {"forward_dynamics.acceleration": np.concatenate([a, alpha])}
+    status = dict.fromkeys(("equations", "bias", "joint_inertia", "forward_dynamics"), int(terms.status))
+    return found, status
+
+
 @functools.cache
-def _library(plain: bool) -> ctypes.CDLL:
+def _library() -> ctypes.CDLL:
     sources = {**c_sources(), "near_joint.c": _source()}
-    for name, value in PLAIN.items() if plain else ():
+    for name, value in PLAIN.items():
         text, define = sources["stewart_exact_motion.c"], f"#define {name} ((stewart_real){value})"
         assert define in text
-        sources["stewart_exact_motion.c"] = text.replace(define, f"#define {name} REAL(0)")
+        switched = f"extern _Thread_local int near_plain;\n#define {name} REAL(near_plain ? 0 : {value})"
+        sources["stewart_exact_motion.c"] = text.replace(define, switched)
     return native.load("stewart_near_joint", sources, _FLAGS, _MACROS)
 
 
@@ -238,8 +257,30 @@ static void run(const given *at, stewart_real out[@SIZE@], int status[@FUNCTIONS
 @CALLS@
 }
 
+_Thread_local int near_plain;
+
+/* Rows of R, each made perpendicular to those before it, of length one. */
+static void rotate(stewart_real *R)
+{
+    int i, j, k;
+    for (i = 0; i < 9; i += 3) {
+        stewart_real size = 0;
+        for (j = 0; j < i; j += 3) {
+            const stewart_real along = R[i] * R[j] + R[i + 1] * R[j + 1] + R[i + 2] * R[j + 2];
+            for (k = 0; k < 3; ++k) {
+                R[i + k] -= along * R[j + k];
+            }
+        }
+        size = sqrtq(R[i] * R[i] + R[i + 1] * R[i + 1] + R[i + 2] * R[i + 2]);
+        for (k = 0; k < 3; ++k) {
+            R[i + k] /= size;
+        }
+    }
+}
+
 void near_joint(
-    const double *numbers, int samples, double *high, double *low, double *sensitivity, int *status)
+    const double *numbers, int samples, int plain, int rotation, double *high, double *low,
+    double *sensitivity, int *status)
 {
     const stewart_real share = ldexpq(1, -70), unit = ldexpq(1, -52);
     uint64_t seed = 88172645463325252ULL;
@@ -249,6 +290,10 @@ void near_joint(
     int i, j, unused[@FUNCTIONS@];
     for (i = 0; i < NUMBERS; ++i) {
         to[i] = numbers[i];
+    }
+    near_plain = plain;
+    if (rotation) {
+        rotate(at.motion.R);
     }
     run(&at, out, status);
     for (i = 0; i < @SIZE@; ++i) {

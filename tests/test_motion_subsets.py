@@ -8,7 +8,7 @@ import attack_build
 import pytest
 
 from stewart_sym.derive.emit import motion as emitted
-from stewart_sym.derive.generate import EXACT, generator_version, motion_files, reduced_forces, reduced_motion
+from stewart_sym.derive.generate import EXACT, generator_version, motion_files, prepared_model, reduced_motion
 from stewart_sym.derive.motion import NAMES
 
 KIT = [
@@ -21,7 +21,7 @@ WARNINGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wunused", "-Wmissing-
 
 @pytest.fixture(scope="module")
 def kernels():
-    return reduced_motion(), reduced_motion(friction=False), reduced_forces(EXACT)
+    return reduced_motion(), reduced_motion(friction=False), prepared_model(EXACT)
 
 
 @pytest.fixture

@@ -21,6 +21,8 @@ from test_bounds import PRECISIONS, case, wild
 from test_bounds_joint_singularity import PATH, drawn
 
 from stewart_sym.kernel import c_sources
+from stewart_sym.motion import Motion
+from stewart_sym.robot import Robot
 
 MEDIAN = 1.6
 FAR = {"double": 2.0, "float": 12.0}
@@ -30,6 +32,8 @@ In float squares of errors count near a joint singularity, where the sine has as
 """
 COARSE = 2.0**-30
 """A unit whose errors are seen in long double one quantity at a time, and of which no square is."""
+NEGLIGIBLE = 1e-7
+"""Share of a bound that long double leaves uncertain at a unit of 2^-38."""
 HAIR = 1e-4
 """Relative difference that the squares of errors make, and the rounding of long double."""
 
@@ -246,23 +250,34 @@ def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant) -> bool:
 @needs_compiler
 @pytest.mark.slow
 def test_hardly_a_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFixture[str]) -> None:
-    """All but two at most: near a joint singularity a leg's first moment is felt by other ways as well."""
+    """All but two of a leg and two of the solve: near a joint singularity others feel a leg's first moment.
+
+    Set aside are those of which the test shows that they change squares of errors alone.
+    """
     made = rounding.all_mutants()
-    left = {number: mutant for number, mutant in enumerate(made) if not of_squares(mutant)}
+    takes = np.max([taken(robot, motion, len(made)) for robot, motion in machines(2)], axis=0)
+    small = takes[1] <= np.maximum(takes[0] / 64, NEGLIGIBLE)
+    aside = np.array([of_squares(mutant) for mutant in made]) & small
+    left = {n: mutant for n, mutant in enumerate(made) if not aside[n]}
     total = len(left)
     for pose in poses(32):
         left = {number: mutant for number, mutant in left.items() if not caught(pose, number, mutant)}
     with capsys.disabled():
         print(
-            f"\n{total - len(left)} of {total} mutants caught, {len(made) - total} change squares of errors"
+            f"\n{total - len(left)} of {total} mutants caught, {len(made) - total} change squares of errors: "
+            f"{takes[0, aside].max():.1g} of a bound at a unit of 2^-30, {takes[1, aside].max():.1g} at 2^-38"
+            f"\nleft: {[(each.function, each.whole[:60], each.variant) for each in left.values()]}"
         )
     assert total > 300
-    assert all("_bar_max*" in mutant.whole for mutant in left.values())
-    assert len(left) <= 2
+    # Long double hides what the residual's own rounding does, the sum of sizes in the solve's bound.
+    felt = [each for each in left.values() if each.function != "solution_error"]
+    assert all("_bar_max*" in mutant.whole for mutant in felt)
+    assert len(felt) <= 2
+    assert len(left) - len(felt) <= 2
 
 
 def of_squares(mutant: rounding.Mutant) -> bool:
-    """Whether it changes only what bounds products of errors, or the rounding of the bound itself.
+    """Whether it should change only what bounds products of errors, or the rounding of the bound itself.
 
     No first-order error needs these: the solve's doubt of its own matrix, errors of slopes along R, and what
     evaluating R^T R - 1 rounds.
@@ -271,3 +286,24 @@ def of_squares(mutant: rounding.Mutant) -> bool:
     of_slopes = "_err" in mutant.whole or "doubt" in mutant.whole or "slopes" in mutant.whole
     by_hand = mutant.function in ("stretch_error", "bound_of_pose")
     return of_solve or mutant.function == "rotation_error" or (by_hand and of_slopes)
+
+
+def machines(count: int) -> Iterator[tuple[Robot, Motion]]:
+    rng = np.random.default_rng(24)
+    for _ in range(count):
+        robot = random_robot(rng)
+        yield robot, random_motion(rng, robot)
+
+
+def taken(robot: Robot, motion: Motion, mutants: int) -> np.ndarray:
+    """The largest share of a force's bound that each mutant takes away or adds, (2, mutants).
+
+    At a unit of COARSE and at one of a 256th of it: a 256th of what changes squares of errors is left there.
+    """
+    strain = np.array([[0.5, 0.2, -0.4], [0.2, -0.6, 0.3], [-0.4, 0.3, 0.1]])
+    found = np.zeros((2, mutants))
+    for row, unit in enumerate((COARSE, COARSE / 256)):
+        pose = rounding.Pose(robot, motion, unit)
+        own = pose.bounds(strain)
+        found[row] = [np.abs(pose.bounds(strain, n) / own - 1).max() for n in range(mutants)]
+    return found

@@ -221,13 +221,21 @@ class Pose:
         """The same with no rounding, R stretched by the symmetric ``strain`` times the unit."""
         return self._perturbed(force, NONE, mutant, strain)
 
+    def bounds(self, strain: Array, mutant: int = -1) -> Array:
+        """Bounds of all forces, (6,), R stretched."""
+        return self._run(0, EVERY, mutant, strain)[1].astype(float)
+
     def _perturbed(self, force: int, group: int, mutant: int, strain: Array) -> tuple[float, float]:
+        F, bound = self._run(force, group, mutant, strain)
+        return float(abs(F[force] - self.F[force])), float(bound[force])
+
+    def _run(self, force: int, group: int, mutant: int, strain: Array) -> tuple[Array, Array]:
         R = self._R @ (np.eye(3, dtype=Real) + self._unit * strain.astype(Real))
         given, F, bound = np.concatenate([R.ravel(), self._rest]), np.zeros(6, Real), np.zeros(6, Real)
         chosen = map(ctypes.c_int, (force, group, mutant))
         if self._library.perturbed(*chosen, *map(_pointer, (self._numbers, given, F, bound))):
             raise ValueError("motion: expected a pose that can be solved however it is rounded")
-        return float(abs(F[force] - self.F[force])), float(bound[force])
+        return F, bound
 
 
 def _rotation(R: Array) -> Array:
@@ -351,7 +359,11 @@ static Number epsilon_here() { return Number(counted() ? 2 * unit : 0); }
 
 _RUN = """\
 #include "traced.h"
+/* Thousands of calls in a row: to optimise them takes longer than to run them. */
+#pragma GCC push_options
+#pragma GCC optimize("O0")
 #include "stewart_exact_bounds.c"
+#pragma GCC pop_options
 
 static int run(const long double *numbers, const long double *motion, Number *F, Number *bound, Number *at_R)
 {

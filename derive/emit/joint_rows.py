@@ -47,6 +47,7 @@ static void leg_rows(
         size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
         size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
         size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
+        size[0] = STEWART_LARGER(size[0], STEWART_SQRT(STEWART_FABS(inertia[0])));
         size[0] = STEWART_LARGER(size[0], least);
         weigh(inertia, size, by->weight[l]);
         for (i = 0; i < 3; ++i) {
@@ -192,6 +193,44 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
     }
 }
 
+/* Accelerations of the rows that serve as coordinates, and of no others, under which the inertia of each
+ * block balances the forces of these rows; `balanced` says which they are, without those that have no inertia
+ * of their own beside the rows before them. */
+static void balance(
+    const row_factors *by, const stewart_real *force, stewart_real (*moved)[3], int (*balanced)[3])
+{
+    int b, i, j, k;
+    for (i = 0; i < ROWS; ++i) {
+        balanced[i / 3][i % 3] = 0;
+        moved[i / 3][i % 3] = force[i];
+    }
+    for (k = 0; k < 6; ++k) {
+        balanced[by->pivot[k] / 3][by->pivot[k] % 3] = 1;
+    }
+    for (b = 0; b < ROWS / 3; ++b) {
+        stewart_real W[3][3];
+        for (i = 0; i < 9; ++i) {
+            W[i / 3][i % 3] = by->weight[b][i];
+        }
+        for (k = 0; k < 3; ++k) {
+            balanced[b][k] = W[k][k] > STEWART_KEPT ? balanced[b][k] : 0;
+            for (i = k + 1; balanced[b][k] != 0 && i < 3; ++i) {
+                const stewart_real factor = W[i][k] / W[k][k];
+                moved[b][i] = moved[b][i] - factor * moved[b][k];
+                for (j = k + 1; j < 3; ++j) {
+                    W[i][j] = W[i][j] - factor * W[k][j];
+                }
+            }
+        }
+        for (k = 2; k >= 0; --k) {
+            for (j = k + 1; j < 3; ++j) {
+                moved[b][k] = moved[b][k] - W[k][j] * moved[b][j];
+            }
+            moved[b][k] = balanced[b][k] != 0 ? moved[b][k] / W[k][k] : REAL(0);
+        }
+    }
+}
+
 /* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
  *
  * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
@@ -201,28 +240,26 @@ static void row_right(
     const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
     stewart_real *rest, stewart_real *right)
 {
-    stewart_real moved[ROWS], y[6];
-    int balanced[ROWS] = {0};
+    stewart_real moved[ROWS / 3][3], y[6];
+    int balanced[ROWS / 3][3];
     int i, j, k;
+    balance(by, force, moved, balanced);
     for (k = 0; k < 6; ++k) {
-        const int row = by->pivot[k];
-        const stewart_real weight = by->weight[row / 3][row % 3 * 4];
-        balanced[row] = STEWART_FABS(weight) > STEWART_HALF ? 1 : 0;
-        start[k] = balanced[row] != 0 ? force[row] / weight : REAL(0);
+        start[k] = moved[by->pivot[k] / 3][by->pivot[k] % 3];
         y[k] = wrench[by->column[k]] / (by->column[k] < 3 ? REAL(1) : by->length);
     }
     for (i = 0; i < ROWS; ++i) {
-        moved[i] = REAL(0);
+        moved[i / 3][i % 3] = REAL(0);
         for (k = 0; k < 6; ++k) {
-            moved[i] = moved[i] + by->share[i][k] * start[k];
+            moved[i / 3][i % 3] = moved[i / 3][i % 3] + by->share[i][k] * start[k];
         }
     }
     for (i = 0; i < ROWS; ++i) {
-        rest[i] = balanced[i] != 0 ? REAL(0) : force[i];
+        const int b = i / 3, own = balanced[b][i % 3];
+        rest[i] = own != 0 ? REAL(0) : force[i];
         for (j = 0; j < 3; ++j) {
-            const int other = i / 3 * 3 + j;
-            if (balanced[i] == 0 || other != i) {
-                rest[i] = rest[i] - by->weight[i / 3][i % 3 * 3 + j] * moved[other];
+            if (own == 0 || balanced[b][j] == 0) {
+                rest[i] = rest[i] - by->weight[b][i % 3 * 3 + j] * moved[b][j];
             }
         }
     }

@@ -35,7 +35,7 @@ def _factored(total: dict[str, Array], leg: dict[str, Array]) -> _Rows:
     theta = np.maximum(np.sqrt(theta), least[..., None] * L)
     phi = np.maximum(np.sqrt(phi), least[..., None] * rho)
     along = np.maximum(np.abs(M_xi[..., 0, 1]) / theta, np.abs(M_xi[..., 0, 2]) / phi)
-    along = np.maximum(along, least[..., None])
+    along = np.maximum(along, np.maximum(np.sqrt(np.abs(M_xi[..., 0, 0])), least[..., None]))
     c = np.stack([total["M_vw_yz"], -total["M_vw_xz"], total["M_vw_xy"]], axis=-1)
     c = c * np.where(mass > 0, 1 / mass, 0.0)[..., None]
     square = np.sum(c * c, axis=-1)[..., None, None] * np.eye(3) - c[..., None] * c[..., None, :]
@@ -87,15 +87,11 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     """
     at = np.arange(len(force))[:, None]
     force = force / by.size[..., None]
-    own = np.diagonal(by.weight, axis1=-2, axis2=-1).reshape(by.size.shape)
-    balanced = np.zeros_like(own, dtype=bool)
-    balanced[at, by.pivot] = np.abs(own[at, by.pivot]) > 0.5
-    # Accelerations that balance the coordinates' own large forces, from which the unknown ones are measured.
-    ratio = np.where(balanced[..., None], force / np.where(balanced, own, 1.0)[..., None], 0.0)
-    start = ratio[at, by.pivot]
+    moved, balanced = _balanced(by, force)
+    start = moved[at, by.pivot]
     moved = by.share @ start
-    others = by.weight * ~(balanced.reshape(-1, 8, 3, 1) & np.eye(3, dtype=bool))
-    rest = np.where(balanced[..., None], 0.0, force) - _weighted(others, moved)
+    others = by.weight * ~(balanced[..., None] & balanced[..., None, :])
+    rest = np.where(balanced.reshape(-1, 24, 1), 0.0, force) - _weighted(others, moved)
     unit = np.where(by.column < 3, 1.0, by.length[:, None])[..., None]
     y = wrench[at, by.column] / unit
     for k in range(6):
@@ -114,6 +110,28 @@ def _rows_solved(by: _Rows, force: Array, wrench: Array) -> tuple[Array, Array, 
     solved = np.empty_like(x)
     solved[at, by.column] = x / unit
     return solved, held, turned, status
+
+
+def _balanced(by: _Rows, force: Array) -> tuple[Array, Array]:
+    """Accelerations (n, 24, m) of the coordinates, under which each block balances their forces, and whose.
+
+    From these the unknown accelerations are measured: the coordinates' own large forces are then out of the
+    way. Whose, (n, 8, 3): without rows that have no inertia of their own beside the rows before them.
+    """
+    W, moved = by.weight.copy(), force.reshape(len(force), 8, 3, -1).copy()
+    balanced = np.zeros(by.size.shape, dtype=bool)
+    balanced[np.arange(len(force))[:, None], by.pivot] = True
+    balanced = balanced.reshape(-1, 8, 3)
+    for k in range(3):
+        balanced[..., k] &= W[..., k, k] > KEPT
+        for i in range(k + 1, 3):
+            factor = np.where(balanced[..., k], W[..., i, k] / W[..., k, k], 0.0)[..., None]
+            moved[..., i, :] -= factor * moved[..., k, :]
+            W[..., i, k + 1 :] -= factor * W[..., k, k + 1 :]
+    for k in (2, 1, 0):
+        left = moved[..., k, :] - np.sum(W[..., k, k + 1 :, None] * moved[..., k + 1 :, :], axis=-2)
+        moved[..., k, :] = np.where(balanced[..., k, None], left / W[..., k, k, None], 0.0)
+    return moved.reshape(force.shape), balanced
 
 
 def _weighted(weight: Array, rows: Array) -> Array:

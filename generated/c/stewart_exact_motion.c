@@ -3491,7 +3491,7 @@ typedef struct {
     leg_judgement judged;
 } joint_rows_legs;
 
-/* The platform's part: 201 (117 mul, 84 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 222 (129 mul, 93 add, 0 div, 0 sqrt) operations. */
 static void joint_rows_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
@@ -3501,30 +3501,42 @@ static void joint_rows_of_pose(
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
-    const stewart_real M_P = model->M_P;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real M = model->M;
+    const stewart_real R_0_x = model->R_0[0], R_0_y = model->R_0[1], R_0_z = model->R_0[2];
+    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2],
+        I_p_yy = model->I_p[3], I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
+    const stewart_real c1 = R_0_y*R_0_y;
+    const stewart_real c2 = R_0_z*R_0_z;
+    const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
+    const stewart_real c3 = M*R_0_x;
+    const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
+    const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
+    const stewart_real c4 = R_0_x*R_0_x;
+    const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
+    const stewart_real c5 = M*R_0_y;
+    const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
+    const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
+    const stewart_real c6 = M*R_0_z;
     /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
+    const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
+    const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
+    const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
+    const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
+    const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
+    const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
+    const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
+    const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
     /* (32) inertia of the platform, base frame */
-    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
+    const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
+    const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
+    const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
+    const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
+    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx
+        + J_0_yy*R_zy + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
     /* (31) omega x h */
     const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
     const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
@@ -3553,12 +3565,12 @@ static void joint_rows_of_pose(
     out->B_0[6] = omega_xz;
     out->B_0[7] = omega_yz;
     out->B_0[8] = B_zz;
-    sum[0] = M_P;
+    sum[0] = M;
     sum[1] = REAL(0);
     sum[2] = REAL(0);
-    sum[3] = M_P;
+    sum[3] = M;
     sum[4] = REAL(0);
-    sum[5] = M_P;
+    sum[5] = M;
     sum[6] = REAL(0);
     sum[7] = h_base_z;
     sum[8] = -h_base_y;
@@ -3574,15 +3586,15 @@ static void joint_rows_of_pose(
     sum[18] = J_base_yy;
     sum[19] = J_base_yz;
     sum[20] = J_base_zz;
-    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
-    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
-    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
+    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M*g_x + omega_z*w_h_y - omega_y*w_h_z;
+    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M*g_y + omega_x*w_h_z - omega_z*w_h_x;
+    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M*g_z + omega_y*w_h_x - omega_x*w_h_y;
     sum[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y - g_y*h_base_z;
     sum[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z - g_z*h_base_x;
     sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
 }
 
-/* The legs side by side: 310 (190 mul, 116 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 341 (207 mul, 130 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void joint_rows_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const joint_rows_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, joint_rows_legs *STEWART_RESTRICT out)
@@ -3601,6 +3613,7 @@ STEWART_APART static void joint_rows_of_legs(
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real m_u = model->m_u[l];
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
@@ -3681,11 +3694,15 @@ STEWART_APART static void joint_rows_of_legs(
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        const stewart_real c1 = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
+        const stewart_real c2 = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
+        const stewart_real c3 = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
         /* (7) acceleration of the platform point, a = alpha = 0 */
-        const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
-        const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
-        const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
-        const stewart_real k33 = k3*k3;
+        const stewart_real S_ddot_x = c1;
+        const stewart_real S_ddot_y = c2;
+        const stewart_real S_ddot_z = c3;
+        const stewart_real c4 = k3*k3;
+        const stewart_real k33 = c4;
         /* (8) accelerations of the joint coordinates */
         const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z;
@@ -3694,16 +3711,16 @@ STEWART_APART static void joint_rows_of_legs(
             + S_ddot_z*z_z);
         const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
             - L_share*two_phi_dot;
-        const stewart_real c1 = k1*k3;
+        const stewart_real c5 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
+        const stewart_real theta_ddot = c5*phi_dot2 + own_theta_ddot;
         const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
-        const stewart_real k13 = c1;
+        const stewart_real k13 = c5;
         const stewart_real L_h2 = L*h2_x;
         const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real c2 = L*h2_z;
-        const stewart_real c3 = J2_xz - c2;
-        const stewart_real a2 = c3;
+        const stewart_real c6 = L*h2_z;
+        const stewart_real c7 = J2_xz - c6;
+        const stewart_real a2 = c7;
         const stewart_real a3 = J_xy - L*h_y;
         /* (19) inertia of the joint coordinates */
         const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
@@ -3722,18 +3739,27 @@ STEWART_APART static void joint_rows_of_legs(
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
+            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c7*(STEWART_HALF - k33))
             - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
         const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
             + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
+            - STEWART_HALF*c6)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
             - gamma_n*w_y - gamma_y*w_n;
+        /* of the platform point, from free fall */
+        const stewart_real fall_x = c1 - g_x;
+        const stewart_real fall_y = c2 - g_y;
+        const stewart_real fall_z = c3 - g_z;
+        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z;
+        const stewart_real fall_T_y = fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z;
         const stewart_real row_v_yx = -inv_L*z_x;
         const stewart_real row_v_yy = -inv_L*z_y;
         const stewart_real row_v_yz = -inv_L*z_z;
         const stewart_real row_v_zx = inv_rho*y_x;
         const stewart_real row_v_zy = inv_rho*y_y;
         const stewart_real row_v_zz = inv_rho*y_z;
+        const stewart_real c8 = m_u*L*L;
+        const stewart_real c9 = L*m_u;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -3761,12 +3787,12 @@ STEWART_APART static void joint_rows_of_legs(
         out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
         out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
         out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
-        out->M_xi[0][l] = REAL(0);
+        out->M_xi[0][l] = m_u;
         out->M_xi[1][l] = h_z;
         out->M_xi[2][l] = -k3_h;
-        out->M_xi[3][l] = M_theta;
+        out->M_xi[3][l] = M_theta + c8;
         out->M_xi[4][l] = M_mixed;
-        out->M_xi[5][l] = M_phi;
+        out->M_xi[5][l] = M_phi + c4*c8;
         out->row_v[0][l] = s_x;
         out->row_v[1][l] = s_y;
         out->row_v[2][l] = s_z;
@@ -3785,9 +3811,10 @@ STEWART_APART static void joint_rows_of_legs(
         out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
         out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
         out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
-        out->tau[0][l] = C_p*L_dot + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-        out->tau[1][l] = tau_y;
-        out->tau[2][l] = tau_k;
+        out->tau[0][l] = C_p*L_dot + fall_T_x*m_u + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2
+            - k3_h*phi_ddot;
+        out->tau[1][l] = tau_y - c9*fall_T_z;
+        out->tau[2][l] = c9*fall_T_y*k3 + tau_k;
         stewart_real fault;
         stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
@@ -3847,7 +3874,7 @@ typedef struct {
     leg_judgement judged;
 } joint_slopes_legs;
 
-/* The platform's part: 338 (168 mul, 170 add, 0 div, 0 sqrt) operations. */
+/* The platform's part: 359 (180 mul, 179 add, 0 div, 0 sqrt) operations. */
 static void joint_slopes_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
@@ -3859,50 +3886,62 @@ static void joint_slopes_of_pose(
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
-    const stewart_real M_P = model->M_P;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real M = model->M;
+    const stewart_real R_0_x = model->R_0[0], R_0_y = model->R_0[1], R_0_z = model->R_0[2];
+    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2],
+        I_p_yy = model->I_p[3], I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
+    const stewart_real c1 = R_0_y*R_0_y;
+    const stewart_real c2 = R_0_z*R_0_z;
+    const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
+    const stewart_real c3 = M*R_0_x;
+    const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
+    const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
+    const stewart_real c4 = R_0_x*R_0_x;
+    const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
+    const stewart_real c5 = M*R_0_y;
+    const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
+    const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
+    const stewart_real c6 = M*R_0_z;
     /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-    const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-    const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-    const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-    const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-    const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+    const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
+    const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
+    const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
+    const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
+    const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
+    const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
+    const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
+    const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
+    const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
     /* (32) inertia of the platform, base frame */
-    const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-    const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-    const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-    const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-    const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
-    const stewart_real c7 = h_base_y*omega_z;
-    const stewart_real c8 = h_base_z*omega_y;
-    const stewart_real c9 = h_base_x*omega_z;
-    const stewart_real c10 = h_base_z*omega_x;
-    const stewart_real c11 = h_base_x*omega_y;
-    const stewart_real c12 = h_base_y*omega_x;
+    const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
+    const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
+    const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
+    const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
+    const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
+    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx
+        + J_0_yy*R_zy + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
+    const stewart_real c13 = h_base_y*omega_z;
+    const stewart_real c14 = h_base_z*omega_y;
+    const stewart_real c15 = h_base_x*omega_z;
+    const stewart_real c16 = h_base_z*omega_x;
+    const stewart_real c17 = h_base_x*omega_y;
+    const stewart_real c18 = h_base_y*omega_x;
     /* (31) omega x h */
-    const stewart_real w_h_x = c8 - c7;
-    const stewart_real w_h_y = c9 - c10;
-    const stewart_real w_h_z = c12 - c11;
-    const stewart_real c13 = J_base_xy*omega_y;
-    const stewart_real c14 = J_base_xz*omega_z;
-    const stewart_real c15 = J_base_xy*omega_x;
-    const stewart_real c16 = J_base_yz*omega_z;
-    const stewart_real c17 = J_base_xz*omega_x;
-    const stewart_real c18 = J_base_yz*omega_y;
+    const stewart_real w_h_x = c14 - c13;
+    const stewart_real w_h_y = c15 - c16;
+    const stewart_real w_h_z = c18 - c17;
+    const stewart_real c19 = J_base_xy*omega_y;
+    const stewart_real c20 = J_base_xz*omega_z;
+    const stewart_real c21 = J_base_xy*omega_x;
+    const stewart_real c22 = J_base_yz*omega_z;
+    const stewart_real c23 = J_base_xz*omega_x;
+    const stewart_real c24 = J_base_yz*omega_y;
     /* (34) I omega */
-    const stewart_real J_w_x = J_base_xx*omega_x + c13 + c14;
-    const stewart_real J_w_y = J_base_yy*omega_y + c15 + c16;
-    const stewart_real J_w_z = J_base_zz*omega_z + c17 + c18;
+    const stewart_real J_w_x = J_base_xx*omega_x + c19 + c20;
+    const stewart_real J_w_y = J_base_yy*omega_y + c21 + c22;
+    const stewart_real J_w_z = J_base_zz*omega_z + c23 + c24;
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xy = omega_x*omega_y;
@@ -3920,15 +3959,15 @@ static void joint_slopes_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    const stewart_real c19 = J_base_xy*alpha_y;
-    const stewart_real c20 = J_base_xz*alpha_z;
-    const stewart_real J_alpha_x = J_base_xx*alpha_x + c19 + c20;
-    const stewart_real c21 = J_base_xy*alpha_x;
-    const stewart_real c22 = J_base_yz*alpha_z;
-    const stewart_real J_alpha_y = J_base_yy*alpha_y + c21 + c22;
-    const stewart_real c23 = J_base_xz*alpha_x;
-    const stewart_real c24 = J_base_yz*alpha_y;
-    const stewart_real J_alpha_z = J_base_zz*alpha_z + c23 + c24;
+    const stewart_real c25 = J_base_xy*alpha_y;
+    const stewart_real c26 = J_base_xz*alpha_z;
+    const stewart_real J_alpha_x = J_base_xx*alpha_x + c25 + c26;
+    const stewart_real c27 = J_base_xy*alpha_x;
+    const stewart_real c28 = J_base_yz*alpha_z;
+    const stewart_real J_alpha_y = J_base_yy*alpha_y + c27 + c28;
+    const stewart_real c29 = J_base_xz*alpha_x;
+    const stewart_real c30 = J_base_yz*alpha_y;
+    const stewart_real J_alpha_z = J_base_zz*alpha_z + c29 + c30;
     /* (33) a - g */
     const stewart_real rise_x = a_x - g_x;
     const stewart_real rise_y = a_y - g_y;
@@ -3939,35 +3978,35 @@ static void joint_slopes_of_pose(
     const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
     const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
     const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
-    const stewart_real c25 = J_base_xy*omega_z;
-    const stewart_real c26 = J_base_xz*omega_y;
-    const stewart_real c28 = J_w_z + c17 - J_base_xx*omega_z;
-    const stewart_real c29 = J_w_y + c15 - J_base_xx*omega_y;
-    const stewart_real c30 = J_w_z + c18 - J_base_yy*omega_z;
-    const stewart_real c31 = J_base_yz*omega_x;
-    const stewart_real c33 = c25 - c31;
-    const stewart_real c34 = J_w_x + c13 - J_base_yy*omega_x;
-    const stewart_real c35 = J_w_y + c16 - J_base_zz*omega_y;
-    const stewart_real c36 = J_w_x + c14 - J_base_zz*omega_x;
+    const stewart_real c31 = J_base_xy*omega_z;
+    const stewart_real c32 = J_base_xz*omega_y;
+    const stewart_real c34 = J_w_z + c23 - J_base_xx*omega_z;
+    const stewart_real c35 = J_w_y + c21 - J_base_xx*omega_y;
+    const stewart_real c36 = J_w_z + c24 - J_base_yy*omega_z;
+    const stewart_real c37 = J_base_yz*omega_x;
+    const stewart_real c39 = c31 - c37;
+    const stewart_real c40 = J_w_x + c19 - J_base_yy*omega_x;
+    const stewart_real c41 = J_w_y + c22 - J_base_zz*omega_y;
+    const stewart_real c42 = J_w_x + c20 - J_base_zz*omega_x;
     /* derivative of I omega by dphi at fixed omega */
-    const stewart_real spin_xx = c25 - c26;
-    const stewart_real spin_xy = c28;
-    const stewart_real spin_xz = -c29;
-    const stewart_real spin_yx = -c30;
-    const stewart_real spin_yy = -c33;
-    const stewart_real spin_yz = c34;
-    const stewart_real spin_zx = c35;
-    const stewart_real spin_zy = -c36;
-    const stewart_real spin_zz = c26 - c31;
-    const stewart_real c37 = J_base_xz*alpha_y;
-    const stewart_real c38 = h_base_y*rise_y;
-    const stewart_real c39 = h_base_z*rise_z;
-    const stewart_real c40 = J_base_xy*alpha_z;
-    const stewart_real c41 = h_base_x*rise_x;
-    const stewart_real c42 = J_base_yz*alpha_x;
-    const stewart_real c43 = h_base_y*omega_y;
-    const stewart_real c44 = h_base_z*omega_z;
-    const stewart_real c45 = h_base_x*omega_x;
+    const stewart_real spin_xx = c31 - c32;
+    const stewart_real spin_xy = c34;
+    const stewart_real spin_xz = -c35;
+    const stewart_real spin_yx = -c36;
+    const stewart_real spin_yy = -c39;
+    const stewart_real spin_yz = c40;
+    const stewart_real spin_zx = c41;
+    const stewart_real spin_zy = -c42;
+    const stewart_real spin_zz = c32 - c37;
+    const stewart_real c43 = J_base_xz*alpha_y;
+    const stewart_real c44 = h_base_y*rise_y;
+    const stewart_real c45 = h_base_z*rise_z;
+    const stewart_real c46 = J_base_xy*alpha_z;
+    const stewart_real c47 = h_base_x*rise_x;
+    const stewart_real c48 = J_base_yz*alpha_x;
+    const stewart_real c49 = h_base_y*omega_y;
+    const stewart_real c50 = h_base_z*omega_z;
+    const stewart_real c51 = h_base_x*omega_x;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -3977,12 +4016,12 @@ static void joint_slopes_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    sum[0] = M_P;
+    sum[0] = M;
     sum[1] = REAL(0);
     sum[2] = REAL(0);
-    sum[3] = M_P;
+    sum[3] = M;
     sum[4] = REAL(0);
-    sum[5] = M_P;
+    sum[5] = M;
     sum[6] = REAL(0);
     sum[7] = h_base_z;
     sum[8] = -h_base_y;
@@ -4025,15 +4064,15 @@ static void joint_slopes_of_pose(
     sum[45] = REAL(0);
     sum[46] = REAL(0);
     sum[47] = REAL(0);
-    sum[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
-    sum[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
-    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
-    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24 - omega_x*spin_zx;
-    sum[52] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
-    sum[53] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
-    sum[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
-    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
-    sum[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
+    sum[48] = c46 + omega_y*spin_zx - c43 - c44 - c45 - omega_z*spin_yx;
+    sum[49] = J_alpha_z + c29 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
+    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c27 - omega_z*spin_yz;
+    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c30 - omega_x*spin_zx;
+    sum[52] = c48 + omega_z*spin_xy - c45 - c46 - c47 - omega_x*spin_zy;
+    sum[53] = J_alpha_x + c25 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
+    sum[54] = J_alpha_y + c28 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
+    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c26 - omega_y*spin_xy;
+    sum[56] = c43 + omega_x*spin_yz - c44 - c47 - c48 - omega_y*spin_xz;
     sum[57] = REAL(0);
     sum[58] = REAL(0);
     sum[59] = REAL(0);
@@ -4043,15 +4082,15 @@ static void joint_slopes_of_pose(
     sum[63] = REAL(0);
     sum[64] = REAL(0);
     sum[65] = REAL(0);
-    sum[66] = c43 + c44;
-    sum[67] = w_h_z - c11;
-    sum[68] = -c9 - w_h_y;
-    sum[69] = -c12 - w_h_z;
-    sum[70] = c44 + c45;
-    sum[71] = w_h_x - c7;
-    sum[72] = w_h_y - c10;
-    sum[73] = -c8 - w_h_x;
-    sum[74] = c43 + c45;
+    sum[66] = c49 + c50;
+    sum[67] = w_h_z - c17;
+    sum[68] = -c15 - w_h_y;
+    sum[69] = -c18 - w_h_z;
+    sum[70] = c50 + c51;
+    sum[71] = w_h_x - c13;
+    sum[72] = w_h_y - c16;
+    sum[73] = -c14 - w_h_x;
+    sum[74] = c49 + c51;
     sum[75] = REAL(0);
     sum[76] = REAL(0);
     sum[77] = REAL(0);
@@ -4061,18 +4100,18 @@ static void joint_slopes_of_pose(
     sum[81] = REAL(0);
     sum[82] = REAL(0);
     sum[83] = REAL(0);
-    sum[84] = C_P + c26 - c25;
-    sum[85] = c30;
-    sum[86] = -c35;
-    sum[87] = -c28;
-    sum[88] = C_P + c33;
-    sum[89] = c36;
-    sum[90] = c29;
-    sum[91] = -c34;
-    sum[92] = C_P + c31 - c26;
+    sum[84] = C_P + c32 - c31;
+    sum[85] = c36;
+    sum[86] = -c41;
+    sum[87] = -c34;
+    sum[88] = C_P + c39;
+    sum[89] = c42;
+    sum[90] = c35;
+    sum[91] = -c40;
+    sum[92] = C_P + c37 - c32;
 }
 
-/* The legs side by side: 1939 (1234 mul, 701 add, 2 div, 2 sqrt) operations each. */
+/* The legs side by side: 1983 (1250 mul, 729 add, 2 div, 2 sqrt) operations each. */
 STEWART_APART static void joint_slopes_of_legs(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const joint_slopes_pose *STEWART_RESTRICT pose, stewart_real (*STEWART_RESTRICT apart)[LANES], joint_slopes_legs *STEWART_RESTRICT out)
@@ -4090,6 +4129,7 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real m_u = model->m_u[l];
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
@@ -4174,19 +4214,22 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real inv_k3 = L*inv_rho;
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
+        const stewart_real c4 = omega_z*w_q_y;
+        const stewart_real c5 = omega_x*w_q_z - omega_z*w_q_x;
+        const stewart_real c6 = omega_y*w_q_x;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = omega_y*w_q_z - omega_z*w_q_y;
-        const stewart_real S_ddot_y = omega_z*w_q_x - omega_x*w_q_z;
-        const stewart_real S_ddot_z = omega_x*w_q_y - omega_y*w_q_x;
+        const stewart_real S_ddot_x = omega_y*w_q_z - c4;
+        const stewart_real S_ddot_y = -c5;
+        const stewart_real S_ddot_z = omega_x*w_q_y - c6;
         /* (8) acceleration of the length */
         const stewart_real L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
             + S_ddot_z*s_z + turned_x;
-        const stewart_real c4 = REAL(2)*L_share;
+        const stewart_real c7 = REAL(2)*L_share;
+        const stewart_real c8 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c4*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+        const stewart_real own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
-        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + k3*turned_z
-            - W_z*c4;
+        const stewart_real own_z = c8 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c7;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
@@ -4196,196 +4239,208 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real normal_z = k_x*y_y - k_y*y_x;
         /* omega along k x y, y and k */
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real c5 = inv_rho*net_z;
-        const stewart_real c6 = inv_L*net_y;
+        const stewart_real c9 = inv_rho*net_z;
+        const stewart_real c10 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c5*y_x + net_x*s_x - c6*z_x;
-        const stewart_real R_tip_y = c5*y_y + net_x*s_y - c6*z_y;
-        const stewart_real R_tip_z = c5*y_z + net_x*s_z - c6*z_z;
-        const stewart_real c7 = h_z*own_y;
-        const stewart_real c8 = W_z*W_z;
-        const stewart_real c9 = inv_L*inv_L;
-        const stewart_real c10 = L_dot*c9;
-        const stewart_real c11 = REAL(2)*h_y;
-        const stewart_real c12 = W_z*c11;
-        const stewart_real c13 = h_y*inv_L;
-        const stewart_real c14 = inv_k3*k1;
-        const stewart_real c15 = c13*c14;
-        const stewart_real c16 = REAL(4)*W_z;
-        const stewart_real c17 = c16*theta_dot;
-        const stewart_real c18 = c8*h_z;
-        const stewart_real c19 = c18*inv_L;
-        const stewart_real c20 = REAL(4)*c14;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c9*h_z*theta_dot + REAL(2)*c3*h_x*inv_L
-            + REAL(2)*c8*h_x*inv_L + h_y*inv_L*own_z - c10*c12 - c15*c17 - c19*c20 - c7*inv_L;
-        const stewart_real c21 = L_ddot*c9;
-        const stewart_real c22 = c13*c3;
-        const stewart_real c23 = h_z*inv_L;
-        const stewart_real c24 = REAL(2)*theta_dot;
-        const stewart_real c25 = c23*c24;
-        const stewart_real c26 = h_y*own_y;
-        const stewart_real c27 = inv_L*inv_k3;
-        const stewart_real c28 = c27*k1;
-        const stewart_real c29 = h_z*own_z;
-        const stewart_real c30 = c13*c8;
-        const stewart_real c31 = REAL(2)*h_x;
-        const stewart_real c32 = W_z*c10;
-        const stewart_real c33 = L_dot*L_dot;
-        const stewart_real c34 = inv_L*inv_L*inv_L;
-        const stewart_real c35 = c33*c34;
-        const stewart_real c36 = inv_k3*inv_k3;
-        const stewart_real c37 = REAL(2)*c36;
-        const stewart_real c38 = h_y*k1;
-        const stewart_real c39 = c38*inv_k3;
-        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c25 + c21*h_y + c22 + c26*c28 + c28*c29 + c30*c37
-            + c31*c32 - c10*c24*c39 - c11*c35 - c17*c23*c36 - c20*c32*h_z - c22*c37 - c30;
-        const stewart_real c40 = W_z*c24;
-        const stewart_real c41 = c31*theta_dot;
-        const stewart_real c42 = REAL(2)*h_z;
-        const stewart_real tau_S_leg_13 = L_ddot*c9*h_z + REAL(2)*L_dot*W_z*c9*h_y*inv_k3*k1
-            + REAL(2)*W_z*c36*h_y*inv_L*theta_dot + c3*h_z*inv_L + REAL(2)*c36*c8*h_z*inv_L - C_p*theta_dot
-            - c10*c41 - c13*c40 - c19 - c35*c42;
-        const stewart_real c43 = C_us*inv_L;
-        const stewart_real c44 = c43*theta_dot;
-        const stewart_real c45 = J_yy*inv_L;
-        const stewart_real c46 = J_yz*inv_L;
-        const stewart_real c47 = c3*h_z;
-        const stewart_real c48 = inv_L*theta_dot;
-        const stewart_real c49 = J_xy*c48;
-        const stewart_real c50 = J_xy*inv_L;
-        const stewart_real c51 = c50*k1;
-        const stewart_real c52 = c51*inv_k3;
-        const stewart_real c53 = c8*inv_L;
-        const stewart_real c54 = REAL(4)*J_xz;
-        const stewart_real c55 = c11*theta_dot;
-        const stewart_real c56 = REAL(2)*W_z;
-        const stewart_real c57 = REAL(2)*J_yy;
-        const stewart_real c58 = REAL(2)*J_xx;
-        const stewart_real c59 = c58 - REAL(2)*J_zz;
-        const stewart_real c60 = c57 + c59;
-        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c9*inv_k3*k1
-            + REAL(4)*J_xy*W_z*c36*inv_L*theta_dot + REAL(2)*J_xz*c36*c8*inv_L
-            + REAL(2)*J_yy*L_dot*c9*theta_dot + REAL(2)*J_yz*L_dot*W_z*c9
+        const stewart_real R_tip_x = c9*y_x + net_x*s_x - c10*z_x;
+        const stewart_real R_tip_y = c9*y_y + net_x*s_y - c10*z_y;
+        const stewart_real R_tip_z = c9*y_z + net_x*s_z - c10*z_z;
+        const stewart_real fall_x = omega_y*w_q_z - c4 - g_x;
+        const stewart_real fall_y = -c5 - g_y;
+        const stewart_real fall_z = omega_x*w_q_y - c6 - g_z;
+        /* acceleration of the platform point from free fall, leg frame */
+        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x;
+        const stewart_real fall_T_y = L*c8 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y;
+        const stewart_real c11 = h_z*own_y;
+        const stewart_real c12 = W_z*W_z;
+        const stewart_real c13 = inv_L*inv_L;
+        const stewart_real c14 = L_dot*c13;
+        const stewart_real c15 = REAL(2)*h_y;
+        const stewart_real c16 = W_z*c15;
+        const stewart_real c17 = h_y*inv_L;
+        const stewart_real c18 = inv_k3*k1;
+        const stewart_real c19 = c17*c18;
+        const stewart_real c20 = REAL(4)*W_z;
+        const stewart_real c21 = c20*theta_dot;
+        const stewart_real c22 = c12*h_z;
+        const stewart_real c23 = c22*inv_L;
+        const stewart_real c24 = REAL(4)*c18;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c13*h_z*theta_dot + REAL(2)*c12*h_x*inv_L
+            + REAL(2)*c3*h_x*inv_L + h_y*inv_L*own_z - c11*inv_L - c14*c16 - c19*c21 - c23*c24;
+        const stewart_real c25 = fall_T_y*m_u;
+        const stewart_real c26 = L_ddot*c13;
+        const stewart_real c27 = c17*c3;
+        const stewart_real c28 = h_z*inv_L;
+        const stewart_real c29 = REAL(2)*theta_dot;
+        const stewart_real c30 = c28*c29;
+        const stewart_real c31 = h_y*own_y;
+        const stewart_real c32 = inv_L*inv_k3;
+        const stewart_real c33 = c32*k1;
+        const stewart_real c34 = h_z*own_z;
+        const stewart_real c35 = c12*c17;
+        const stewart_real c36 = REAL(2)*h_x;
+        const stewart_real c37 = W_z*c14;
+        const stewart_real c38 = L_dot*L_dot;
+        const stewart_real c39 = inv_L*inv_L*inv_L;
+        const stewart_real c40 = c38*c39;
+        const stewart_real c41 = inv_k3*inv_k3;
+        const stewart_real c42 = REAL(2)*c41;
+        const stewart_real c43 = h_y*k1;
+        const stewart_real c44 = c43*inv_k3;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c30 + c25*inv_L + c26*h_y + c27 + c31*c33 + c33*c34
+            + c35*c42 + c36*c37 - c14*c29*c44 - c15*c40 - c21*c28*c41 - c24*c37*h_z - c27*c42 - c35;
+        const stewart_real c45 = fall_T_z*m_u;
+        const stewart_real c46 = c3*h_z;
+        const stewart_real c47 = W_z*c29;
+        const stewart_real c48 = c17*c47;
+        const stewart_real c49 = c36*theta_dot;
+        const stewart_real c50 = REAL(2)*h_z;
+        const stewart_real c51 = REAL(2)*W_z;
+        const stewart_real c52 = c44*c51;
+        const stewart_real tau_S_leg_13 = c14*c52 + c23*c42 + c26*h_z + c41*c48 + c45*inv_L + c46*inv_L
+            - C_p*theta_dot - c14*c49 - c23 - c40*c50 - c48;
+        const stewart_real c53 = C_us*inv_L;
+        const stewart_real c54 = c53*theta_dot;
+        const stewart_real c55 = J_yy*inv_L;
+        const stewart_real c56 = J_yz*inv_L;
+        const stewart_real c57 = inv_L*theta_dot;
+        const stewart_real c58 = J_xy*c57;
+        const stewart_real c59 = J_xy*inv_L;
+        const stewart_real c60 = c59*k1;
+        const stewart_real c61 = c60*inv_k3;
+        const stewart_real c62 = c12*inv_L;
+        const stewart_real c63 = REAL(4)*J_xz;
+        const stewart_real c64 = c15*theta_dot;
+        const stewart_real c65 = REAL(2)*J_yy;
+        const stewart_real c66 = REAL(2)*J_xx;
+        const stewart_real c67 = c66 - REAL(2)*J_zz;
+        const stewart_real c68 = c65 + c67;
+        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c13*inv_k3*k1
+            + REAL(4)*J_xy*W_z*c41*inv_L*theta_dot + REAL(2)*J_xz*c12*c41*inv_L
+            + REAL(2)*J_yy*L_dot*c13*theta_dot + REAL(2)*J_yz*L_dot*W_z*c13
             + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot + REAL(2)*L_dot*h_x*inv_L*theta_dot
-            + REAL(2)*W_z*h_y*theta_dot + c8*h_z - W_z*c36*c55 - c16*c49 - c18*c36 - c2*c39*c56 - c44
-            - c45*own_y - c46*own_z - c47 - c52*own_z - c53*c54 - c60*c8*inv_L*inv_k3*k1;
-        const stewart_real c62 = c50*own_y;
-        const stewart_real c63 = W_z*c41;
-        const stewart_real c64 = inv_L*w_z;
-        const stewart_real c65 = c64*gamma_y;
-        const stewart_real c66 = c46*c8;
-        const stewart_real c67 = C_s*inv_L;
-        const stewart_real c68 = c16*h_z;
-        const stewart_real c69 = k1*own_z;
-        const stewart_real c70 = c31*c69;
-        const stewart_real c71 = W_z*c43*inv_k3;
-        const stewart_real c72 = J_yz*c21;
-        const stewart_real c73 = c3*c46;
-        const stewart_real c74 = k1*own_y;
-        const stewart_real c75 = c46*c74;
-        const stewart_real c76 = c14*theta_dot;
-        const stewart_real c77 = inv_L*w_x;
-        const stewart_real c78 = c77*k1;
-        const stewart_real c79 = c78*gamma_y;
-        const stewart_real c80 = J_xy*c10;
-        const stewart_real c81 = c24*c80;
-        const stewart_real c82 = W_z*c54;
-        const stewart_real c83 = c10*c82;
-        const stewart_real c84 = c8*inv_k3;
-        const stewart_real c85 = c48*c82;
-        const stewart_real c86 = c2*c31;
-        const stewart_real c87 = W_z*c86;
-        const stewart_real c88 = REAL(2)*J_yz;
-        const stewart_real c89 = c35*c88;
-        const stewart_real c90 = c21*inv_k3;
-        const stewart_real c91 = J_xy*k1;
-        const stewart_real c92 = W_z*c42;
-        const stewart_real c93 = c36*c92;
-        const stewart_real c94 = inv_k3*inv_k3*inv_k3;
-        const stewart_real c95 = c92*k1;
-        const stewart_real c96 = c95*theta_dot;
-        const stewart_real c97 = c38*c8;
-        const stewart_real c98 = REAL(2)*c94;
-        const stewart_real c99 = c3*c98;
-        const stewart_real c100 = REAL(2)*k1;
-        const stewart_real c101 = J_xz*c100;
-        const stewart_real c102 = W_z*c48;
-        const stewart_real c103 = c10*c88;
-        const stewart_real c104 = J_xy*c100*c35;
-        const stewart_real c105 = c51*c8;
-        const stewart_real c106 = J_xz*c56;
-        const stewart_real c107 = c106*c36;
-        const stewart_real c108 = c33*c9;
-        const stewart_real c109 = W_z*c36;
-        const stewart_real c110 = c109*c48;
-        const stewart_real tau_S_leg_22 = L_ddot*c15 + W_z*c48*c59 + c10*c107 + c101*c102*c94 + c103*c76
-            + c104*inv_k3 + c14*c87 + c2*c55 + c2*c68 + c26*c36 + c29 + c3*c39 + c36*c81 + c37*c73
-            + c45*c69*inv_k3 + c51*c84 + c51*c99 + c62 + c66 + c68*c76 + c70*inv_k3 + c71*k1 + c89 + c97*c98
-            - c105*c98 - REAL(2)*c108*c39 - c110*c60 - c14*c85 - c2*c36*c55 - c2*c93 - c26 - c3*c52
-            - c32*c60*inv_k3*k1 - c36*c62 - c37*c66 - c38*c84 - c38*c99 - c63 - c65 - c67*inv_k3*w_n_omega
-            - c72 - c73 - c75*inv_k3 - c79*inv_k3 - c81 - c83 - c90*c91 - c94*c96;
-        const stewart_real c111 = h_y*own_z;
-        const stewart_real c112 = c48*c94;
-        const stewart_real c113 = W_z*c103;
-        const stewart_real c114 = c56*c80;
-        const stewart_real c115 = c101*c53;
-        const stewart_real c116 = J_xx - J_zz;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c9 + REAL(2)*J_xy*L_dot*W_z*c9
-            + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c36*inv_L*own_z + J_yy*L_ddot*c9
+            + REAL(2)*W_z*h_y*theta_dot + c12*h_z - W_z*c41*c64 - c12*c68*inv_L*inv_k3*k1 - c2*c52 - c20*c58
+            - c22*c41 - c45 - c46 - c54 - c55*own_y - c56*own_z - c61*own_z - c62*c63;
+        const stewart_real c70 = c59*own_y;
+        const stewart_real c71 = W_z*c49;
+        const stewart_real c72 = inv_L*w_z;
+        const stewart_real c73 = c72*gamma_y;
+        const stewart_real c74 = c25*k1;
+        const stewart_real c75 = c12*c56;
+        const stewart_real c76 = C_s*inv_L;
+        const stewart_real c77 = c20*h_z;
+        const stewart_real c78 = k1*own_z;
+        const stewart_real c79 = c36*c78;
+        const stewart_real c80 = W_z*c53*inv_k3;
+        const stewart_real c81 = J_yz*c26;
+        const stewart_real c82 = c3*c56;
+        const stewart_real c83 = k1*own_y;
+        const stewart_real c84 = c56*c83;
+        const stewart_real c85 = c18*theta_dot;
+        const stewart_real c86 = inv_L*w_x;
+        const stewart_real c87 = c86*k1;
+        const stewart_real c88 = c87*gamma_y;
+        const stewart_real c89 = J_xy*c14;
+        const stewart_real c90 = c29*c89;
+        const stewart_real c91 = W_z*c63;
+        const stewart_real c92 = c14*c91;
+        const stewart_real c93 = c12*inv_k3;
+        const stewart_real c94 = c57*c91;
+        const stewart_real c95 = c2*c36;
+        const stewart_real c96 = W_z*c95;
+        const stewart_real c97 = REAL(2)*J_yz;
+        const stewart_real c98 = c40*c97;
+        const stewart_real c99 = c26*inv_k3;
+        const stewart_real c100 = J_xy*k1;
+        const stewart_real c101 = W_z*c50;
+        const stewart_real c102 = c101*c41;
+        const stewart_real c103 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c104 = c101*k1;
+        const stewart_real c105 = c104*theta_dot;
+        const stewart_real c106 = c12*c43;
+        const stewart_real c107 = REAL(2)*c103;
+        const stewart_real c108 = c107*c3;
+        const stewart_real c109 = REAL(2)*k1;
+        const stewart_real c110 = J_xz*c109;
+        const stewart_real c111 = W_z*c57;
+        const stewart_real c112 = c14*c97;
+        const stewart_real c113 = J_xy*c109*c40;
+        const stewart_real c114 = c12*c60;
+        const stewart_real c115 = J_xz*c51;
+        const stewart_real c116 = c115*c41;
+        const stewart_real c117 = c13*c38;
+        const stewart_real c118 = W_z*c41;
+        const stewart_real c119 = c118*c57;
+        const stewart_real tau_S_leg_22 = L_ddot*c19 + W_z*c57*c67 + c103*c110*c111 + c106*c107 + c108*c60
+            + c112*c85 + c113*inv_k3 + c116*c14 + c18*c96 + c2*c64 + c2*c77 + c3*c44 + c31*c41 + c34
+            + c41*c90 + c42*c82 + c55*c78*inv_k3 + c60*c93 + c70 + c74*inv_k3 + c75 + c77*c85 + c79*inv_k3
+            + c80*k1 + c98 - c100*c99 - c102*c2 - c103*c105 - c107*c114 - c108*c43 - REAL(2)*c117*c44
+            - c119*c68 - c18*c94 - c2*c41*c64 - c3*c61 - c31 - c37*c68*inv_k3*k1 - c41*c70 - c42*c75
+            - c43*c93 - c71 - c73 - c76*inv_k3*w_n_omega - c81 - c82 - c84*inv_k3 - c88*inv_k3 - c90 - c92;
+        const stewart_real c120 = h_y*own_z;
+        const stewart_real c121 = c103*c57;
+        const stewart_real c122 = W_z*c112;
+        const stewart_real c123 = c51*c89;
+        const stewart_real c124 = c110*c62;
+        const stewart_real c125 = J_xx - J_zz;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c13 + REAL(2)*J_xy*L_dot*W_z*c13
+            + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c41*inv_L*own_z + J_yy*L_ddot*c13
             + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c36*h_y*inv_L + REAL(4)*W_z*c94*h_y*k1*theta_dot + c36*c8*inv_L*(J_yy
-            + c116) + REAL(2)*c8*c94*h_z*k1 + gamma_n*inv_L*k3*w_x - c108*c31 - c111*c36 - c112*c16*c91
-            - c113*c14 - c114*c36 - c115*c94 - c12*c2 - c31*c8 - c35*c57 - c36*c40*c46 - c39*c40 - c45*c8
-            - c64*g_k*k3 - c64*gamma_n*k1 - c7 - c78*g_k;
-        const stewart_real c117 = J_xx*inv_L;
-        const stewart_real c118 = c117*inv_k3;
-        const stewart_real c119 = c101*inv_L;
-        const stewart_real c120 = c46*k3;
-        const stewart_real c121 = c92*inv_k3;
-        const stewart_real c122 = c48*inv_k3;
-        const stewart_real c123 = c31*k3;
-        const stewart_real c124 = W_z*c123;
-        const stewart_real c125 = REAL(2)*k3;
-        const stewart_real c126 = c125*c50;
-        const stewart_real c127 = inv_L*k3;
-        const stewart_real c128 = c58*inv_k3;
-        const stewart_real c129 = c100*c80;
-        const stewart_real c130 = c103*k3;
-        const stewart_real c131 = J_xx*c16;
-        const stewart_real c132 = c36*k1;
-        const stewart_real c133 = c132*c48;
-        const stewart_real c135 = -c59*k3;
-        const stewart_real tau_S_leg_31 = c116*c127*own_z + c122*c82 + c124*c2 + c126*c3 + c126*c8
-            + c128*c32 + c129*theta_dot + c130*theta_dot + c131*c133 + c135*c32 + c83*k1 + c84*h_y
-            - c100*c66 - c100*c73 - c118*own_z - c119*own_z - c120*own_y - c121*theta_dot - c2*c95
-            - REAL(2)*c50*c84 - c62*k1 - c71;
-        const stewart_real c136 = REAL(2)*J_xz;
-        const stewart_real c137 = c100*c47;
-        const stewart_real c138 = c100*c49;
-        const stewart_real c139 = c42*theta_dot;
-        const stewart_real c140 = c2*k3;
-        const stewart_real c141 = c117*c36;
-        const stewart_real c142 = c42*k1;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c36*c9*k1*theta_dot + REAL(2)*J_xx*c3*c94*inv_L
-            + REAL(2)*J_xx*c33*c34*inv_k3 + J_xx*c8*inv_L*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c9*k3
-            + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c9*inv_k3*theta_dot
-            + REAL(2)*J_xz*c3*c36*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c33*c34*k1
-            + REAL(2)*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c116*c9*k3
-            + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c36*h_y*k1*theta_dot + c116*c8*inv_L*k3
-            + c116*inv_L*k1*own_y + REAL(2)*c3*h_x*k3 + REAL(2)*c33*c9*h_x*k3 + REAL(2)*c36*c8*h_z*k1
+            + REAL(2)*L_dot*W_z*c41*h_y*inv_L + REAL(4)*W_z*c103*h_y*k1*theta_dot + REAL(2)*c103*c12*h_z*k1
+            + c12*c41*inv_L*(J_yy + c125) + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c100*c121*c20 - c103*c124
+            - c11 - c117*c36 - c12*c36 - c12*c55 - c120*c41 - c122*c18 - c123*c41 - c16*c2 - c40*c65
+            - c41*c47*c56 - c44*c47 - c72*g_k*k3 - c72*gamma_n*k1 - c87*g_k;
+        const stewart_real c126 = J_xx*inv_L;
+        const stewart_real c127 = c126*inv_k3;
+        const stewart_real c128 = c110*inv_L;
+        const stewart_real c129 = c56*k3;
+        const stewart_real c130 = c101*inv_k3;
+        const stewart_real c131 = c57*inv_k3;
+        const stewart_real c132 = c36*k3;
+        const stewart_real c133 = W_z*c132;
+        const stewart_real c134 = REAL(2)*k3;
+        const stewart_real c135 = c134*c59;
+        const stewart_real c136 = inv_L*k3;
+        const stewart_real c137 = c66*inv_k3;
+        const stewart_real c138 = c109*c89;
+        const stewart_real c139 = c112*k3;
+        const stewart_real c140 = J_xx*c20;
+        const stewart_real c141 = c41*k1;
+        const stewart_real c142 = c141*c57;
+        const stewart_real c144 = -c67*k3;
+        const stewart_real tau_S_leg_31 = c12*c135 + c125*c136*own_z + c131*c91 + c133*c2 + c135*c3
+            + c137*c37 + c138*theta_dot + c139*theta_dot + c140*c142 + c144*c37 + c25*k3 + c92*k1 + c93*h_y
+            - c104*c2 - c109*c75 - c109*c82 - c127*own_z - c128*own_z - c129*own_y - c130*theta_dot
+            - REAL(2)*c59*c93 - c70*k1 - c80;
+        const stewart_real c145 = REAL(2)*J_xz;
+        const stewart_real c146 = c109*c46;
+        const stewart_real c147 = c109*c58;
+        const stewart_real c148 = c50*theta_dot;
+        const stewart_real c149 = c2*k3;
+        const stewart_real c150 = c126*c41;
+        const stewart_real c151 = c50*k1;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c13*c41*k1*theta_dot
+            + REAL(2)*J_xx*c103*c3*inv_L + J_xx*c12*inv_L*inv_k3 + REAL(2)*J_xx*c38*c39*inv_k3
+            + REAL(2)*J_xy*L_dot*W_z*c13*k3 + J_xy*inv_L*inv_k3*own_z
+            + REAL(2)*J_xz*L_dot*c13*inv_k3*theta_dot + REAL(2)*J_xz*c3*c41*inv_L*k1
+            + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c38*c39*k1 + REAL(2)*J_xz*inv_L*k3*own_y
+            + J_yz*inv_L*k1*own_z + L_ddot*c125*c13*k3 + REAL(2)*L_ddot*h_z*inv_L*k1
+            + REAL(2)*W_z*c41*h_y*k1*theta_dot + c12*c125*inv_L*k3 + REAL(2)*c12*c41*h_z*k1
+            + c125*inv_L*k1*own_y + REAL(2)*c13*c38*h_x*k3 + REAL(2)*c3*h_x*k3 + fall_T_z*k1*m_u
             + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y
-            - C_us*c10*inv_k3 - J_xx*c90 - L_ddot*c123*inv_L - W_z*c138 - c101*c21 - c101*c36*c53
-            - c108*c142 - c109*c138 - c111*inv_k3 - c113*k1 - c114*inv_k3 - c115 - c116*c3*inv_L*k3
-            - c118*c3 - c120*c40 - c132*c44 - c136*c27*own_y - c137*c36 - c137 - c139*c140 - c141*c74
-            - c2*c41*k1 - c31*c74 - c33*c34*c59*k3 - c50*k3*own_z - c53*c58*c94 - REAL(2)*c7*k3
-            - c77*gamma_n;
-        const stewart_real c144 = c109*k1;
-        const stewart_real c145 = k1*theta_dot;
-        const stewart_real tau_S_leg_33 = c102*c135 + c103*c145 + c105*c36 + c116*c69*inv_L + c121*c2
-            + c122*c131 + c125*c73 + c127*c136*own_z + c141*c69 + c144*c43 + c145*c93 + c21*c91
-            + REAL(2)*c3*c51 + c62*k3 + c63*k3 + c65*k3 + c72*k3 + c79 + c85*k1 - c10*c106*inv_k3
-            - c101*c110 - c104 - c112*c131 - c125*c29 - c125*c80*theta_dot - c132*c32*c58 - c140*c92
-            - c36*c97 - c70 - c75 - c87*k1 - c89*k3 - c96;
+            - C_us*c14*inv_k3 - J_xx*c99 - L_ddot*c132*inv_L - W_z*c147 - c103*c62*c66 - REAL(2)*c11*k3
+            - c110*c26 - c110*c41*c62 - c117*c151 - c118*c147 - c120*inv_k3 - c122*k1 - c123*inv_k3 - c124
+            - c125*c3*inv_L*k3 - c127*c3 - c129*c47 - c141*c54 - c145*c32*own_y - c146*c41 - c146
+            - c148*c149 - c150*c83 - c2*c49*k1 - c36*c83 - c38*c39*c67*k3 - c59*k3*own_z - c86*gamma_n
+            - fall_T_x*k3*m_u;
+        const stewart_real c153 = c118*k1;
+        const stewart_real c154 = k1*theta_dot;
+        const stewart_real tau_S_leg_33 = c100*c26 + c102*c154 + c111*c144 + c112*c154 + c114*c41
+            + c125*c78*inv_L + c130*c2 + c131*c140 + c134*c82 + c136*c145*own_z + c150*c78 + c153*c53
+            + REAL(2)*c3*c60 + c70*k3 + c71*k3 + c73*k3 + c81*k3 + c88 + c94*k1 - c101*c149 - c105
+            - c106*c41 - c110*c119 - c113 - c115*c14*inv_k3 - c121*c140 - c134*c34 - c134*c89*theta_dot
+            - c141*c37*c66 - c74 - c79 - c84 - c96*k1 - c98*k3;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -4396,28 +4451,28 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c13*c56 - c25;
-        const stewart_real c146 = c100*c13*inv_k3;
-        const stewart_real tau_S_dot_leg_12 = c10*c11 + c14*c16*c23 + c146*theta_dot - W_z*c31*inv_L;
-        const stewart_real tau_S_dot_leg_13 = c10*c42 + c31*c48 - W_z*c146;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c41 - c46*c56 - c48*c57 - c52*c56;
-        const stewart_real c147 = c100*c46;
-        const stewart_real c148 = c147*theta_dot;
+        const stewart_real tau_S_dot_leg_11 = C_p + c17*c51 - c30;
+        const stewart_real c155 = c109*c17*inv_k3;
+        const stewart_real tau_S_dot_leg_12 = c14*c15 + c155*theta_dot + c18*c20*c28 - W_z*c36*inv_L;
+        const stewart_real tau_S_dot_leg_13 = c14*c50 + c36*c57 - W_z*c155;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c49 - c51*c56 - c51*c61 - c57*c65;
+        const stewart_real c156 = c109*c56;
+        const stewart_real c157 = c156*theta_dot;
         const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L
-            + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1 + REAL(2)*W_z*c36*h_z + W_z*c60*inv_L*inv_k3*k1
-            + REAL(2)*c36*h_y*theta_dot - c103 - c107*inv_L - c129*inv_k3 - c148*inv_k3 - REAL(2)*c36*c49
-            - c55 - c92;
-        const stewart_real c149 = c50*c56;
-        const stewart_real tau_S_dot_leg_23 = W_z*c147*inv_k3 + c10*c57 + c12 + c149*c36 + c86 - c12*c36
-            - c139 - c149 - c43;
-        const stewart_real tau_S_dot_leg_31 = W_z*c59*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c27*c58 - c120*c24
-            - c124 - c138 - c82*inv_L*k1;
+            + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1 + REAL(2)*W_z*c41*h_z + W_z*c68*inv_L*inv_k3*k1
+            + REAL(2)*c41*h_y*theta_dot - c101 - c112 - c116*inv_L - c138*inv_k3 - c157*inv_k3
+            - REAL(2)*c41*c58 - c64;
+        const stewart_real c158 = c51*c59;
+        const stewart_real tau_S_dot_leg_23 = W_z*c156*inv_k3 + c14*c65 + c158*c41 + c16 + c95 - c148 - c158
+            - c16*c41 - c53;
+        const stewart_real tau_S_dot_leg_31 = W_z*c67*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c32*c66 - c129*c29
+            - c133 - c147 - c91*inv_L*k1;
         const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3
-            + REAL(2)*J_yz*W_z*inv_L*k1 + L_dot*c59*c9*k3 + REAL(2)*L_dot*h_z*inv_L*k1
-            + REAL(2)*h_z*inv_k3*theta_dot - W_z*c126 - c10*c128 - c10*c54*k1 - c12*inv_k3 - c122*c136
-            - c123*c2 - c133*c58;
-        const stewart_real tau_S_dot_leg_33 = c106*c27 + c125*c49 + c129 + c130 + c144*c58*inv_L - c121
-            - c148;
+            + REAL(2)*J_yz*W_z*inv_L*k1 + L_dot*c13*c67*k3 + REAL(2)*L_dot*h_z*inv_L*k1
+            + REAL(2)*h_z*inv_k3*theta_dot - W_z*c135 - c131*c145 - c132*c2 - c137*c14 - c14*c63*k1
+            - c142*c66 - c16*inv_k3;
+        const stewart_real tau_S_dot_leg_33 = c115*c32 + c134*c58 + c138 + c139 + c153*c66*inv_L - c130
+            - c157;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x
             + tau_S_dot_leg_13*z_x;
@@ -4437,17 +4492,18 @@ STEWART_APART static void joint_slopes_of_legs(
             + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z
             + tau_S_dot_leg_33*z_z;
-        const stewart_real tau_S_ddot_leg_12 = -c13;
-        const stewart_real tau_S_ddot_leg_13 = -c23;
-        const stewart_real tau_S_ddot_leg_22 = c46 + c52 - c39;
-        const stewart_real tau_S_ddot_leg_23 = -c31 - c45;
+        const stewart_real tau_S_ddot_leg_12 = -c17;
+        const stewart_real tau_S_ddot_leg_13 = -c28;
+        const stewart_real tau_S_ddot_leg_22 = c56 + c61 - c44;
+        const stewart_real c159 = L*m_u;
+        const stewart_real tau_S_ddot_leg_23 = -c159 - c36 - c55;
         const stewart_real tau_S_ddot_leg_31 = -h_y*k3;
-        const stewart_real tau_S_ddot_leg_32 = c118 + c119 + c123 - c116*c127 - c142;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c120 - c51;
+        const stewart_real tau_S_ddot_leg_32 = c127 + c128 + c132 + c159*k3 - c125*c136 - c151;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c129 - c60;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_ddot_xx = tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
-        const stewart_real tau_S_ddot_xy = tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
-        const stewart_real tau_S_ddot_xz = tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z;
+        const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
+        const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
+        const stewart_real tau_S_ddot_xz = m_u*s_z + tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z;
         const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
         const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
         const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
@@ -4484,17 +4540,17 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real c150 = net_z*inv_rho*inv_rho;
-        const stewart_real bent_leg_12 = -c150*k3;
-        const stewart_real c151 = c9*net_y;
-        const stewart_real bent_leg_13 = c151;
-        const stewart_real c152 = c5*inv_L;
-        const stewart_real bent_leg_21 = -c152;
-        const stewart_real c153 = inv_rho*k3;
-        const stewart_real bent_leg_22 = c153*net_x + c6*inv_rho*k1;
-        const stewart_real bent_leg_23 = c152*kappa;
-        const stewart_real bent_leg_31 = c151;
-        const stewart_real bent_leg_32 = c150*k1;
+        const stewart_real c160 = net_z*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c160*k3;
+        const stewart_real c161 = c13*net_y;
+        const stewart_real bent_leg_13 = c161;
+        const stewart_real c162 = c9*inv_L;
+        const stewart_real bent_leg_21 = -c162;
+        const stewart_real c163 = inv_rho*k3;
+        const stewart_real bent_leg_22 = c10*inv_rho*k1 + c163*net_x;
+        const stewart_real bent_leg_23 = c162*kappa;
+        const stewart_real bent_leg_31 = c161;
+        const stewart_real bent_leg_32 = c160*k1;
         const stewart_real bent_leg_33 = inv_L*net_x;
         const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
         const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
@@ -4515,45 +4571,45 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
         const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
         const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
-        const stewart_real c154 = bent_xy*q_z;
-        const stewart_real c155 = bent_xz*q_y;
-        const stewart_real Z_xx = c155 - c154;
+        const stewart_real c164 = bent_xy*q_z;
+        const stewart_real c165 = bent_xz*q_y;
+        const stewart_real Z_xx = c165 - c164;
         const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
-        const stewart_real c156 = bent_xx*q_y;
-        const stewart_real Z_xz = bent_xy*q_x - c156;
-        const stewart_real c157 = bent_yy*q_z;
-        const stewart_real Z_yx = bent_yz*q_y - c157;
-        const stewart_real c158 = bent_yx*q_z;
-        const stewart_real c159 = -bent_yz*q_x;
-        const stewart_real Z_yy = c158 + c159;
-        const stewart_real c160 = -bent_yy*q_x;
-        const stewart_real Z_yz = -bent_yx*q_y - c160;
-        const stewart_real c161 = -bent_zz*q_y;
-        const stewart_real Z_zx = -bent_zy*q_z - c161;
-        const stewart_real c162 = bent_zz*q_x;
-        const stewart_real Z_zy = bent_zx*q_z - c162;
-        const stewart_real c163 = bent_zx*q_y;
-        const stewart_real c164 = bent_zy*q_x;
-        const stewart_real Z_zz = c164 - c163;
-        const stewart_real G_dot_21 = -c48;
-        const stewart_real c165 = k1*phi_dot;
-        const stewart_real G_dot_22 = c165*inv_L;
-        const stewart_real G_dot_23 = c10;
-        const stewart_real G_dot_31 = -c153*phi_dot;
-        const stewart_real c166 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c166*kappa - c2*inv_rho;
-        const stewart_real G_dot_33 = c165*inv_rho;
-        const stewart_real c167 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c167;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c153*theta_dot);
-        const stewart_real f_S_leg_13 = G_dot_33*c167;
+        const stewart_real c166 = bent_xx*q_y;
+        const stewart_real Z_xz = bent_xy*q_x - c166;
+        const stewart_real c167 = bent_yy*q_z;
+        const stewart_real Z_yx = bent_yz*q_y - c167;
+        const stewart_real c168 = bent_yx*q_z;
+        const stewart_real c169 = -bent_yz*q_x;
+        const stewart_real Z_yy = c168 + c169;
+        const stewart_real c170 = -bent_yy*q_x;
+        const stewart_real Z_yz = -bent_yx*q_y - c170;
+        const stewart_real c171 = -bent_zz*q_y;
+        const stewart_real Z_zx = -bent_zy*q_z - c171;
+        const stewart_real c172 = bent_zz*q_x;
+        const stewart_real Z_zy = bent_zx*q_z - c172;
+        const stewart_real c173 = bent_zx*q_y;
+        const stewart_real c174 = bent_zy*q_x;
+        const stewart_real Z_zz = c174 - c173;
+        const stewart_real G_dot_21 = -c57;
+        const stewart_real c175 = k1*phi_dot;
+        const stewart_real G_dot_22 = c175*inv_L;
+        const stewart_real G_dot_23 = c14;
+        const stewart_real G_dot_31 = -c163*phi_dot;
+        const stewart_real c176 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c176*kappa - c2*inv_rho;
+        const stewart_real G_dot_33 = c175*inv_rho;
+        const stewart_real c177 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c177;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c163*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c177;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c168 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c168;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c166*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c168;
+        const stewart_real c178 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c178;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c176*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c178;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -4573,9 +4629,9 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c167*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c67;
-        const stewart_real f_S_dot_leg_32 = C_s*c153;
+        const stewart_real f_S_dot_leg_12 = c177*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c76;
+        const stewart_real f_S_dot_leg_32 = C_s*c163;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -4592,18 +4648,18 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c169 = R_tip_y*q_y;
-        const stewart_real c170 = R_tip_z*q_z;
-        const stewart_real c171 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c172 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c173 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c174 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c175 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c176 = R_tip_x*q_x;
-        const stewart_real c177 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c178 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c179 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c180 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c179 = R_tip_y*q_y;
+        const stewart_real c180 = R_tip_z*q_z;
+        const stewart_real c181 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c182 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c183 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c184 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c185 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c186 = R_tip_x*q_x;
+        const stewart_real c187 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c188 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c189 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c190 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -4643,24 +4699,24 @@ STEWART_APART static void joint_slopes_of_legs(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = c163 - c158 - f_S_xx;
-        out->sum[40][l] = bent_zy*q_y - c157 - f_S_xy;
-        out->sum[41][l] = -bent_yz*q_z - c161 - f_S_xz;
+        out->sum[39][l] = c173 - c168 - f_S_xx;
+        out->sum[40][l] = bent_zy*q_y - c167 - f_S_xy;
+        out->sum[41][l] = -bent_yz*q_z - c171 - f_S_xz;
         out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
-        out->sum[43][l] = c154 - c164 - f_S_yy;
-        out->sum[44][l] = bent_xz*q_z - c162 - f_S_yz;
-        out->sum[45][l] = bent_yx*q_x - c156 - f_S_zx;
-        out->sum[46][l] = -bent_xy*q_y - c160 - f_S_zy;
-        out->sum[47][l] = -c155 - c159 - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c172*q_z - Z_yx*q_z - c169 - c170 - c171*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c171*q_x - Z_yy*q_z - c173*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c173*q_y - Z_yz*q_z - c172*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c174*q_z - Z_zx*q_x - c175*q_y;
-        out->sum[52][l] = Z_xy*q_z + c175*q_x - Z_zy*q_x - c170 - c176 - c177*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c177*q_y - Z_zz*q_x - c174*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c178*q_z - Z_xx*q_y - c179*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c179*q_x - Z_xy*q_y - c180*q_z;
-        out->sum[56][l] = Z_yz*q_x + c180*q_y - Z_xz*q_y - c169 - c176 - c178*q_x;
+        out->sum[43][l] = c164 - c174 - f_S_yy;
+        out->sum[44][l] = bent_xz*q_z - c172 - f_S_yz;
+        out->sum[45][l] = bent_yx*q_x - c166 - f_S_zx;
+        out->sum[46][l] = -bent_xy*q_y - c170 - f_S_zy;
+        out->sum[47][l] = -c165 - c169 - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c182*q_z - Z_yx*q_z - c179 - c180 - c181*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c181*q_x - Z_yy*q_z - c183*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c183*q_y - Z_yz*q_z - c182*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c184*q_z - Z_zx*q_x - c185*q_y;
+        out->sum[52][l] = Z_xy*q_z + c185*q_x - Z_zy*q_x - c180 - c186 - c187*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c187*q_y - Z_zz*q_x - c184*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c188*q_z - Z_xx*q_y - c189*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c189*q_x - Z_xy*q_y - c190*q_z;
+        out->sum[56][l] = Z_yz*q_x + c190*q_y - Z_xz*q_y - c179 - c186 - c188*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -4969,6 +5025,7 @@ static void leg_rows(
         size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
         size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
         size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
+        size[0] = STEWART_LARGER(size[0], STEWART_SQRT(STEWART_FABS(inertia[0])));
         size[0] = STEWART_LARGER(size[0], least);
         weigh(inertia, size, by->weight[l]);
         for (i = 0; i < 3; ++i) {
@@ -5114,6 +5171,44 @@ static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, ro
     }
 }
 
+/* Accelerations of the rows that serve as coordinates, and of no others, under which the inertia of each
+ * block balances the forces of these rows; `balanced` says which they are, without those that have no inertia
+ * of their own beside the rows before them. */
+static void balance(
+    const row_factors *by, const stewart_real *force, stewart_real (*moved)[3], int (*balanced)[3])
+{
+    int b, i, j, k;
+    for (i = 0; i < ROWS; ++i) {
+        balanced[i / 3][i % 3] = 0;
+        moved[i / 3][i % 3] = force[i];
+    }
+    for (k = 0; k < 6; ++k) {
+        balanced[by->pivot[k] / 3][by->pivot[k] % 3] = 1;
+    }
+    for (b = 0; b < ROWS / 3; ++b) {
+        stewart_real W[3][3];
+        for (i = 0; i < 9; ++i) {
+            W[i / 3][i % 3] = by->weight[b][i];
+        }
+        for (k = 0; k < 3; ++k) {
+            balanced[b][k] = W[k][k] > STEWART_KEPT ? balanced[b][k] : 0;
+            for (i = k + 1; balanced[b][k] != 0 && i < 3; ++i) {
+                const stewart_real factor = W[i][k] / W[k][k];
+                moved[b][i] = moved[b][i] - factor * moved[b][k];
+                for (j = k + 1; j < 3; ++j) {
+                    W[i][j] = W[i][j] - factor * W[k][j];
+                }
+            }
+        }
+        for (k = 2; k >= 0; --k) {
+            for (j = k + 1; j < 3; ++j) {
+                moved[b][k] = moved[b][k] - W[k][j] * moved[b][j];
+            }
+            moved[b][k] = balanced[b][k] != 0 ? moved[b][k] / W[k][k] : REAL(0);
+        }
+    }
+}
+
 /* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
  *
  * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
@@ -5123,28 +5218,26 @@ static void row_right(
     const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
     stewart_real *rest, stewart_real *right)
 {
-    stewart_real moved[ROWS], y[6];
-    int balanced[ROWS] = {0};
+    stewart_real moved[ROWS / 3][3], y[6];
+    int balanced[ROWS / 3][3];
     int i, j, k;
+    balance(by, force, moved, balanced);
     for (k = 0; k < 6; ++k) {
-        const int row = by->pivot[k];
-        const stewart_real weight = by->weight[row / 3][row % 3 * 4];
-        balanced[row] = STEWART_FABS(weight) > STEWART_HALF ? 1 : 0;
-        start[k] = balanced[row] != 0 ? force[row] / weight : REAL(0);
+        start[k] = moved[by->pivot[k] / 3][by->pivot[k] % 3];
         y[k] = wrench[by->column[k]] / (by->column[k] < 3 ? REAL(1) : by->length);
     }
     for (i = 0; i < ROWS; ++i) {
-        moved[i] = REAL(0);
+        moved[i / 3][i % 3] = REAL(0);
         for (k = 0; k < 6; ++k) {
-            moved[i] = moved[i] + by->share[i][k] * start[k];
+            moved[i / 3][i % 3] = moved[i / 3][i % 3] + by->share[i][k] * start[k];
         }
     }
     for (i = 0; i < ROWS; ++i) {
-        rest[i] = balanced[i] != 0 ? REAL(0) : force[i];
+        const int b = i / 3, own = balanced[b][i % 3];
+        rest[i] = own != 0 ? REAL(0) : force[i];
         for (j = 0; j < 3; ++j) {
-            const int other = i / 3 * 3 + j;
-            if (balanced[i] == 0 || other != i) {
-                rest[i] = rest[i] - by->weight[i / 3][i % 3 * 3 + j] * moved[other];
+            if (own == 0 || balanced[b][j] == 0) {
+                rest[i] = rest[i] - by->weight[b][i % 3 * 3 + j] * moved[b][j];
             }
         }
     }
