@@ -63,7 +63,7 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (1067, 799, 18, 12),
     },
 }
-MODEL_NUMBERS = 283
+MODEL_NUMBERS = 301
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -170,6 +170,7 @@ typedef struct {
     stewart_real g_k;
     stewart_real g_x_k[3];
     stewart_real C_us;
+    stewart_real m_u;
     stewart_real M_add;
     stewart_real h_add[3];
     stewart_real J_add[6];
@@ -262,6 +263,7 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->g_x_k[1] = g_z*k_unit_x - g_x*k_unit_z;
     out->g_x_k[2] = g_x*k_unit_y - g_y*k_unit_x;
     out->C_us = C_s + C_u;
+    out->m_u = m_u;
     out->M_add = m_u;
     out->h_add[0] = c11;
     out->h_add[1] = c12;
@@ -282,6 +284,9 @@ typedef struct {
     stewart_real dJ_P[3];
     stewart_real C_P;
     stewart_real g[3];
+    stewart_real M;
+    stewart_real R_0[3];
+    stewart_real I_p[6];
 } prepared_platform;
 
 /* Constants of the platform. */
@@ -325,6 +330,16 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
+    out->M = M;
+    out->R_0[0] = R_0_x;
+    out->R_0[1] = R_0_y;
+    out->R_0[2] = R_0_z;
+    out->I_p[0] = I_p_xx;
+    out->I_p[1] = I_p_xy;
+    out->I_p[2] = I_p_xz;
+    out->I_p[3] = I_p_yy;
+    out->I_p[4] = I_p_yz;
+    out->I_p[5] = I_p_zz;
 }
 
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
@@ -423,6 +438,7 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
         made.g_x_k[1][i] = found.g_x_k[1];
         made.g_x_k[2][i] = found.g_x_k[2];
         made.C_us[i] = found.C_us;
+        made.m_u[i] = found.m_u;
         if (i >= 6) {
             continue;
         }
@@ -456,6 +472,16 @@ int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    made.M = platform.M;
+    made.R_0[0] = platform.R_0[0];
+    made.R_0[1] = platform.R_0[1];
+    made.R_0[2] = platform.R_0[2];
+    made.I_p[0] = platform.I_p[0];
+    made.I_p[1] = platform.I_p[1];
+    made.I_p[2] = platform.I_p[2];
+    made.I_p[3] = platform.I_p[3];
+    made.I_p[4] = platform.I_p[4];
+    made.I_p[5] = platform.I_p[5];
     made.per_length = per_length_of(size_of(&made));
     made.least = least_pivots(size_of(&made) * made.per_length);
     for (number = 0; number < count; ++number) {
