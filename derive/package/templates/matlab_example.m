@@ -1,0 +1,5 @@
+%ONE_POSE One pose of $robot.
+model = stewart.prepare(stewart.robot());
+motion = stewart.zero_motion();
+$motion
+$calls
