@@ -53,7 +53,7 @@ class Arithmetic:
     anywhere: Callable[[Any], bool] = bool
 
 
-class _Result(Exception):
+class _Finished(Exception):  # noqa: N818
     def __init__(self, value: Any) -> None:
         self.value = value
 
@@ -98,7 +98,7 @@ class Interpreter:
     def _body(self, function: Function, known: dict[str, Any]) -> Any:
         try:
             self._run(function.body, known)
-        except _Result as result:
+        except _Finished as result:
             return result.value
         return None
 
@@ -119,7 +119,7 @@ class Interpreter:
                 case Do(call):
                     self._value(call, known)
                 case Return(value):
-                    raise _Result(self._value(value, known))
+                    raise _Finished(self._value(value, known))
                 case Comment():
                     pass
 

@@ -1,4 +1,4 @@
-"""From the derivation to the tree: symbolic expressions and blocks as nodes, in the order in which they round."""
+"""From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce
@@ -75,8 +75,16 @@ def _product(expr: sp.Mul) -> Expression:
 
 
 def _multiplied(factors: Iterable[sp.Expr]) -> Expression:
-    found = [expression(factor) for factor in factors] or [Number(1.0)]
+    # Whole powers are factors one by one: m L^2 is (m L) L, as the emitters of C and NumPy print it.
+    apart = [part for factor in factors for part in _repeated(factor)]
+    found = [expression(factor) for factor in apart] or [Number(1.0)]
     return reduce(lambda left, right: Binary("*", left, right), found)
+
+
+def _repeated(factor: sp.Expr) -> list[sp.Expr]:
+    if factor.is_Pow and factor.exp.is_Integer and factor.exp > 1 and factor.base.is_Symbol:
+        return [factor.base] * int(factor.exp)
+    return [factor]
 
 
 def _power(expr: sp.Pow) -> Expression:
@@ -144,9 +152,7 @@ def block_function(
     return Function(
         name,
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
-        tuple(
-            Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()
-        ),
+        tuple(Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()),
         Record(result),
         (*loads, *_steps(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
     )

@@ -26,13 +26,18 @@ from .nodes import (
     Variable,
 )
 
+Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
+"""Structure of each argument of a block, "" of a number, and the quantities that it holds."""
+
 STATUS = Field("status", Integer(), "0, or what is wrong")
 
 
 def model_structures(kernel: ForceKernel) -> list[Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
     of_leg = [out.quantity for out in kernel.prepare_leg.outputs]
-    robot = structure("Robot", "The machine.", n.PLATFORM, Field("leg", Array(Record("Leg"), (6,)), "the legs"))
+    robot = structure(
+        "Robot", "The machine.", n.PLATFORM, Field("leg", Array(Record("Leg"), (6,)), "the legs")
+    )
     return [
         structure("Leg", "One leg.", n.LEG),
         robot,
@@ -47,7 +52,7 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
                 Field("leg", Array(Record("LegConstants"), (6,)), "the legs"),
                 Field("platform", Record("Platform"), "the platform"),
                 Field("per_length", Real(), "1/m: one over the length over which moments are taken"),
-                Field("least", Real(), "product of the pivots of H below which it may be singular to rounding"),
+                Field("least", Real(), "of the pivots of H: below this product it may be singular"),
                 STATUS,
             ),
         ),
@@ -63,14 +68,17 @@ def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> li
             kernel.prepare_platform, "prepare_platform", "Platform", robot | {"total": ("Added", p.ADDED)}
         ),
         sum_function(
-            "add_up", "What the legs add to the platform, with one leg more.", structures["Added"], "LegConstants"
+            "add_up",
+            "What the legs add to the platform, with one leg more.",
+            structures["Added"],
+            "LegConstants",
         ),
         _lost_digits(structures),
     ]
 
 
-def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> dict[str, tuple]:
-    """Arguments of a leg's block: its constants, the platform's, the motion, and ``more``: name, type, held."""
+def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> Arguments:
+    """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),
         "platform": ("Platform", kernel.platform_constants()),

@@ -145,7 +145,7 @@ Expression = (
     Number | Constant | Name | Member | Element | Negative | Binary | Compare | Both | Either | Select | Call
 )
 
-BUILT_IN = {"sqrt": Real(), "size": Real(), "larger": Real(), "anywhere": Truth()}
+BUILT_IN: dict[str, Type] = {"sqrt": Real(), "size": Real(), "larger": Real(), "anywhere": Truth()}
 """Functions that every language has: square root, absolute value, the larger of two, and whether a test
 holds for any of the poses side by side."""
 

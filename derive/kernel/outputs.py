@@ -13,7 +13,7 @@ from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
 from .lower import block_function, stored_type, structure
-from .model import STATUS, block_arguments, model_functions, model_structures, sum_function
+from .model import STATUS, Arguments, block_arguments, model_functions, model_structures, sum_function
 from .nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type
 from .written import closed_form, forces, legs, solve
 
@@ -90,9 +90,9 @@ def _forces(kernel: ForceKernel) -> Part:
     shared = _quantities(kernel.shared)
     arguments = block_arguments(kernel, ("shared", "SharedTerms", shared))
     of_pose = {name: arguments[name] for name in ("platform", "motion")}
-    own = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
-    tip = {"sums": ("Sums", (p.q_1,))}
-    right = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
+    own: Arguments = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
+    tip: Arguments = {"sums": ("Sums", (p.q_1,))}
+    right: Arguments = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
     names = zip(("leg_terms", "leg_near_terms"), of_legs, strict=False)
     return Part(
         [
@@ -142,7 +142,7 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 
 
 def _sum_part(kernel: ForceKernel, sums: m.SumKernel, name: str, prefix: str) -> Part:
-    """Blocks and sums of one kernel of the closed form: ``<prefix>_pose``, ``_leg``, ``_more``, ``_total``."""
+    """Blocks and sums of one kernel: prefix and ``_pose``, ``_leg``, ``_more``, ``_total``."""
     pose = _quantities(sums.pose)
     arguments = block_arguments(kernel)
     of_pose = {each: arguments[each] for each in ("platform", "motion")}
@@ -181,7 +181,7 @@ def _equations(kernel: ForceKernel, sums: m.SumKernel) -> Part:
         Field("bias", _numbers(6), "N, N m: C [v; omega] + g + friction"),
         Field("H", _numbers(6, 6), "1 and m: from F to the wrench on the platform"),
     )
-    written = {
+    written: dict[str, Written] = {
         "place_symmetric": closed_form.place_symmetric,
         "place_inertia": closed_form.place_inertia,
         "equations": closed_form.equations,

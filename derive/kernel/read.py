@@ -74,7 +74,8 @@ def function(
 ) -> Function:
     """A Python function as a tree.
 
-    structures, functions: those it may name, by name. name: its name in the program, if another. Raises ValueError for what is not allowed.
+    structures, functions: those it may name, by name. name: of the tree, if another. Raises ValueError for
+    what is not allowed.
     """
     tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
     assert isinstance(tree, ast.FunctionDef)
@@ -105,7 +106,8 @@ class _Reader:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             node = ast.parse(node.value, mode="eval").body
         if isinstance(node, ast.Name):
-            return {"Real": Real(), "Integer": Integer()}.get(node.id, Record(node.id))
+            plain: dict[str, Type] = {"Real": Real(), "Integer": Integer()}
+            return plain.get(node.id, Record(node.id))
         if isinstance(node, ast.Call):
             return Array(Real(), tuple(_whole(arg) for arg in node.args))
         raise self.error(node, "a structure's name, array(...), Real or Integer")
@@ -176,8 +178,8 @@ class _Reader:
         match node:
             case ast.Constant(value=bool()):
                 raise self.error(node, "a number")
-            case ast.Constant(value=int() | float()):
-                return Number(node.value)
+            case ast.Constant(value=int() | float() as number):
+                return Number(number)
             case ast.Name(id=name):
                 return Constant(name) if name in (*STATUS, *CONSTANTS) else Name(name)
             case ast.Attribute():
@@ -246,7 +248,7 @@ class _Reader:
             case Select(_, yes):
                 return self.type(yes)
             case Call(name):
-                result = BUILT_IN.get(name) or self.functions[name].result
+                result = BUILT_IN[name] if name in BUILT_IN else self.functions[name].result
                 assert result is not None
                 return result
         raise AssertionError(value)
@@ -284,7 +286,8 @@ def _called(node: ast.expr) -> str:
 
 
 def _whole(node: ast.expr) -> int:
-    assert isinstance(node, ast.Constant) and isinstance(node.value, int)
+    assert isinstance(node, ast.Constant)
+    assert isinstance(node.value, int)
     return node.value
 
 

@@ -1,4 +1,4 @@
-"""Kits in Python, MATLAB and Rust: a printed program, a robot's numbers, a self-test, an example, a README."""
+"""Kits in Python, MATLAB and Rust: a program, a robot's numbers, a self-test, an example, a README."""
 
 import math
 from abc import ABC, abstractmethod
@@ -54,7 +54,7 @@ class Contents:
         return ", ".join(each.replace("_", " ") for each in self.outputs)
 
 
-RESULTS = {
+RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
     "forces": {"F": (6,)},
     "equations": {"M": (6, 6), "C": (6, 6), "g": (6,), "friction": (6,), "bias": (6,), "H": (6, 6)},
     "forward_dynamics": {"a": (3,), "alpha": (3,)},
@@ -64,7 +64,7 @@ RESULTS = {
 
 def template(name: str, values: Mapping[str, str]) -> str:
     """A file of ``templates`` with each ``$word`` replaced."""
-    text = (files(__package__) / "templates" / name).read_text(encoding="utf-8")
+    text = (files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8")
     return Template(text).substitute(values)
 
 
@@ -170,7 +170,7 @@ class PythonKit(Language):
         )
         first = kit.tests[0]
         fill = self.assignments(kit, "made", "leg[{0}]", "    ", "[{}]")
-        calls = "\n".join(f"print(\"{output}\", vars({self.call(kit, output)}))" for output in kit.outputs)
+        calls = "\n".join(f'print("{output}", vars({self.call(kit, output)}))' for output in kit.outputs)
         return {
             "stewart_arrays.py": template(
                 "python_arrays.py", self.values(kit, program=Python(kit.program).source())
@@ -192,7 +192,7 @@ class MatlabKit(Language):
     """A package of functions."""
 
     name, title = "matlab", "MATLAB and Octave"
-    run = "octave --eval \"exit(self_test())\" && octave one_pose.m"
+    run = 'octave --eval "exit(self_test())" && octave one_pose.m'
     no_force = ", zeros(6, 1)"
 
     def files(self, kit: Contents) -> dict[str, str]:

@@ -2,7 +2,6 @@
 
 from ..kernel.nodes import (
     Array,
-    Assign,
     Call,
     Expression,
     For,
@@ -38,7 +37,9 @@ class Matlab(Printer):
         """The text of each file by its name."""
         of_functions = {each.name: self.function(each) for each in self.program.functions}
         of_structures = {_zero(each.name): self.structure(each) for each in self.program.structures}
-        return {f"{name}.m": "\n".join([*lines, ""]) for name, lines in (of_functions | of_structures).items()}
+        return {
+            f"{name}.m": "\n".join([*lines, ""]) for name, lines in (of_functions | of_structures).items()
+        }
 
     def structure(self, structure: Structure) -> list[str]:
         """A function that makes a structure of zeros."""
@@ -130,7 +131,9 @@ class Matlab(Printer):
         return f"if {test}"
 
     def returned(self, value: Expression) -> str:
-        return "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
+        return (
+            "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
+        )
 
     def function(self, function: Function) -> list[str]:
         last = function.body[-1]

@@ -112,9 +112,13 @@ class Python(Printer):
     def function(self, function: Function) -> list[str]:
         arguments = ", ".join(["on: Arithmetic", *(f"{each.name}: Any" for each in function.arguments)])
         result = "None" if function.result is None else "Any"
+        given = [
+            f"    {each.name} = on.arrays({each.name})" for each in function.arguments if function.public
+        ]
         return [
             *self.lines("", f"def {function.name}({arguments}) -> {result}:"),
             f'    """{function.meaning}"""',
+            *given,
             *self.body(function.body),
         ]
 

@@ -12,8 +12,8 @@ from ..derive.emit.kit.words import robot_symbol
 from ..derive.fidelity import FIDELITIES
 from ..derive.formulation import EXACT, FORMULATIONS
 from ..derive.generate import reduced_fidelity, reduced_forces, reduced_motion
-from ..derive.kernel.outputs import program
 from ..derive.kernel.nodes import Program
+from ..derive.kernel.outputs import program
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
 from ..fidelity import resolved
 from ..robot import Robot

@@ -1,5 +1,3 @@
-# ruff: noqa: F821
-# mypy: ignore-errors
 """Equations of motion and forward dynamics around their blocks, in the part of Python that ``read`` reads.
 
 Where M's factors lose digits, near a joint singularity or with a very short or very heavy leg, the legs'
@@ -265,7 +263,7 @@ def pick_rows(by: "Rows") -> None:
 
 
 def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
-    """Solves for the accelerations of the six coordinates, measured from those that balance their own forces."""
+    """Solves for the accelerations of the six coordinates, from those that balance their own forces."""
     force = array(24)
     balanced = array(24)
     start = array(6)

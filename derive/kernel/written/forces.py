@@ -1,5 +1,3 @@
-# ruff: noqa: F821
-# mypy: ignore-errors
 """Preparation of a robot's constants, and the actuator forces."""
 
 

@@ -1,10 +1,8 @@
-# ruff: noqa: F821
-# mypy: ignore-errors
 """What can be wrong with a leg."""
 
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
-    """What is wrong with a leg: not finite, too short beside the vectors that it is the sum of, or along k."""
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     fault = where(k3 > POLE_SINE, OK, POLE)
     fault = where(L > larger(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
     return where(L <= MAX, fault, NOT_FINITE)

@@ -1,5 +1,3 @@
-# ruff: noqa: F821
-# mypy: ignore-errors
 """Linear systems of six equations, and whether H is singular to rounding."""
 
 
