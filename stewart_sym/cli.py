@@ -202,7 +202,7 @@ def _generate(arguments: argparse.Namespace) -> int:
     from .robot import Robot
 
     robot = Robot.from_toml(arguments.robot)
-    names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu")
+    names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
     functions = tuple(name.strip() for name in arguments.functions.split(","))
     choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
     if arguments.list:
@@ -1003,6 +1003,13 @@ def _parser() -> argparse.ArgumentParser:
     )
     verb.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
+    verb.add_argument(
+        "--language",
+        choices=("c", "python", "matlab", "rust"),
+        default="c",
+        help="python: on arrays of NumPy, JAX, PyTorch; matlab: Octave as well; rust: without its standard "
+        "library as well; of forces and motion; default: c",
+    )
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
 
     _verb(

@@ -31,7 +31,8 @@ class Choice:
     functions: some of ``FUNCTIONS``. formulation: "exact" or "paper". precision: "double" or "float". Of the
     forces alone: fidelity, a level of ``fidelity.FIDELITIES``, None for ``general``; bake: fold the robot's
     numbers in; scalar: one pose, its legs one after the other, small in code and stack, for processors
-    without vector registers. fmu: a co-simulation unit of the forces as well.
+    without vector registers. fmu: a co-simulation unit of the forces as well. language: "c", or one of
+    ``derive.package.languages.LANGUAGES``.
     """
 
     functions: tuple[str, ...] = ("forces",)
@@ -41,6 +42,7 @@ class Choice:
     scalar: bool = False
     precision: str = "double"
     fmu: bool = False
+    language: str = "c"
 
     @property
     def level(self) -> str:

@@ -32,6 +32,7 @@ from ..kernel import MOTION
 from ..motion import Motion
 from ..results import OK
 from ..robot import Robot
+from . import languages
 from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
@@ -72,6 +73,8 @@ class Kit:
 def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
+    if choice.language != "c":
+        return _of_language(robot, choice)
     made = parts(robot, choice)
     found = _vectors(robot, choice, made)
     cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
@@ -91,9 +94,18 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     return Kit(dict(sorted(files.items())), made.operations, made.baked_operations)
 
 
+def _of_language(robot: Robot, choice: Choice) -> Kit:
+    languages.check(choice)
+    files = {name: text.encode() for name, text in languages.texts(robot, choice).items()}
+    files[MANIFEST] = _manifest(robot, choice, files)
+    return Kit(dict(sorted(files.items())), None, None)
+
+
 def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
     """Names of the files of a kit, without computing its test vectors; raises as ``kit``."""
     check(choice, robot)
+    if choice.language != "c":
+        return list(_of_language(robot, choice).files)
     unit = [f"{robot_symbol(robot.name)}.fmu"] if choice.fmu else []
     return sorted([*_sources(robot, choice, parts(robot, choice)), *_TEXTS, *unit, MANIFEST])
 

@@ -1,0 +1,96 @@
+"""Preparation of a robot's constants, and the actuator forces."""
+
+
+def leg_of(model: "Model", i: "Integer", motion: "Motion", shared: "SharedTerms") -> "LegTerms":
+    """One leg, by the block that suits its distance from its joint singularity."""
+    leg = leg_terms(model.leg[i], model.platform, motion, shared)
+    near = leg.k3 <= NEAR_POLE
+    if anywhere(near):
+        other = leg_near_terms(model.leg[i], model.platform, motion, shared)
+        leg = where(near, other, leg)
+    return leg
+
+
+def leg_of_one_form(model: "Model", i: "Integer", motion: "Motion", shared: "SharedTerms") -> "LegTerms":
+    """One leg."""
+    return leg_terms(model.leg[i], model.platform, motion, shared)
+
+
+def add_leg(leg: "LegTerms", i: "Integer", shared: "SharedTerms", sums: "Sums") -> None:
+    """Adds a leg's column of H and its part of c, moments about platform point 1."""
+    if i == 0:
+        for j in range(3):
+            sums.q_1[j] = leg.q[j]
+        tip = shift(sums, shared)
+        for j in range(3):
+            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
+    if i != 0:
+        turned = moments_of(leg, sums)
+        for j in range(3):
+            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.arm[i] = larger(size(leg.q[j] - sums.q_1[j]), sums.arm[i])
+    for j in range(3):
+        sums.H[j][i] = leg.H_force[j]
+
+
+def forces(model: "Model", motion: "Motion") -> "Forces":
+    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    out = Forces()
+    sums = Sums()
+    A = array(6, 7)
+    D = array(6)
+    L = array(6)
+    reach = array(6)
+    x = array(6)
+    status = model.status
+    suspect = 0
+    shared = shared_terms(model.platform, motion)
+    for i in range(6):
+        leg = leg_of(model, i, motion, shared)
+        reach[i] = reach_of(model.leg[i], motion, leg.q)
+        fault = fault_of(leg.L, leg.k3, reach[i])
+        status = where(status == OK, fault, status)
+        suspect = where(leg.L > SHORT_SHARE * reach[i], suspect, 1)
+        L[i] = leg.L
+        D[i] = leg.D
+        add_leg(leg, i, shared, sums)
+    for i in range(3):
+        A[i][6] = sums.c_force[i]
+        A[i + 3][6] = sums.c_moment[i] * model.per_length
+        for j in range(6):
+            A[i][j] = sums.H[i][j]
+            A[i + 3][j] = sums.H[i + 3][j] * model.per_length
+    pivots = eliminate(A, x)
+    suspect = where(size(pivots) > model.least, suspect, 1)
+    if anywhere(suspect == 1):
+        found = singular_status(sums.H, L, reach, sums.arm)
+        status = where((status == OK) & (suspect == 1), found, status)
+    for i in range(6):
+        out.F[i] = D[i] - x[i]
+        status = where((status != OK) | (size(out.F[i]) <= MAX), status, NOT_FINITE)
+    for i in range(6):
+        out.F[i] = where(status == OK, out.F[i], NAN)
+    out.status = status
+    return out
+
+
+def prepare(robot: "Robot") -> "Model":
+    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    model = Model()
+    total = Added()
+    for i in range(6):
+        found = prepare_leg(robot, robot.leg[i])
+        model.leg[i] = found
+        total = add_up(total, found)
+    model.platform = prepare_platform(robot, total)
+    extent = 0.0
+    for i in range(6):
+        for j in range(3):
+            extent = larger(size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
+    model.per_length = 1.0
+    model.least = SUSPECT * extent * extent * extent
+    model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
+    return model

@@ -1,0 +1,187 @@
+"""MATLAB and Octave: a package of functions, arguments that a function changes are handed back."""
+
+from ..kernel.nodes import (
+    Array,
+    Call,
+    Expression,
+    For,
+    Function,
+    Integer,
+    Let,
+    Name,
+    Program,
+    Record,
+    Return,
+    Select,
+    Structure,
+    Type,
+    Variable,
+)
+from .spelling import Printer, written_to
+
+
+class Matlab(Printer):
+    """Spells one program as the files of the package ``+stewart``; structures are of double and int32."""
+
+    both, either, unequal = "&", "|", "~="
+    opening, closing = "", "end"
+    comment = "% {}"
+    continued = " ..."
+
+    def __init__(self, program: Program, package: str = "stewart") -> None:
+        self.program, self.package = program, package
+        self.functions_by_name = {each.name: each for each in program.functions}
+        self.result = ""
+
+    def files(self) -> dict[str, str]:
+        """The text of each file by its name."""
+        of_functions = {each.name: self.function(each) for each in self.program.functions}
+        of_structures = {_zero(each.name): self.structure(each) for each in self.program.structures}
+        return {
+            f"{name}.m": "\n".join([*lines, ""]) for name, lines in (of_functions | of_structures).items()
+        }
+
+    def structure(self, structure: Structure) -> list[str]:
+        """A function that makes a structure of zeros."""
+        members = [
+            f"    made.{each.name} = {self.zero(each.type)};{f' % {each.meaning}' if each.meaning else ''}"
+            for each in structure.members
+        ]
+        name = _zero(structure.name)
+        return [
+            f"function made = {name}()",
+            f"%{name.upper()} {structure.meaning} Every number zero.",
+            *members,
+            "end",
+        ]
+
+    def zero(self, kind: Type) -> str:
+        """Zeros of a type."""
+        match kind:
+            case Array(Record(name), dims):
+                return f"repmat({self.package}.{_zero(name)}(), {dims[0]}, 1)"
+            case Array(_, dims):
+                rows, columns = dims if len(dims) == 2 else (dims[0], 1)
+                return f"zeros({rows}, {columns})"
+            case Record(name):
+                return f"{self.package}.{_zero(name)}()"
+            case Integer():
+                return "int32(0)"
+        return "0"
+
+    # ------------------------------------------------------------ expressions
+
+    def number(self, value: int | float) -> str:
+        return repr(int(value)) if value == int(value) and abs(value) < 1e9 else repr(value)
+
+    def constant(self, name: str) -> str:
+        return f"constants.{name}"
+
+    def element(self, array: str, index: list[str]) -> str:
+        return f"{array}({', '.join(_from_one(each) for each in index)})"
+
+    def select(self, node: Select) -> str:
+        values = ", ".join(self.text(each) for each in (node.test, node.yes, node.no))
+        return f"{self.package}.where({values})"
+
+    def call(self, node: Call) -> str:
+        if node.function == "anywhere":
+            return self.text(node.arguments[0])
+        spelled = {"sqrt": "sqrt", "size": "abs", "larger": f"{self.package}.larger"}
+        name = spelled.get(node.function, f"{self.package}.{node.function}")
+        return f"{name}({', '.join(map(self.text, node.arguments))})"
+
+    # ------------------------------------------------------------ statements
+
+    def _results(self, value: Expression, first: list[str]) -> str:
+        """The left side of an assignment of what a call returns and of what it changes."""
+        if not isinstance(value, Call) or value.function not in self.functions_by_name:
+            return first[0]
+        function = self.functions_by_name[value.function]
+        changed = [
+            self.text(argument)
+            for argument, each in zip(value.arguments, function.arguments, strict=True)
+            if each.changed
+        ]
+        both = [*first, *changed]
+        return both[0] if len(both) == 1 else f"[{', '.join(both)}]"
+
+    def let(self, node: Let) -> str:
+        return f"{self._results(node.value, [node.name])} = {self.text(node.value)};"
+
+    def variable(self, node: Variable) -> str:
+        value = self.zero(node.type) if node.value is None else self.text(node.value)
+        left = node.name if node.value is None else self._results(node.value, [node.name])
+        return f"{left} = {value};"
+
+    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+        left = self._results(value, [self.text(target)])
+        return self.lines(before, f"{left} = {self.text(value)};")
+
+    def do(self, call: Call) -> str:
+        return f"{self._results(call, [])} = {self.call(call)}"
+
+    def loop(self, node: For) -> str:
+        first, last = self.text(node.first), self.text(node.last)
+        if node.down:
+            return f"for {node.index} = {first}:-1:{_plus(last, 1)}"
+        return f"for {node.index} = {first}:{_plus(last, -1)}"
+
+    def condition(self, test: str) -> str:
+        return f"if {test}"
+
+    def returned(self, value: Expression) -> str:
+        return (
+            "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
+        )
+
+    def function(self, function: Function) -> list[str]:
+        last = function.body[-1]
+        named = isinstance(last, Return) and isinstance(last.value, Name)
+        self.result = last.value.name if isinstance(last, Return) and isinstance(last.value, Name) else ""
+        outputs = [*([] if function.result is None else [self.result if named else "result"])]
+        outputs += written_to(function)
+        left = outputs[0] if len(outputs) == 1 else f"[{', '.join(outputs)}]"
+        arguments = ", ".join(each.name for each in function.arguments)
+        body = [line for line in self.body(function.body) if line.strip()]
+        if any("constants." in line for line in body):
+            body.insert(0, f"    constants = {self.package}.constants();")
+        return [
+            *self.lines("", f"function {left} = {function.name}({arguments})"),
+            *_help(function),
+            *body,
+            "end",
+        ]
+
+
+def _help(function: Function) -> list[str]:
+    words = f"{function.name.upper()} {function.meaning}".split()
+    lines, line = [], "%" + words[0]
+    for word in words[1:]:
+        if len(line) + 1 + len(word) > 100:
+            lines.append(line)
+            line = "% " + word
+        else:
+            line = f"{line} {word}"
+    return [*lines, line]
+
+
+def _zero(name: str) -> str:
+    """``zero_leg_terms`` of ``LegTerms``."""
+    words = "".join(f"_{letter.lower()}" if letter.isupper() else letter for letter in name)
+    return f"zero{words}"
+
+
+def _from_one(index: str) -> str:
+    return _plus(index, 1)
+
+
+def _plus(text: str, more: int) -> str:
+    """``text`` with a whole number added, as short as it can be."""
+    if text.removeprefix("-").isdigit():
+        return str(int(text) + more)
+    before, sign, number = text.rpartition(" + ")
+    if sign and number.isdigit():
+        total = int(number) + more
+        return before if total == 0 else f"{before} + {total}"
+    return f"{text} {'+' if more > 0 else '-'} {abs(more)}"

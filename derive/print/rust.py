@@ -1,0 +1,183 @@
+"""Rust without its standard library: structures that are copied, functions that borrow."""
+
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
+
+from ..kernel.nodes import (
+    Array,
+    Call,
+    For,
+    Function,
+    Integer,
+    Let,
+    Name,
+    Program,
+    Real,
+    Record,
+    Select,
+    Statement,
+    Structure,
+    Truth,
+    Type,
+    Variable,
+    statements,
+)
+from .spelling import SUM, Printer
+
+
+class Rust(Printer):
+    """Spells one program; ``Real`` is ``f64``, or ``f32`` with the feature ``single``."""
+
+    comment = "// {}"
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.functions_by_name = {each.name: each for each in program.functions}
+
+    def source(self) -> str:
+        """Structures and functions, without the constants that they read."""
+        lines = [line for each in self.program.structures for line in ("", *self.structure(each))]
+        return "\n".join([*lines, *self.functions(self.program), ""])
+
+    # ------------------------------------------------------------ types
+
+    def type(self, kind: Type) -> str:
+        """A type's name."""
+        match kind:
+            case Array(item, dims):
+                text = self.type(item)
+                for count in reversed(dims):
+                    text = f"[{text}; {count}]"
+                return text
+            case Record(name):
+                return name
+        return {Real: "Real", Integer: "usize", Truth: "bool"}[type(kind)]
+
+    def zero(self, kind: Type) -> str:
+        """Zeros of a type."""
+        match kind:
+            case Array(item, dims):
+                text = self.zero(item)
+                for count in reversed(dims):
+                    text = f"[{text}; {count}]"
+                return text
+            case Record(name):
+                return f"{name}::ZERO"
+        return {Real: "0.0", Integer: "0", Truth: "false"}[type(kind)]
+
+    def structure(self, structure: Structure) -> list[str]:
+        """A structure and its zero."""
+        name = structure.name
+        members = [
+            line
+            for each in structure.members
+            for line in (
+                *([f"    /// {each.meaning}"] if each.meaning else []),
+                f"    pub {each.name}: {self.type(each.type)},",
+            )
+        ]
+        zeros = [f"        {each.name}: {self.zero(each.type)}," for each in structure.members]
+        return [
+            f"/// {structure.meaning}",
+            "#[derive(Clone, Copy, Debug, PartialEq)]",
+            f"pub struct {name} {{",
+            *members,
+            "}",
+            "",
+            f"impl {name} {{",
+            "    /// Every number zero.",
+            f"    pub const ZERO: {name} = {name} {{",
+            *zeros,
+            "    };",
+            "}",
+        ]
+
+    # ------------------------------------------------------------ expressions
+
+    def number(self, value: int | float) -> str:
+        return repr(value)
+
+    def constant(self, name: str) -> str:
+        return name
+
+    def element(self, array: str, index: list[str]) -> str:
+        return array + "".join(f"[{each}]" for each in index)
+
+    select_level = SUM
+
+    def select(self, node: Select) -> str:
+        return f"if {self.text(node.test)} {{ {self.text(node.yes)} }} else {{ {self.text(node.no)} }}"
+
+    def call(self, node: Call) -> str:
+        if node.function == "anywhere":
+            return self.text(node.arguments[0])
+        function = self.functions_by_name.get(node.function)
+        if function is None:
+            return f"{node.function}({', '.join(map(self.text, node.arguments))})"
+        passed = [
+            f"{'' if _by_value(each.type) else '&mut ' if each.changed else '&'}{self.text(value)}"
+            if not (isinstance(value, Name) and value.name in self.borrowed)
+            else self.text(value)
+            for each, value in zip(function.arguments, node.arguments, strict=True)
+        ]
+        return f"{node.function}({', '.join(passed)})"
+
+    # ------------------------------------------------------------ statements
+
+    borrowed: frozenset[str] = frozenset()
+
+    def let(self, node: Let) -> str:
+        return f"let {node.name} = {self.text(node.value)};"
+
+    def variable(self, node: Variable) -> str:
+        value = self.zero(node.type) if node.value is None else self.text(node.value)
+        return f"let mut {node.name}: {self.type(node.type)} = {value};"
+
+    def loop(self, node: For) -> str:
+        index = node.index
+        if not any(each.name == index for part in statements(node.body) for each in _names(part)):
+            index = "_"
+        if node.down:
+            return f"for {index} in (0..{self.text(node.first)} + 1).rev()"
+        return f"for {index} in {self.text(node.first)}..{self.text(node.last)}"
+
+    def condition(self, test: str) -> str:
+        return f"if {test}"
+
+    def function(self, function: Function) -> list[str]:
+        self.borrowed = frozenset(each.name for each in function.arguments if not _by_value(each.type))
+        reading = {n.name for each in statements(function.body) for n in _names(each)}
+        arguments = ", ".join(
+            f"{'' if each.name in reading else '_'}{each.name}: {self._passed(each.type, each.changed)}"
+            for each in function.arguments
+        )
+        result = "" if function.result is None else f" -> {self.type(function.result)}"
+        visible = "pub " if function.public else ""
+        return [
+            *self.lines("/// ", function.meaning),
+            *self.lines("", f"{visible}fn {function.name}({arguments}){result} {{"),
+            *self.body(function.body),
+            "}",
+        ]
+
+    def _passed(self, kind: Type, changed: bool) -> str:
+        if _by_value(kind):
+            return self.type(kind)
+        return f"&{'mut ' if changed else ''}{self.type(kind)}"
+
+
+def _names(node: Statement) -> Iterator[Name]:
+    """Names that a statement reads or writes, those of its parts as well."""
+    values = [getattr(node, field.name) for field in fields(node)]
+    while values:
+        value = values.pop()
+        if isinstance(value, Name):
+            yield value
+        elif isinstance(value, tuple):
+            values += value
+        elif is_dataclass(value):
+            values += [getattr(value, field.name) for field in fields(value)]
+
+
+def _by_value(kind: Type) -> bool:
+    return not isinstance(kind, Array | Record)

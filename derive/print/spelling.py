@@ -1,0 +1,212 @@
+"""What printers of languages with infix operators share: precedence, lines, indentation."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+
+from ..kernel.nodes import (
+    Array,
+    Assign,
+    Binary,
+    Both,
+    Call,
+    Comment,
+    Compare,
+    Constant,
+    Do,
+    Either,
+    Element,
+    Expression,
+    For,
+    Function,
+    If,
+    Let,
+    Member,
+    Name,
+    Negative,
+    Number,
+    Program,
+    Return,
+    Select,
+    Statement,
+    Type,
+    Variable,
+)
+
+WIDTH = 108
+SELECT, OR, AND, COMPARE, SUM, PRODUCT, SIGN, ATOM = range(8)
+_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
+
+
+class Printer(ABC):
+    """Spells a program in one language; subclasses say how each thing that differs is written."""
+
+    indent = "    "
+    end = ";"
+    both, either = "&&", "||"
+    unequal = "!="
+    opening, closing = " {", "}"
+    comment = "/* {} */"
+    select_level = SELECT
+
+    # ------------------------------------------------------------ what differs
+
+    @abstractmethod
+    def number(self, value: int | float) -> str:
+        """A literal."""
+
+    @abstractmethod
+    def constant(self, name: str) -> str:
+        """A constant of the arithmetic or a status."""
+
+    @abstractmethod
+    def element(self, array: str, index: list[str]) -> str:
+        """An element of an array, counted from zero."""
+
+    @abstractmethod
+    def select(self, node: Select) -> str:
+        """A selection as an expression."""
+
+    @abstractmethod
+    def call(self, node: Call) -> str:
+        """A call as an expression."""
+
+    @abstractmethod
+    def let(self, node: Let) -> str:
+        """A constant with its value."""
+
+    @abstractmethod
+    def variable(self, node: Variable) -> str:
+        """A variable with its first value, or zeros."""
+
+    @abstractmethod
+    def loop(self, node: For) -> str:
+        """The head of a loop."""
+
+    @abstractmethod
+    def condition(self, test: str) -> str:
+        """The head of a condition."""
+
+    @abstractmethod
+    def function(self, function: Function) -> list[str]:
+        """A function."""
+
+    # ------------------------------------------------------------ expressions
+
+    def text(self, node: Expression, least: int = SELECT) -> str:
+        """An expression, in parentheses where it binds less than ``least``."""
+        text, level = self._text(node)
+        return f"({text})" if level < least else text
+
+    def _text(self, node: Expression) -> tuple[str, int]:
+        match node:
+            case Number(value):
+                return self.number(value), ATOM
+            case Constant(name):
+                return self.constant(name), ATOM
+            case Name(name):
+                return self.name(name), ATOM
+            case Member(owner, name):
+                return f"{self.text(owner, ATOM)}.{name}", ATOM
+            case Element(array, index):
+                return self.element(self.text(array, ATOM), [self.text(i) for i in index]), ATOM
+            case Negative(value):
+                return f"-{self.text(value, PRODUCT)}", SIGN if _level(value) > PRODUCT else SUM
+            case Binary(operator, left, right):
+                level = _LEVEL[operator]
+                return f"{self.text(left, level)} {operator} {self.text(right, level + 1)}", level
+            case Compare(operator, left, right):
+                operator = self.unequal if operator == "!=" else operator
+                return f"{self.text(left, SUM)} {operator} {self.text(right, SUM)}", COMPARE
+            case Both(left, right):
+                return f"{self.text(left, SIGN)} {self.both} {self.text(right, SIGN)}", AND
+            case Either(left, right):
+                return f"{self.text(left, SIGN)} {self.either} {self.text(right, SIGN)}", OR
+            case Select():
+                return self.select(node), self.select_level
+            case Call():
+                return self.call(node), ATOM
+        raise AssertionError(node)
+
+    def name(self, name: str) -> str:
+        """A variable's name."""
+        return name
+
+    # ------------------------------------------------------------ statements
+
+    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+        """Statements as lines."""
+        before = self.indent * depth
+        lines: list[str] = []
+        for node in statements:
+            match node:
+                case Comment(text):
+                    lines.append(before + self.comment.format(text))
+                case Let():
+                    lines += self.lines(before, self.let(node))
+                case Variable():
+                    lines += self.lines(before, self.variable(node))
+                case Assign(target, value):
+                    lines += self.assign(before, target, value)
+                case Do(call):
+                    lines += self.lines(before, self.do(call) + self.end)
+                case Return(value):
+                    lines += self.lines(before, self.returned(value))
+                case For():
+                    lines += self.nested(before, self.loop(node), node.body, depth)
+                case If(test, inner):
+                    lines += self.nested(before, self.condition(self.text(test)), inner, depth)
+        return lines
+
+    def nested(self, before: str, head: str, body: Iterable[Statement], depth: int) -> list[str]:
+        """A loop or a condition."""
+        closing = [before + self.closing] if self.closing else []
+        return [*self.lines(before, head + self.opening), *self.body(body, depth + 1), *closing]
+
+    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+        """``target = value``."""
+        return self.lines(before, f"{self.text(target)} = {self.text(value)}{self.end}")
+
+    def do(self, call: Call) -> str:
+        """A call as a statement."""
+        return self.call(call)
+
+    def returned(self, value: Expression) -> str:
+        """The function's result."""
+        return f"return {self.text(value)}{self.end}"
+
+    def lines(self, before: str, text: str) -> list[str]:
+        """One line, or several where it is too long: broken before an operator, or after a comma."""
+        lines, line = [], before
+        more = before + self.indent
+        for word in text.split(" "):
+            if len(line) + 1 + len(word) > WIDTH and _breaks(line, word):
+                lines.append(line + self.continued)
+                line = more + word
+            else:
+                line = line + word if line in (before, more) else f"{line} {word}"
+        return [*lines, line]
+
+    continued = ""
+    """What stands at the end of a line that goes on."""
+
+    def functions(self, program: Program) -> list[str]:
+        """All functions, with an empty line before each."""
+        return [line for each in program.functions for line in ("", *self.function(each))]
+
+
+def _level(node: Expression) -> int:
+    return _LEVEL[node.operator] if isinstance(node, Binary) else ATOM
+
+
+def _breaks(line: str, word: str) -> bool:
+    return word in ("+", "-", "*", "/", "?", ":", "&&", "||") or line.endswith((",", "("))
+
+
+def written_to(function: Function) -> list[str]:
+    """Names of the arguments that a function changes."""
+    return [each.name for each in function.arguments if each.changed]
+
+
+def dimensions(kind: Type) -> tuple[int, ...]:
+    """Of an array; none of anything else."""
+    return kind.dims if isinstance(kind, Array) else ()

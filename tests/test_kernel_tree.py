@@ -1,0 +1,315 @@
+"""Kernels as trees: one text gives the same numbers as the C in every language, and its reader is strict."""
+
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from math import sqrt
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import array_api_strict
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym.derive import notation as n
+from stewart_sym.derive.fidelity import FIDELITIES
+from stewart_sym.derive.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.generate import reduced_fidelity, reduced_forces, reduced_motion
+from stewart_sym.derive.kernel import read
+from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
+from stewart_sym.derive.kernel.nodes import Program
+from stewart_sym.derive.kernel.outputs import OUTPUTS, program
+from stewart_sym.derive.package import languages
+from stewart_sym.kit import Choice, write_kit
+
+EPSILON, MAX = 2.0**-52, sys.float_info.max
+CONSTANTS = {
+    "EPSILON": EPSILON,
+    "MAX": MAX,
+    "NAN": np.nan,
+    "ROUNDING": 16 * EPSILON,
+    "SHORTEST": sqrt(1 / MAX / EPSILON),
+    "POLE_SINE": 4096 * EPSILON,
+    "NEAR_POLE": 2.0**-6,
+    "SUSPECT": 4 * sqrt(EPSILON),
+    "SHORT_SHARE": 64 * sqrt(EPSILON),
+    "KEPT": 2.0**-5,
+    "LEANING": 2.0**-3,
+}
+ON_ARRAYS = Arithmetic(
+    np.asarray,
+    CONSTANTS,
+    np.sqrt,
+    np.abs,
+    lambda one, other: np.where(one > other, one, other),
+    np.where,
+    lambda test: bool(np.any(test)),
+)
+
+
+@pytest.fixture(scope="module")
+def whole() -> Program:
+    return program(reduced_forces(EXACT), reduced_motion(), OUTPUTS)
+
+
+def fields(quantities: Any, owner: Any, leg: int | None = None) -> dict[str, Any]:
+    """Members of a structure, components first and poses last."""
+    found = {}
+    for q in quantities:
+        value = np.asarray(getattr(owner, q.name), dtype=float)
+        value = value if leg is None else value[leg]
+        parts = [value[(..., *key)] for key in q.keys]
+        found[q.name] = parts if q.shape else parts[0]
+    return found
+
+
+def robot_numbers(robot: ss.Robot) -> SimpleNamespace:
+    legs = [SimpleNamespace(**fields(n.LEG, robot, i)) for i in range(6)]
+    return SimpleNamespace(**fields(n.PLATFORM, robot), leg=legs)
+
+
+def motion_numbers(motion: ss.Motion) -> SimpleNamespace:
+    still = np.zeros(motion.t.shape)
+    loads = {
+        name: still if getattr(motion, name) is None else getattr(motion, name) for name in ("F_ext", "M_ext")
+    }
+    given = {q.name: loads.get(q.name, getattr(motion, q.name)) for q in n.MOTION}
+    return SimpleNamespace(**fields(n.MOTION, SimpleNamespace(**given)))
+
+
+def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.ndarray, np.ndarray]:
+    run = Interpreter(tree, ON_ARRAYS)
+    with np.errstate(all="ignore"):
+        found = run.run("forces", run.run("prepare", robot_numbers(robot)), motion_numbers(motion))
+    return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
+
+
+def beside_the_joint_axis(rng: np.random.Generator, robot: ss.Robot, sine: float) -> ss.Motion:
+    """A motion in which leg 3 is at this sine to the fixed axis of its universal joint."""
+    motion = random_motion(rng, robot)
+    k = robot.k[2] / np.linalg.norm(robot.k[2])
+    across = np.cross(k, rng.normal(size=3))
+    away = k + sine * across / np.linalg.norm(across)
+    length = np.linalg.norm(motion.R @ robot.p[2] + motion.t - robot.b[2])
+    return replace(motion, t=robot.b[2] - motion.R @ robot.p[2] + length * away / np.linalg.norm(away))
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
+    tree = program(reduced_forces(form))
+    rng = np.random.default_rng(5)
+    for _ in range(4):
+        robot = random_robot(rng, form.base_joint)
+        motion = random_motion(rng, robot, (9,))
+        kernel = ss.prepare(robot, form.name)
+        F, status = forces_of(tree, robot, motion)
+        expected, codes = kernel.forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_array_equal(F, expected)
+
+
+def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c() -> None:
+    tree = program(reduced_forces(EXACT))
+    rng = np.random.default_rng(6)
+    seen = set()
+    for sine in (0.2, 0.015, 1e-4, 1e-9, 0.0):
+        robot = random_robot(rng)
+        motion = beside_the_joint_axis(rng, robot, sine)
+        F, status = forces_of(tree, robot, motion)
+        expected, codes = ss.prepare(robot).forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_allclose(F, expected, rtol=1e-12, equal_nan=True)
+        seen.add(int(codes))
+    assert seen == {0, 3}
+
+
+def test_a_machine_that_is_singular_everywhere_is_so_for_the_tree() -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    flat = replace(robot, b=robot.b * [1.0, 0.0, 0.0])
+    motion = random_motion(rng, robot, (50,))
+    _, status = forces_of(program(reduced_forces(EXACT)), flat, motion)
+    _, codes = ss.prepare(flat).forces_and_status(motion)
+    np.testing.assert_array_equal(status, codes)
+    assert set(codes) == {4}
+
+
+def test_fidelities_have_trees_as_well() -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (5,))
+    for name in FIDELITIES:
+        if name == "general":
+            continue
+        F, status = forces_of(program(reduced_fidelity(FIDELITIES[name])), robot, motion)
+        expected, codes = ss.prepare(robot, fidelity=name).forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_array_equal(F, expected, name)
+
+
+def test_equations_and_forward_dynamics_are_those_of_the_library(whole: Program) -> None:
+    rng = np.random.default_rng(9)
+    run = Interpreter(whole, ON_ARRAYS)
+    for sine in (None, 0.1, 1e-5):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot) if sine is None else beside_the_joint_axis(rng, robot, sine)
+        F = ss.prepare(robot).forces(motion)
+        model, given = run.run("prepare", robot_numbers(robot)), motion_numbers(motion)
+        with np.errstate(all="ignore"):
+            found = run.run("equations", model, given)
+            moved = run.run("forward_dynamics", model, given, list(F))
+        expected = ss.equations_of_motion(robot, motion)
+        for name in ("M", "C", "g", "friction", "bias"):
+            answer = getattr(expected, name)
+            np.testing.assert_allclose(
+                getattr(found, name), answer, rtol=0, atol=1e-13 * np.abs(answer).max()
+            )
+        answer = ss.forward_dynamics(robot, motion, F)
+        for name in ("a", "alpha"):
+            expected_rate = getattr(answer, name)
+            scale = np.abs(expected_rate).max()
+            np.testing.assert_allclose(getattr(moved, name), expected_rate, rtol=0, atol=1e-10 * scale)
+        assert found.status == moved.status == 0
+
+
+def printed_python(robot: ss.Robot, folder: Path) -> dict[str, Any]:
+    """What a kit's modules define."""
+    write_kit(robot, folder, Choice(language="python"))
+    space: dict[str, Any] = {"__name__": "stewart_arrays"}
+    exec((folder / "stewart_arrays.py").read_text(), space)
+    exec((folder / "robot.py").read_text().replace("from stewart_arrays import Robot", ""), space)
+    return space
+
+
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+def test_printed_python_runs_on_the_array_api_with_the_same_bits(xp: Any, tmp_path: Path) -> None:
+    rng = np.random.default_rng(10)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3, 2))
+    printed = printed_python(robot, tmp_path)
+    on = printed["Arithmetic"](xp)
+    with np.errstate(all="ignore"):
+        model = printed["prepare"](on, printed["robot"]())
+        given = printed["motion_of"](on, **{name: getattr(motion, name) for name in FIELDS})
+        found = printed["forces"](on, model, given)
+    F = np.stack([np.asarray(each) for each in found.F], axis=-1)
+    np.testing.assert_array_equal(F, ss.prepare(robot).forces(motion))
+
+
+@pytest.mark.slow
+def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
+    import jax
+    import jax.numpy as jnp
+
+    rng = np.random.default_rng(12)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (7,))
+    with jax.enable_x64(True):
+        printed = printed_python(robot, tmp_path)
+        on = printed["Arithmetic"](jnp)
+        model = printed["prepare"](on, printed["robot"]())
+
+        def forces(twist: Any, acceleration: Any, others: dict[str, Any]) -> Any:
+            rates = {"v": twist[..., :3], "omega": twist[..., 3:]}
+            rates |= {"a": acceleration[..., :3], "alpha": acceleration[..., 3:]}
+            given = printed["motion_of"](on, **rates, **others)
+            return jnp.stack(printed["forces"](on, model, given).F, axis=-1)
+
+        twist = jnp.concatenate([motion.v, motion.omega], axis=-1)
+        acceleration = jnp.concatenate([motion.a, motion.alpha], axis=-1)
+        others = {name: jnp.asarray(getattr(motion, name)) for name in ("R", "t", "F_ext", "M_ext")}
+        both = jax.vmap(jax.jacfwd(forces, argnums=(0, 1)))(twist, acceleration, others)
+        compiled = jax.jit(forces)(twist, acceleration, others)
+    answer = ss.prepare(robot).forces(motion)
+    np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
+    expected = ss.force_derivatives(robot, motion)
+    for found, answer in zip(both, (expected.by_twist, expected.by_acceleration), strict=True):
+        np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
+
+
+RUN = {"python": [[sys.executable, "self_test.py"], [sys.executable, "example.py"]]}
+RUN["matlab"] = [["octave-cli", "--eval", "exit(self_test())"], ["octave-cli", "one_pose.m"]]
+RUN["rust"] = [["cargo", "test", "--offline", "-q"], ["cargo", "build", "-q", "--no-default-features"]]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", RUN)
+@pytest.mark.parametrize("functions", [("forces",), ("forces", "motion")], ids="+".join)
+def test_a_kit_proves_itself_in_its_language(
+    language: str, functions: tuple[str, ...], tmp_path: Path
+) -> None:
+    for i, robot in enumerate((dasgupta(), random_robot(np.random.default_rng(11)))):
+        folder = tmp_path / str(i)
+        write_kit(robot, folder, Choice(functions, language=language))
+        for command in RUN[language]:
+            assert shutil.which(command[0]), f"{command[0]} is missing"
+            subprocess.run(command, cwd=folder, check=True, capture_output=True)
+
+
+def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
+    write_kit(dasgupta(), tmp_path, Choice(("forces", "motion"), language="python"))
+    file = tmp_path / "robot.py"
+    text = file.read_text()
+    mass = next(line for line in text.splitlines() if line.strip().startswith("made.M ="))
+    file.write_text(text.replace(mass, f"{mass} * (1 + 1e-9)"))
+    found = subprocess.run([sys.executable, "self_test.py"], cwd=tmp_path, capture_output=True, text=True)
+    assert found.returncode == 1
+    assert int(found.stdout.split()[0]) > 0
+
+
+@pytest.mark.parametrize(
+    ("choice", "line"),
+    [
+        (
+            Choice(("kinematics",), language="rust"),
+            "functions: rust: expected some of forces, motion, got 'kinematics'",
+        ),
+        (Choice(language="matlab", precision="float"), "precision: matlab: expected double, got float"),
+        (Choice(language="rust", bake=True), "bake: expected language c, got rust"),
+        (Choice(language="cobol"), "language: expected"),
+    ],
+)
+def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=f"^{line}"):
+        write_kit(dasgupta(), tmp_path, choice)
+    assert not list(tmp_path.iterdir())
+
+
+def with_while(x: "array(6)") -> "Real":  # noqa: F821
+    """Not allowed."""
+    while x[0] > 0:
+        x[0] = 0.0
+    return x[0]
+
+
+def with_power(x: "array(6)") -> "Real":  # noqa: F821
+    """Not allowed."""
+    return x[0] ** 2
+
+
+@pytest.mark.parametrize(("text", "got"), [(with_while, "while"), (with_power, r"x\[0\] \*\* 2")])
+def test_python_that_not_every_language_has_is_named(text: Any, got: str) -> None:
+    with pytest.raises(ValueError, match=f"^{text.__name__}: expected .* got {got}"):
+        read.function(text, {}, {})
+
+
+def test_a_language_is_one_module_and_one_registration(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    class Shouting(languages.PythonKit):
+        name, title = "shouting", "Python in capitals"
+
+        def files(self, kit: languages.Contents) -> dict[str, str]:
+            return {name.upper(): text for name, text in super().files(kit).items()}
+
+    monkeypatch.setitem(languages.LANGUAGES, "shouting", Shouting())
+    kit, _ = write_kit(dasgupta(), tmp_path, Choice(language="shouting"))
+    assert "SELF_TEST.PY" in kit.files
+    assert "Python in capitals" in kit.files["README.md"].decode()
