@@ -200,8 +200,8 @@ def test_every_kernel_is_as_good_as_its_problem_allows_in_many_cases(
 
 HEAVY, RARE, FAR = "heavy leg", 0.01, 500.0
 """What is known to remain: of a heavy leg that leans, gravity and inertia grow like the sine's inverse where
-"""What is known to remain: of a heavy leg that leans, gravity and inertia grow like the sine's inverse where
 their sum does not. A share ``RARE`` of its poses is beyond ``WITHIN``, and none farther off than ``FAR``."""
+
 
 def beyond(kind: str, precision: str, cases: int) -> list[str]:
     """Kernels that err by more than ``WITHIN``, or reject a good pose: the worst case of each in a line."""
