@@ -250,7 +250,8 @@ def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant) -> bool:
 @needs_compiler
 @pytest.mark.slow
 def test_hardly_a_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFixture[str]) -> None:
-    """All but two of a leg and two of the solve: near a joint singularity others feel a leg's first moment.
+    """All but two of a leg and two of the solve: a first moment is felt by other ways as well near the joint
+    singularity.
 
     Set aside are those of which the test shows that they change squares of errors alone.
     """

@@ -119,9 +119,9 @@ def _balanced(by: _Rows, force: Array) -> tuple[Array, Array]:
     way. Whose, (n, 8, 3): without rows that have no inertia of their own beside the rows before them.
     """
     W, moved = by.weight.copy(), force.reshape(len(force), 8, 3, -1).copy()
-    balanced = np.zeros(by.size.shape, dtype=bool)
-    balanced[np.arange(len(force))[:, None], by.pivot] = True
-    balanced = balanced.reshape(-1, 8, 3)
+    pivots = np.zeros(by.size.shape, dtype=bool)
+    pivots[np.arange(len(force))[:, None], by.pivot] = True
+    balanced = pivots.reshape(-1, 8, 3)
     for k in range(3):
         balanced[..., k] &= W[..., k, k] > KEPT
         for i in range(k + 1, 3):
