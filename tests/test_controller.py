@@ -43,7 +43,7 @@ def row(found: Study, request: pytest.FixtureRequest) -> Figures:
 
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
-    assert row.poses == measure.MOTIONS + 1
+    assert row.poses > measure.MOTIONS
     assert (row.failed, row.refused_wrongly, row.selftest) == (0, 0, 0)
     # Arithmetic that errs by nothing was not run on the processor.
     assert 0 < row.worst <= 1

@@ -322,6 +322,7 @@ def test_manifest_tells_options_version_and_every_file() -> None:
         "scalar": False,
         "precision": "float",
         "fmu": False,
+        "language": "c",
     }
     others = {name: hashlib.sha256(text).hexdigest() for name, text in made.files.items()}
     del others["manifest.json"]

@@ -205,10 +205,10 @@ def _columns(kernel: ForceKernel) -> Block:
 
 def _shift(kernel: ForceKernel) -> str:
     """What leg 1 does instead of adding moments."""
-    given = {q_1: "q[{}]", n.c_force: "A[{}][6]", n.c_moment: "A[3 + {}][6]"}
+    given = {q_1: ("q[{}]", 0), n.c_force: ("A[{}][6]", 0), n.c_moment: ("A[{}][6]", 3)}
     parts = [
-        ", ".join(f"{name} = {place.format(i)}" for i, name in enumerate(q.names))
-        for q, place in given.items()
+        ", ".join(f"{name} = {place.format(i)}" for i, name in enumerate(q.names, first))
+        for q, (place, first) in given.items()
     ]
     (moved,) = kernel.shift.outputs
     body = [

@@ -59,10 +59,12 @@
 
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */
+#if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
 #define STEWART_SHORT_SHARE ((stewart_real)0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
 #endif
 
 /* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:

@@ -187,7 +187,8 @@ def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
 def _selftest(core: Core, objects: Sequence[Path], folder: Path) -> int:
     """Exit code of the kit's own test on the processor."""
     test = toolchain.compiled(core, folder / _SELFTEST, ["-DSTEWART_NO_STDIO"])
-    image = toolchain.linked(core, [*objects, test], folder / "link.ld", folder / "selftest.elf")
+    rotation = toolchain.compiled(core, folder / "stewart_rotation.c")
+    image = toolchain.linked(core, [*objects, rotation, test], folder / "link.ld", folder / "selftest.elf")
     return toolchain.emulated(core, image)[0]
 
 
