@@ -529,10 +529,7 @@ def _poses(
     if isinstance(log, JointTrajectory):
         progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        try:
-            return on_platform(robot, log, guess)
-        except ValueError as error:
-            raise ValueError(str(error) if doubt is None else f"{error}; {doubt}") from None
+        return on_platform(robot, log, guess)
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     return log
@@ -719,7 +716,7 @@ def _shares(progress: Callable[[str], None], text: str) -> Callable[[float], Non
 
 @contextlib.contextmanager
 def _warnings_in_lines() -> Iterator[None]:
-    """Show warnings one line each when the block ends well; after an error, the error alone is shown."""
+    """Show the block's warnings at its end, one line each; those of an error come before it."""
     lines: list[str] = []
 
     def keep(
@@ -734,9 +731,11 @@ def _warnings_in_lines() -> Iterator[None]:
 
     with warnings.catch_warnings():
         warnings.showwarning = keep
-        yield
-    for text in lines:
-        print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
+        try:
+            yield
+        finally:
+            for text in lines:
+                print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
 
 
 def _one_line(error: object) -> str:
