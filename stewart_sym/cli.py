@@ -539,15 +539,24 @@ def _measured(
     arguments: argparse.Namespace, progress: Callable[[str], None]
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about measured forces, by name, and the estimate."""
+    from .logs import HeaderError
     from .robot import Robot
     from .smooth_motion import PoseNoise
     from .studies.identify import from_measurement, measured_texts
-    from .trajectory import Smoothing, read_any_csv, read_forces_csv
+    from .trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
 
     robot = Robot.from_toml(arguments.robot)
     poses, forces = arguments.measured
     form = _form(arguments)
-    log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    try:
+        log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    except HeaderError as error:
+        if not set(FORCES) <= set(error.header):
+            raise
+        raise ValueError(
+            f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
+            "the two files of --measured look swapped"
+        ) from None
     trajectory = cast("Trajectory", _poses(robot, log, arguments.start, progress))
     time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
     noise = None

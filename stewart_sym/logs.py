@@ -35,6 +35,17 @@ EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
 _ROWS, _CHUNK = 4096, 1 << 20
+# Bytes at a file's end that show how its numbers are written.
+_TAIL = 1 << 16
+
+
+class HeaderError(ValueError):
+    """A header that is not the expected one; ``header``: its names as written."""
+
+    def __init__(self, message: str, header: Sequence[str]) -> None:
+        """Keep both."""
+        super().__init__(message)
+        self.header = tuple(header)
 
 
 @dataclass(frozen=True)
@@ -115,8 +126,12 @@ def _columns(
         cells = next((cells for cells in reader if any(cell.strip() for cell in cells)), None)
         if cells is None:
             raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-        header = _expected_names([cell.strip() for cell in cells], source, form)
-        check_header([name for name in header if name is not None], source)
+        written = [cell.strip() for cell in cells]
+        try:
+            header = _expected_names(written, source, form)
+            check_header([name for name in header if name is not None], source)
+        except ValueError as error:
+            raise HeaderError(str(error), written) from None
         used = [i for i, name in enumerate(header) if name is not None]
         # As numbers at once: the cells of a long file would take ten times its size.
         numbers = [array.array("d") for _ in used]
