@@ -246,7 +246,7 @@ def _bench(arguments: argparse.Namespace) -> int:
     import json
 
     from .robot import Robot
-    from .studies import bench, bench_plot, peers_casadi  # noqa: F401, what is missing is said at once
+    from .studies import bench, bench_plot
 
     robot = None if arguments.robot is None else Robot.from_toml(arguments.robot)
     with _folder(arguments, "bench.txt", "bench.json") as folder:
@@ -529,10 +529,7 @@ def _poses(
     if isinstance(log, JointTrajectory):
         progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        try:
-            return on_platform(robot, log, guess)
-        except ValueError as error:
-            raise ValueError(str(error) if doubt is None else f"{error}; {doubt}") from None
+        return on_platform(robot, log, guess)
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     return log
@@ -542,15 +539,24 @@ def _measured(
     arguments: argparse.Namespace, progress: Callable[[str], None]
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about measured forces, by name, and the estimate."""
+    from .logs import HeaderError
     from .robot import Robot
     from .smooth_motion import PoseNoise
     from .studies.identify import from_measurement, measured_texts
-    from .trajectory import Smoothing, read_any_csv, read_forces_csv
+    from .trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
 
     robot = Robot.from_toml(arguments.robot)
     poses, forces = arguments.measured
     form = _form(arguments)
-    log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    try:
+        log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    except HeaderError as error:
+        if not set(FORCES) <= set(error.header):
+            raise
+        raise ValueError(
+            f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
+            "the two files of --measured look swapped"
+        ) from None
     trajectory = cast("Trajectory", _poses(robot, log, arguments.start, progress))
     time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
     noise = None
@@ -719,7 +725,7 @@ def _shares(progress: Callable[[str], None], text: str) -> Callable[[float], Non
 
 @contextlib.contextmanager
 def _warnings_in_lines() -> Iterator[None]:
-    """Show warnings one line each when the block ends well; after an error, the error alone is shown."""
+    """Show the block's warnings at its end, one line each; those of an error come before it."""
     lines: list[str] = []
 
     def keep(
@@ -734,9 +740,11 @@ def _warnings_in_lines() -> Iterator[None]:
 
     with warnings.catch_warnings():
         warnings.showwarning = keep
-        yield
-    for text in lines:
-        print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
+        try:
+            yield
+        finally:
+            for text in lines:
+                print(f"{PROGRAM}: warning: {text}", file=sys.stderr)
 
 
 def _one_line(error: object) -> str:
@@ -1082,7 +1090,8 @@ def _parser() -> argparse.ArgumentParser:
         _bench,
         "time the kernels beside CasADi, Pinocchio, MuJoCo and the processor's limit: tables, JSON, pictures",
         "stewart-sym bench -o bench",
-        "Answers are compared before anything is timed. Takes a minute or two on an otherwise idle machine.",
+        "Answers are compared before anything is timed. Of CasADi, Pinocchio and MuJoCo, the extra bench, "
+        "what is not installed is left out. Takes a minute or two on an otherwise idle machine.",
     )
     _output(verb, "DIR", "folder to write to", Path("bench"))
     verb.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")

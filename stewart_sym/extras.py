@@ -1,6 +1,7 @@
 """Optional packages: what is missing is one line that names the extra to install."""
 
 import contextlib
+import importlib.util
 from collections.abc import Iterator
 
 EXTRAS = {
@@ -18,6 +19,11 @@ EXTRAS = {
 
 class MissingExtraError(ImportError):
     """An optional package that is not installed; the message names the extra that brings it."""
+
+
+def absent(*packages: str) -> tuple[str, ...]:
+    """Those of the optional packages, by the names they are imported by, that are not installed."""
+    return tuple(package for package in packages if importlib.util.find_spec(package) is None)
 
 
 @contextlib.contextmanager

@@ -11,6 +11,7 @@ import csv
 import io
 import itertools
 import math
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, BinaryIO
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import option, shown
+from .smoothing import LogWarning
 from .tables import as_utf8
 
 if TYPE_CHECKING:
@@ -35,6 +37,17 @@ EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
 _ROWS, _CHUNK = 4096, 1 << 20
+# Bytes at a file's end that show how its numbers are written.
+_TAIL = 1 << 16
+
+
+class HeaderError(ValueError):
+    """A header that is not the expected one; ``header``: its names as written."""
+
+    def __init__(self, message: str, header: Sequence[str]) -> None:
+        """Keep both."""
+        super().__init__(message)
+        self.header = tuple(header)
 
 
 @dataclass(frozen=True)
@@ -87,6 +100,13 @@ def read_columns(
             columns, rows = _columns(lines, source, check_header, form, delimiter, decimal)
         finally:
             lines.detach()
+        if _cut_off(stream, delimiter, decimal):
+            warnings.warn(
+                f"{source}: row {rows[-1]}: expected as many decimals as above or a line ending: "
+                "the file may be cut off",
+                LogWarning,
+                stacklevel=4,
+            )
     if not rows:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
     columns["time"] *= TIME_UNITS[form.time_unit]
@@ -115,8 +135,12 @@ def _columns(
         cells = next((cells for cells in reader if any(cell.strip() for cell in cells)), None)
         if cells is None:
             raise ValueError(f"{source}: the file is empty, expected a header line that names the columns")
-        header = _expected_names([cell.strip() for cell in cells], source, form)
-        check_header([name for name in header if name is not None], source)
+        written = [cell.strip() for cell in cells]
+        try:
+            header = _expected_names(written, source, form)
+            check_header([name for name in header if name is not None], source)
+        except ValueError as error:
+            raise HeaderError(str(error), written) from None
         used = [i for i, name in enumerate(header) if name is not None]
         # As numbers at once: the cells of a long file would take ten times its size.
         numbers = [array.array("d") for _ in used]
@@ -137,6 +161,26 @@ def _columns(
         raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
     return {name: np.frombuffer(column) for name, column in zip(names, numbers, strict=True)}, rows
+
+
+def _cut_off(stream: BinaryIO, delimiter: str, decimal: str) -> bool:
+    """Whether the file ends within its last number: only where a fixed number of decimals proves it.
+
+    A program that writes two or more decimals, as many in each row and zeros at their end too, always does:
+    fewer of them, and no line ending, are not what it wrote.
+    """
+    stream.seek(-min(_TAIL, stream.seek(0, io.SEEK_END)), io.SEEK_END)
+    *above, last = stream.read().decode(errors="replace").splitlines(keepends=True)
+    decimals = [line.rpartition(delimiter)[2].strip().partition(decimal)[2] for line in (*above[1:], last)]
+    *fixed, left = decimals
+    widths = {len(digits) for digits in fixed}
+    return (
+        not last.endswith(("\n", "\r"))
+        and len(widths) == 1
+        and max(widths) >= 2
+        and len(left) < max(widths)
+        and any(digits.isdecimal() and digits.endswith("0") for digits in fixed)
+    )
 
 
 def _marks(stream: BinaryIO, form: LogFormat) -> tuple[str, str]:

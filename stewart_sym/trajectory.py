@@ -256,6 +256,8 @@ _DERIVATIVES = ("v", "theta_dot", "a", "theta_ddot")
 _LENGTHS = ("L",)
 _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
+FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
+"""Columns of actuator forces."""
 _MIN_SPLINE_POINTS = 4
 _PART = 1 << 14
 _ANGLES = ("theta", "theta_dot", "theta_ddot")
@@ -472,7 +474,7 @@ def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = _PLAIN) -> t
     names the file and the row or column.
     """
     source = file_name(path)
-    wanted = ["time", *(f"F{leg}" for leg in range(1, 7))]
+    wanted = ["time", *FORCES]
 
     def check(header: list[str], source: str) -> None:
         _check_names(header, [*wanted, *header], source)
@@ -482,7 +484,7 @@ def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = _PLAIN) -> t
 
     with opened(source, "forces", _MOST_BYTES) as stream:
         columns, _ = read_columns(stream, source, check, form)
-    return columns["time"], np.stack([columns[name] for name in wanted[1:]], axis=-1)
+    return columns["time"], np.stack([columns[name] for name in FORCES], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)

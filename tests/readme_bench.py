@@ -20,7 +20,13 @@ def replaced(readme: str, found: dict[str, Any]) -> str:
 
 
 def text(found: dict[str, Any]) -> str:
-    """Everything between the marks."""
+    """Everything between the marks; ValueError for a run without all that it shows."""
+    if found.get("left_out"):
+        missing = ", ".join(found["left_out"])
+        raise ValueError(
+            f"bench.json: expected figures of all software that is compared, got none of {missing}: "
+            'pip install "stewart-sym[bench]" and run `stewart-sym bench` again'
+        )
     parts = [times(found), cores(found), sizes(found), calls(found)]
     if found["passes"]:
         parts.append(passes(found))

@@ -334,7 +334,7 @@ def test_a_pose_without_an_answer_is_refused_unless_it_is_allowed(
     names = [
         f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
     ]
-    columns = {"time": np.arange(3.0)} | {name: np.zeros(3) for name in names}
+    columns = {"time": 0.1 * np.arange(3.0)} | {name: np.zeros(3) for name in names}
     columns |= dict(zip(names[:3], np.array(poses).T, strict=True))
     trajectory = robot.parent / "short.csv"
     trajectory.write_text("".join(csv_lines(columns)))
@@ -380,6 +380,23 @@ def test_a_standard_output_that_takes_nothing_is_one_line(
     lines = [line for line in done.stderr.splitlines() if "warning" not in line]
     assert done.returncode == 2
     assert lines == ["stewart-sym: error: standard output: No space left on device"]
+
+
+def test_warnings_come_before_the_error_that_ends_a_command(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Millimetres as leg lengths in m: the likely cause is a warning, what came of it the error.
+    lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
+    header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
+    trajectory.write_text("\n".join([header, *lengths]) + "\n")
+    assert main(["forces", str(robot), str(trajectory), "-o", "-"]) == 2
+    captured = capsys.readouterr()
+    *warned, error = captured.err.splitlines()
+    assert captured.out == ""
+    assert error.startswith("stewart-sym: error: ")
+    assert all(line.startswith("stewart-sym: warning: ") for line in warned)
+    assert len([line for line in warned if "beside a machine" in line and "--length-unit mm" in line]) == 1
+    assert "--length-unit mm" not in error
 
 
 def test_a_refused_compiler_flag_is_not_blamed_on_the_trajectory(

@@ -286,6 +286,21 @@ def test_bad_forces_are_refused_in_one_line(
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("renamed", [False, True])
+def test_swapped_files_of_a_measurement_are_told(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], renamed: bool
+) -> None:
+    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    capsys.readouterr()
+    trajectory, forces = (tmp_path / name for name in ("trajectory.csv", "forces.csv"))
+    command = ["identify", str(robot_file), "--measured", str(forces), str(trajectory)]
+    command += ["--columns", "time=when,t_x=X"] * renamed
+    assert main([*command, "-o", str(tmp_path / "out")]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"stewart-sym: error: {forces}: expected poses or leg lengths, got forces")
+    assert line.endswith("look swapped")
+
+
 @pytest.mark.parametrize(
     ("options", "words"),
     [

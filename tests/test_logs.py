@@ -183,3 +183,49 @@ def test_bad_options_are_one_line(
     assert code == 2
     assert words in capsys.readouterr().err.splitlines()[-1]
     assert not (tmp_path / "f.csv").exists()
+
+
+def fixed(table: Array, decimals: int, ending: str = "") -> str:
+    """A log with a fixed number of decimals, without a line ending after its last row."""
+    rows = (",".join(f"{x:.{decimals}f}" for x in row) for row in table)
+    return "\n".join([",".join(NAMES), *rows]) + ending
+
+
+def shortest(table: Array) -> str:
+    """The same log with as many digits as each number needs."""
+    return "\n".join([",".join(NAMES), *(",".join(map(repr, row)) for row in table.tolist())])
+
+
+def cut_warnings(path: Path) -> list[str]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_csv(path, smoothing=ss.Smoothing(on=False))
+    return [str(each.message) for each in caught if "cut off" in str(each.message)]
+
+
+@pytest.mark.parametrize("count", [41, 4001])
+@pytest.mark.parametrize("cut", [1, 3, 6])
+def test_a_log_that_ends_within_its_last_number_is_warned_of(tmp_path: Path, cut: int, count: int) -> None:
+    path = tmp_path / "cut.csv"
+    path.write_text(fixed(poses(count), 6)[:-cut])
+    (line,) = cut_warnings(path)
+    assert line.startswith(f"{path}: row {count + 1}: ")
+
+
+@pytest.mark.parametrize("kind", ["fixed", "shortest", "seventeen", "trimmed", "at rest", "ended", "crlf"])
+def test_full_logs_are_not_taken_for_cut_ones(tmp_path: Path, kind: str) -> None:
+    table = poses()
+    table[-1, -1] = 0.5  # a last number that is short where zeros at its end are left out
+    text = {
+        "fixed": fixed(table, 6),
+        "shortest": shortest(table),
+        "seventeen": write(tmp_path / "log.csv", NAMES, table).read_text().rstrip("\n"),
+        "trimmed": "\n".join([",".join(NAMES), *(",".join(f"{x:.6g}" for x in row) for row in table)]),
+        "at rest": shortest(np.column_stack([table[:, :-1], 0.0 * table[:, -1]])),
+        # A line ending says that the number is whole.
+        "ended": fixed(table, 6)[:-3] + "\n",
+        "crlf": fixed(table, 6, "\n").replace("\n", "\r\n"),
+    }[kind]
+    path = tmp_path / "whole.csv"
+    path.write_bytes(text.encode())
+    assert cut_warnings(path) == []

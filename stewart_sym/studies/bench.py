@@ -4,7 +4,7 @@ Every contestant computes the actuator forces of `exact`, friction, load and sol
 poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them. Their
 answers are compared before any is timed. They are then timed in turns, round after round, so that whatever
 slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module prints and writes
-nothing. Needs CasADi, MuJoCo and Pinocchio, the extra ``bench``.
+nothing. What CasADi, MuJoCo and Pinocchio, the extra ``bench``, compute is left out where they are missing.
 """
 
 import contextlib
@@ -14,12 +14,14 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import forces, kernel, native, reference
 from ..dynamics import inverse_dynamics
+from ..extras import EXTRAS, absent
 from ..robot import Robot
 from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
@@ -43,9 +45,11 @@ from .peers import (
     repeated,
     succeed,
 )
-from .peers_pinocchio import PinocchioMachine
 from .reproduce import paper_machine
 from .timing import Progress, Task, measured, time_source
+
+if TYPE_CHECKING:
+    from .peers_pinocchio import PinocchioMachine
 
 Array = NDArray[np.float64]
 
@@ -171,6 +175,9 @@ CALLS = (
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
 PINOCCHIO = "Pinocchio"
+COMPARED = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
+"""Distribution of each optional package that is compared, by the name it is imported by."""
+
 ARITHMETIC = f"multiply-add, {CORES} cores"
 
 
@@ -191,9 +198,11 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     poses = bench_poses(robot, MANY)
     few = poses.resized(FEW)
     progress("compiling the contestants")
-    pinocchio = PinocchioMachine(few.robot, few.motion)
+    missing = absent(*COMPARED)
+    pinocchio = None if "pinocchio" in missing else _pinocchio(few)
+    peers = tuple(each for each in PEERS if each.package not in missing)
     stages = bench_passes.stages(progress)
-    contestants = (*OURS, *CALLS, *PEERS, *(each for stage in stages for each in stage.contestants))
+    contestants = (*OURS, *CALLS, *peers, *(each for stage in stages for each in stage.contestants))
     sized = functools.cache(poses.resized)
     runners = {each.name: each.make(sized(each.poses)) for each in contestants}
     progress("comparing their forces")
@@ -203,12 +212,11 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     processor = multiply_add()
     tasks = {each.name: Task(runners[each.name].run, each.poses) for each in contestants}
     tasks |= {
-        "rnea": Task(pinocchio.newton_euler, FEW),
-        "empty call": Task(pinocchio.empty_calls, FEW),
-        "solve": Task(pinocchio.solve, pinocchio.solves),
         "multiply-add": Task(processor.run, processor.count),
         ARITHMETIC: Task(_on_all_cores(processor.run), CORES * processor.count),
     }
+    if pinocchio is not None:
+        tasks |= _pinocchio_tasks(pinocchio)
     tasks |= {name: Task(*each) for name, each in motion.tasks.items()}
     rounds = QUICK_ROUNDS if quick else ROUNDS
     others = host.Others()
@@ -216,20 +224,17 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
     machine["taken_by_others"] = others.share()
     compiling = bench_compile.compile_times(QUICK_COMPILATIONS if quick else COMPILATIONS, progress)
+    parts = () if pinocchio is None else _pinocchio_parts(pinocchio, raw)
     return Benchmark(
         robot=poses.robot.name,
         rounds=rounds,
         shortest_sample=timing.SHORTEST,
         ours=tuple(_figure(each, raw) for each in OURS),
-        peers=(*(_figure(each, raw) for each in PEERS), _pinocchio_figure(raw)),
+        peers=(*(_figure(each, raw) for each in peers), *_pinocchio_figure(parts)),
         cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
         arithmetic=Speedup(CORES, 0, _times(raw["multiply-add"], raw[ARITHMETIC])),
         calls=tuple(_figure(each, raw) for each in CALLS),
-        parts=(
-            Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
-            Figure("empty call", "pin.rnea over a model without joints", "call", 1, raw["empty call"]),
-            Figure("solve", "numpy.linalg.solve, 6x6", "batch", pinocchio.solves, raw["solve"]),
-        ),
+        parts=parts,
         sweep=sweep,
         motion=motion.figures(raw),
         passes=tuple(_pass_figures(stage, raw) for stage in stages),
@@ -239,8 +244,9 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         lanes=processor.lanes,
         differences=differences,
         machine=machine,
-        software=host.software("casadi", "pin", "mujoco"),
+        software=host.software(*(COMPARED[name] for name in COMPARED if name not in missing)),
         clock=clock,
+        left_out=tuple(EXTRAS[name][0] for name in missing),
     )
 
 
@@ -272,24 +278,52 @@ def _pass_figures(stage: bench_passes.Stage, raw: Mapping[str, tuple[float, ...]
     return PassFigures(stage.name, stage.meaning, stage.operations, one_pose, batch)
 
 
-def _pinocchio_figure(raw: Mapping[str, tuple[float, ...]]) -> Figure:
-    parts = zip(raw["rnea"], raw["empty call"], raw["solve"], strict=True)
-    what = "rnea + solve - call"
-    return Figure(PINOCCHIO, what, "call", 1, tuple(rnea - empty + solve for rnea, empty, solve in parts))
+def _pinocchio(poses: Poses) -> "PinocchioMachine":
+    from .peers_pinocchio import PinocchioMachine
+
+    return PinocchioMachine(poses.robot, poses.motion)
+
+
+def _pinocchio_tasks(machine: "PinocchioMachine") -> dict[str, Task]:
+    return {
+        "rnea": Task(machine.newton_euler, FEW),
+        "empty call": Task(machine.empty_calls, FEW),
+        "solve": Task(machine.solve, machine.solves),
+    }
+
+
+def _pinocchio_parts(
+    machine: "PinocchioMachine", raw: Mapping[str, tuple[float, ...]]
+) -> tuple[Figure, Figure, Figure]:
+    return (
+        Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
+        Figure("empty call", "pin.rnea over a model without joints", "call", 1, raw["empty call"]),
+        Figure("solve", "numpy.linalg.solve, 6x6", "batch", machine.solves, raw["solve"]),
+    )
+
+
+def _pinocchio_figure(parts: Sequence[Figure]) -> tuple[Figure, ...]:
+    """The figure that the parts make; none without them."""
+    if not parts:
+        return ()
+    rounds = zip(*(part.raw for part in parts), strict=True)
+    times = tuple(rnea - empty + solve for rnea, empty, solve in rounds)
+    return (Figure(PINOCCHIO, "rnea + solve - call", "call", 1, times),)
 
 
 def _differences(
     poses: Poses,
     contestants: Sequence[Contestant],
     runners: Mapping[str, Runner],
-    pinocchio: PinocchioMachine,
+    pinocchio: "PinocchioMachine | None",
 ) -> dict[str, float]:
     """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
     largest = np.abs(truth).max(axis=-1, keepdims=True)
     found: dict[str, float] = {}
     answers = [(each.name, each.tolerance, runners[each.name]) for each in contestants]
-    answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
+    if pinocchio is not None:
+        answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
     for name, tolerance, runner in answers:
         runner.run(1)
         F = runner.F()[: len(truth)]

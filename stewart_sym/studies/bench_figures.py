@@ -120,9 +120,9 @@ class PassFigures:
 class MotionFigures:
     """Equations of motion, one pose: our functions, the first of which ratios refer to, and the peers.
 
-    calls, empty: what each peer's figure is the difference of, a call from Python and one over nothing.
-    opened: m, how far MuJoCo's loops are open. differences: by contestant, from the reference's numbers,
-    share of a pose's largest.
+    peers: those installed. calls, empty: what each peer's figure is the difference of, a call from Python and
+    one over nothing. opened: m, how far MuJoCo's loops are open, None without it. differences: by contestant,
+    from the reference's numbers, share of a pose's largest.
     """
 
     robot: str
@@ -130,7 +130,7 @@ class MotionFigures:
     peers: tuple[Figure, ...]
     calls: tuple[Figure, ...]
     empty: tuple[Figure, ...]
-    opened: float
+    opened: float | None
     differences: Mapping[str, float]
 
     @property
@@ -139,21 +139,21 @@ class MotionFigures:
         return next(figure for figure in self.ours if figure.name == FORWARD)
 
     @property
-    def better(self) -> Figure:
-        """The faster of the peers."""
-        return min(self.peers, key=lambda figure: figure.median)
+    def better(self) -> Figure | None:
+        """The faster of the peers; None without any."""
+        return min(self.peers, key=lambda figure: figure.median, default=None)
 
     @property
-    def times_faster(self) -> float:
-        """Time of the faster peer over ours, forward dynamics."""
-        return self.better.median / self.forward.median
+    def times_faster(self) -> float | None:
+        """Time of the faster peer over ours, forward dynamics; None without a peer."""
+        return None if self.better is None else self.better.median / self.forward.median
 
     def ratio(self, figure: Figure) -> float:
         """Median over that of our inverse dynamics."""
         return figure.median / self.ours[0].median
 
     def as_json(self) -> dict[str, Any]:
-        """Everything, with ratios and targets, ready for ``json``."""
+        """Everything measured, with ratios and targets, ready for ``json``."""
         return {
             "unit": "ns/pose",
             "robot": self.robot,
@@ -166,16 +166,23 @@ class MotionFigures:
             ],
             "calls": [figure.as_json() for figure in self.calls],
             "empty_calls": [figure.as_json() for figure in self.empty],
-            "better_peer": self.better.name,
-            "times_faster": self.times_faster,
+            **_measured(
+                better_peer=None if self.better is None else self.better.name,
+                times_faster=self.times_faster,
+            ),
             "target_times_faster": TIMES_FASTER,
-            "loops_open_m": self.opened,
+            **_measured(loops_open_m=self.opened),
             "largest_difference": dict(self.differences),
         }
 
     def _entry(self, figure: Figure) -> dict[str, Any]:
         targets = dict(zip(("target", "goal"), MOST.get(figure.name, ()), strict=False))
         return {**figure.as_json(), "ratio_to_inverse_dynamics": self.ratio(figure), **targets}
+
+
+def _measured(**entries: Any) -> dict[str, Any]:
+    """The entries but for those that are None, since what they are made of is left out."""
+    return {name: entry for name, entry in entries.items() if entry is not None}
 
 
 @dataclass(frozen=True)
@@ -188,7 +195,8 @@ class Benchmark:
     compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
     multiply_add: ns for one fused multiply-add of one number, on one core; lanes: numbers in one
     instruction. differences: by contestant, from the reference's forces, share of a pose's largest.
-    machine, software, clock: as JSON takes them.
+    machine, software, clock: as JSON takes them. left_out: software that is not installed and not compared;
+    ours, peers and all that follows from them are without it.
     """
 
     robot: str
@@ -211,11 +219,12 @@ class Benchmark:
     machine: Mapping[str, Any]
     software: Mapping[str, Any]
     clock: Mapping[str, Any]
+    left_out: tuple[str, ...] = ()
 
     @property
-    def casadi(self) -> Figure:
-        """What ratios refer to."""
-        return next(figure for figure in self.peers if figure.name == CASADI.name)
+    def casadi(self) -> Figure | None:
+        """What ratios refer to; None where CasADi is left out."""
+        return next((figure for figure in self.peers if figure.name == CASADI.name), None)
 
     @property
     def limits(self) -> Mapping[str, float]:
@@ -224,9 +233,9 @@ class Benchmark:
         each = operations * self.multiply_add.median
         return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
 
-    def ratio(self, figure: Figure) -> float:
-        """Median over CasADi's."""
-        return figure.median / self.casadi.median
+    def ratio(self, time: float) -> float | None:
+        """A time, ns, over CasADi's median; None without CasADi."""
+        return None if self.casadi is None else time / self.casadi.median
 
     def overhead(self, call: Figure) -> float:
         """Ns that a Python call takes over the same pose in C."""
@@ -249,7 +258,8 @@ class Benchmark:
             "machine": dict(self.machine),
             "software": dict(self.software),
             "clock": dict(self.clock),
-            "ratio_to": CASADI.name,
+            "left_out": list(self.left_out),
+            **_measured(ratio_to=None if self.casadi is None else CASADI.name),
             "ours": [self._entry(figure) for figure in self.ours],
             "peers": [self._entry(figure) for figure in self.peers],
             "cores": {**self.cores.as_json(), "unit": "times as fast as one core"},
@@ -275,4 +285,4 @@ class Benchmark:
         }
 
     def _entry(self, figure: Figure) -> dict[str, Any]:
-        return {**figure.as_json(), "ratio_to_casadi": self.ratio(figure)}
+        return {**figure.as_json(), **_measured(ratio_to_casadi=self.ratio(figure.median))}

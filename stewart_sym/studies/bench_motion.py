@@ -24,8 +24,8 @@ from ..robot import Robot
 from ..rotation import cross_matrix, rotation_from_vector
 from .bench_figures import DERIVATIVES, FORWARD, Figure, MotionFigures
 from .peers import AGREEMENT, NAME, Poses, Runner, succeed
-from .peers_constraints import Engine, engines
-from .peers_tree import tensors_of_bodies, tree
+from .peers_constraints import engines
+from .peers_tree import Engine, tensors_of_bodies, tree
 
 Array = NDArray[np.float64]
 Run = Callable[[int], object]
@@ -214,13 +214,13 @@ class MotionGroup:
             peers=tuple(peers),
             calls=tuple(calls),
             empty=tuple(empty),
-            opened=max(engine.opened for engine in self.engines),
+            opened=next((engine.opened for engine in self.engines if engine.opened is not None), None),
             differences=self.differences,
         )
 
 
 def motion_group(poses: Poses) -> MotionGroup:
-    """Build the group for the first poses, on their machine with the tensors of bodies.
+    """Build the group, with the engines installed, for the first poses; their machine has tensors of bodies.
 
     Base joints must be universal. Raises ValueError if somebody's answer is wrong, CompilerError without a C
     compiler.

@@ -33,6 +33,13 @@ _STYLE: Any = {
     "legend.frameon": False,
 }
 _OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
+_SOFTWARE = {
+    "casadi": "CasADi",
+    "pin": "Pinocchio",
+    "mujoco": "MuJoCo",
+    "numpy": "NumPy",
+    "python": "Python",
+}
 _MARKERS, _COLORS = "osD", (_OURS, "#7a9cc6", "#2e7d32")
 
 
@@ -49,9 +56,11 @@ def report(found: Benchmark) -> str:
         f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
         *_others(machine["taken_by_others"]),
         " ".join(software["flags"]),
-        f"CasADi {software['casadi']}, Pinocchio {software['pin']}, MuJoCo {software['mujoco']}, "
-        f"NumPy {software['numpy']}, Python {software['python']}",
+        ", ".join(f"{name} {software[key]}" for key, name in _SOFTWARE.items() if key in software),
     ]
+    if found.left_out:
+        missing = ", ".join(found.left_out)
+        head.append(f'not installed and left out: {missing}; pip install "stewart-sym[bench]"')
     parts = ["\n".join(head), _contestants(found), _cores(found), _notes(found), _calls(found)]
     parts += [_sizes(found), _motion(found.motion)]
     if found.passes:
@@ -69,19 +78,12 @@ def _others(share: float | None) -> list[str]:
 
 
 def _contestants(found: Benchmark) -> str:
-    header = ("contestant", "what", "poses", "operations", "ns a pose", "quartiles", "x CasADi")
+    ratio = "" if found.casadi is None else "x CasADi"
+    header = ("contestant", "what", "poses", "operations", "ns a pose", "quartiles", ratio)
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
     rows += [_row(found, figure, figure.name) for figure in found.peers]
     rows += [
-        (
-            name,
-            "one core",
-            "",
-            _count(found.ours[0]),
-            _number(value),
-            "",
-            f"{value / found.casadi.median:.3f}",
-        )
+        (name, "one core", "", _count(found.ours[0]), _number(value), "", _ratio(found, value))
         for name, value in found.limits.items()
     ]
     return aligned(header, rows, left=2)
@@ -89,8 +91,14 @@ def _contestants(found: Benchmark) -> str:
 
 def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
     loop = {"one pose": "1, C loop", "call": "1"}.get(figure.kind, str(figure.poses))
-    ratio = f"{found.ratio(figure):.3f}"
+    ratio = _ratio(found, figure.median)
     return name, figure.what, loop, _count(figure), _number(figure.median), _spread(figure), ratio
+
+
+def _ratio(found: Benchmark, time: float) -> str:
+    """Share of CasADi's time; empty where CasADi is left out."""
+    ratio = found.ratio(time)
+    return "" if ratio is None else f"{ratio:.3f}"
 
 
 def _cores(found: Benchmark) -> str:
@@ -104,22 +112,37 @@ def _cores(found: Benchmark) -> str:
 
 
 def _notes(found: Benchmark) -> str:
-    rnea, empty, solve = (figure.median for figure in found.parts)
     rate = 1 / found.multiply_add.median
     worst = max(found.differences.values())
     return textwrap.fill(
         f"Medians and quartiles of {found.rounds} rounds; in each round every contestant takes its turn, for "
         f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
-        f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. CasADi: the same "
-        "equations written plainly, in vectors, or as the closed form in the leg frame, its cse() and its "
-        "solve(), same compiler and flags, called from the "
-        "same kind of C loop; it gives F alone and checks nothing. "
-        f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({_number(rnea)} ns), less a "
-        f"call for a model without joints ({_number(empty)} ns), and LAPACK's solve ({_number(solve)} ns); "
-        "joint angles, rates, accelerations and Jacobians are given to it. Limit: our operations "
+        f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. "
+        f"{_casadi_note(found)}{_pinocchio_note(found)}Limit: our operations "
         f"at the rate of fused multiply-adds measured in the same rounds, {rate:.3g} 10^9 numbers a second "
         f"in vectors of {found.lanes}: each operation filling the place of one, or two of them in each.",
         WIDTH,
+    )
+
+
+def _casadi_note(found: Benchmark) -> str:
+    if found.casadi is None:
+        return ""
+    return (
+        "CasADi: the same equations written plainly, in vectors, or as the closed form in the leg frame, its "
+        "cse() and its solve(), same compiler and flags, called from the same kind of C loop; it gives F "
+        "alone and checks nothing. "
+    )
+
+
+def _pinocchio_note(found: Benchmark) -> str:
+    if not found.parts:
+        return ""
+    rnea, empty, solve = (_number(figure.median) for figure in found.parts)
+    return (
+        f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({rnea} ns), less a call for a "
+        f"model without joints ({empty} ns), and LAPACK's solve ({solve} ns); joint angles, rates, "
+        "accelerations and Jacobians are given to it. "
     )
 
 
@@ -159,7 +182,7 @@ def _motion(found: MotionFigures) -> str:
     header = ("equations of motion, one pose in a C loop", "ns a pose", "quartiles", "x inverse", "target")
     rows = [(f"ours: {each.name}", *_motion_cells(found, each), _target(each.name)) for each in found.ours]
     rows += [(f"{each.name}, {each.what}", *_motion_cells(found, each), "") for each in found.peers]
-    return "\n\n".join([aligned(header, rows), _faster(found), _motion_notes(found)])
+    return "\n\n".join(filter(None, [aligned(header, rows), _faster(found), _motion_notes(found)]))
 
 
 def _motion_cells(found: MotionFigures, figure: Figure) -> tuple[str, str, str]:
@@ -171,30 +194,47 @@ def _target(name: str) -> str:
 
 
 def _faster(found: MotionFigures) -> str:
-    return (
-        f"forward dynamics: {found.times_faster:.1f} x faster than the better of the two, "
-        f"{found.better.name} (target {TIMES_FASTER:g})"
-    )
+    """Forward dynamics beside the faster peer; empty without any."""
+    if found.better is None:
+        return ""
+    which = f"the better of the two, {found.better.name}" if len(found.peers) > 1 else found.better.name
+    return f"forward dynamics: {found.times_faster:.1f} x faster than {which} (target {TIMES_FASTER:g})"
 
 
 def _motion_notes(found: MotionFigures) -> str:
-    calls = zip(found.calls, found.empty, strict=True)
-    taken = ", ".join(
-        f"{call.name} {_number(call.median)} less {_number(empty.median)} ns" for call, empty in calls
-    )
-    peers = ", ".join(f"{each.name} {found.differences[each.name]:.0e}" for each in found.peers)
     ours = max(found.differences[each.name] for each in found.ours)
     return textwrap.fill(
         f"{found.robot} with inertia tensors that bodies can have, for everybody here; same "
         f"rounds and turns, {found.ours[0].poses} poses. All were compared with the vector reference and its "
-        f"differences first, ours to {ours:.0e} of a pose's largest number. Peers: forward dynamics over a "
-        "tree of all 13 bodies, five points closed by constraints, same friction, load and gravity; called "
-        f"from Python, less a call over a model without bodies ({taken}); joint coordinates, rates and "
-        f"generalised forces are given to them. Their accelerations agree with the motion's to {peers} of a "
-        "pose's largest. MuJoCo's constraints are the stiffest it has and still give way: their springs make "
-        f"up for it, with the loops open by {1e9 * found.opened:.0f} nm.",
+        f"differences first, ours to {ours:.0e} of a pose's largest number."
+        f"{_peers_note(found)}{_opened_note(found)}",
         WIDTH,
         break_on_hyphens=False,
+    )
+
+
+def _peers_note(found: MotionFigures) -> str:
+    if not found.peers:
+        return ""
+    taken = ", ".join(
+        f"{call.name} {_number(call.median)} less {_number(empty.median)} ns"
+        for call, empty in zip(found.calls, found.empty, strict=True)
+    )
+    peers = ", ".join(f"{each.name} {found.differences[each.name]:.0e}" for each in found.peers)
+    return (
+        " Peers: forward dynamics over a tree of all 13 bodies, five points closed by constraints, same "
+        "friction, load and gravity; called from Python, less a call over a model without bodies "
+        f"({taken}); joint coordinates, rates and generalised forces are given to them. Their accelerations "
+        f"agree with the motion's to {peers} of a pose's largest."
+    )
+
+
+def _opened_note(found: MotionFigures) -> str:
+    if found.opened is None:
+        return ""
+    return (
+        " MuJoCo's constraints are the stiffest it has and still give way: their springs make up for it, "
+        f"with the loops open by {1e9 * found.opened:.0f} nm."
     )
 
 
@@ -293,12 +333,14 @@ def _draw_contestants(axes: Axes, found: Benchmark) -> None:
     limits = found.limits
     low = 0.6 * min(*limits.values(), rows[0][0].median)
     for place, (figure, _, color) in enumerate(rows):
-        _draw_row(axes, low, place, figure, color, _times(found.ratio(figure)))
+        ratio = found.ratio(figure.median)
+        _draw_row(axes, low, place, figure, color, "" if ratio is None else _times(ratio))
     for (name, value), dash in zip(limits.items(), ("--", ":"), strict=True):
         label = f"{name}: {_number(value)} ns"
         axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=label, zorder=1.5)
     _name_rows(axes, low, rows)
-    axes.set_xlabel(r"ns a pose, median (thick: quartiles); $\times$: share of CasADi's time")
+    share = "" if found.casadi is None else r"; $\times$: share of CasADi's time"
+    axes.set_xlabel(f"ns a pose, median (thick: quartiles){share}")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncols=2)
 
 

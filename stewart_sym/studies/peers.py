@@ -83,7 +83,7 @@ class Contestant:
 
     kind: "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` of them) or
     "call" (one call from Python for one pose). operations: of a pose, where they are counted. sweep: measured
-    over batch sizes too. tolerance: as AGREEMENT.
+    over batch sizes too. tolerance: as AGREEMENT. package: an optional one that it needs, as it is imported.
     """
 
     name: str
@@ -94,6 +94,7 @@ class Contestant:
     operations: Callable[[], int] | None = None
     sweep: bool = False
     tolerance: float = AGREEMENT
+    package: str | None = None
 
 
 def repeated(call: Callable[[], object], F: Callable[[], Array], kept: object = None) -> Runner:
@@ -191,11 +192,12 @@ def _casadi(name: str, what: str, equations: str) -> Contestant:
         FEW,
         make,
         operations=lambda: program().operations,
+        package="casadi",
     )
 
 
 CASADI = _casadi("CasADi", "C, base frame", "base_frame")
-"""What every other figure is divided by."""
+"""What every other figure is divided by, where CasADi is installed."""
 
 PEERS = (
     CASADI,

@@ -6,6 +6,7 @@ prepared for ``peers_constraints``, whose engines share no equation with the gen
 and motions and no engine.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,6 +44,23 @@ def base_frames(robot: Robot) -> Array:
     across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
     return np.stack([k, across, np.cross(k, across)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Engine:
+    """One peer: ``run(n)`` computes all poses n times, ``empty(n)`` calls as often over nothing.
+
+    accelerations: [a; alpha] of the platform that it found, (poses, 6). tolerance: of them, share of a pose's
+    largest. opened: by how much the loops are open, m; None where constraints are rigid.
+    """
+
+    name: str
+    what: str
+    run: Callable[[int], object]
+    empty: Callable[[int], object]
+    accelerations: Callable[[], Array]
+    tolerance: float
+    opened: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
