@@ -237,7 +237,7 @@ def _forward(kernel: ForceKernel, sums: m.SumKernel, rows: m.SumKernel) -> Part:
         "weigh",
         "make_rows",
         "pick_rows",
-        "balance",
+        "balance_rows",
         "solve_rows",
         "forward_apart",
         "forward_dynamics",

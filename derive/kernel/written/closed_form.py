@@ -263,7 +263,7 @@ def pick_rows(by: "Rows") -> None:
             by.share[i][j] = where(by.chosen[i] > 0.0, by.place[j][i], by.share[i][j])
 
 
-def balance(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "array(24)") -> None:
+def balance_rows(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "array(24)") -> None:
     """Accelerations of the coordinates' rows under which each block balances their forces.
 
     ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
@@ -308,7 +308,7 @@ def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
     for i in range(3):
         wrench[i] = sums.right_force[i]
         wrench[i + 3] = sums.right_moment[i] / by.length
-    balance(by, force, moved, balanced)
+    balance_rows(by, force, moved, balanced)
     for k in range(6):
         for i in range(24):
             start[k] = where(by.place[k][i] > 0.0, moved[i], start[k])
