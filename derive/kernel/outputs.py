@@ -45,7 +45,14 @@ def program(
     if unknown:
         raise ValueError(f"outputs: expected some of {', '.join(OUTPUTS)}, got {unknown[0]}")
     by_name = {each.name: each for each in sums}
-    parts = [Part(model_structures(kernel), [], [], {"prepare": forces.prepare} | _LEGS)]
+    parts = [
+        Part(
+            model_structures(kernel),
+            [],
+            [],
+            {"per_length_of": forces.per_length_of, "prepare": forces.prepare} | _LEGS,
+        )
+    ]
     if FORCES in outputs:
         parts.append(_forces(kernel))
     if EQUATIONS in outputs:
@@ -105,7 +112,7 @@ def _forces(kernel: ForceKernel) -> Part:
                 "H, c, and what moments are made with.",
                 (n.c_force, n.c_moment, p.q_1),
                 Field("H", _numbers(6, 6), "1 and m: from x to the wrench on the platform, (36)"),
-                Field("arm", _numbers(6), "m: size of the arm of each leg's moment"),
+                Field("arm", _numbers(6, 3), "m: arms of the moments"),
             ),
             _result(
                 "Forces",
@@ -230,6 +237,7 @@ def _forward(kernel: ForceKernel, sums: m.SumKernel, rows: m.SumKernel) -> Part:
         "weigh",
         "make_rows",
         "pick_rows",
+        "balance_rows",
         "solve_rows",
         "forward_apart",
         "forward_dynamics",

@@ -58,6 +58,8 @@ CONSTANTS = (
     "SUSPECT",
     "SHORT_SHARE",
     "KEPT",
+    "SMALLEST",
+    "LARGEST",
     "LEANING",
 )
 

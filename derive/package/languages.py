@@ -73,7 +73,11 @@ def thresholds(precision: str) -> dict[str, str]:
     eps, largest = (2.0**-52, float.fromhex("0x1.fffffffffffffp1023"))
     if precision == "float":
         eps, largest = 2.0**-23, float.fromhex("0x1.fffffep127")
-    return {"shortest": repr(math.sqrt(1 / largest / eps)), "suspect": repr(4 * math.sqrt(eps))}
+    suspect, share = (
+        (4 * math.sqrt(eps), 64 * math.sqrt(eps)) if precision == "double" else (64 * eps, 0.0625)
+    )
+    found = {"shortest": math.sqrt(1 / largest / eps), "suspect": suspect, "share": share}
+    return {name: repr(value) for name, value in found.items()}
 
 
 def stored(numbers: Numbers, quantity: Quantity, leg: int | None = None) -> list[float]:

@@ -11,7 +11,7 @@ from ..derive.emit.kit.robot import robot_toml
 from ..derive.emit.kit.words import robot_symbol
 from ..derive.fidelity import FIDELITIES
 from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import reduced_fidelity, reduced_forces, reduced_motion
+from ..derive.generate import prepared_model, reduced_fidelity, reduced_motion
 from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import program
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
@@ -75,7 +75,7 @@ def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
         for each in FORMULATIONS
         if each.name == choice.formulation and each.base_joint == robot.base_joint
     )
-    kernel = reduced_forces(form) if general else reduced_fidelity(level)
+    kernel = prepared_model(form) if general else reduced_fidelity(level)
     sums = reduced_motion() if form == EXACT else ()
     return program(kernel, sums, outputs)
 

@@ -171,6 +171,7 @@ def make_rows(sums: "JointRowsSums", by: "Rows") -> None:
         theta = larger(sqrt(size(by.leg[i].M_xi[3])), reach)
         phi = larger(sqrt(size(by.leg[i].M_xi[5])), reach * by.leg[i].k3)
         along = larger(size(by.leg[i].M_xi[1]) / theta, size(by.leg[i].M_xi[2]) / phi)
+        along = larger(along, sqrt(size(by.leg[i].M_xi[0])))
         by.block[i].extent[0] = larger(along, least)
         by.block[i].extent[1] = theta
         by.block[i].extent[2] = phi
@@ -262,6 +263,35 @@ def pick_rows(by: "Rows") -> None:
             by.share[i][j] = where(by.chosen[i] > 0.0, by.place[j][i], by.share[i][j])
 
 
+def balance_rows(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "array(24)") -> None:
+    """Accelerations of the coordinates' rows under which each block balances their forces.
+
+    ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
+    them, else 0; ``moved`` is 0 of all others.
+    """
+    W = array(3, 3)
+    for i in range(24):
+        moved[i] = force[i]
+    for b in range(8):
+        for i in range(3):
+            for j in range(3):
+                W[i][j] = by.block[b].weight[i][j]
+        for k in range(3):
+            heavy = where(W[k][k] > KEPT, 1.0, 0.0)
+            balanced[3 * b + k] = heavy * by.chosen[3 * b + k]
+            pivot = where(balanced[3 * b + k] > 0.0, W[k][k], 1.0)
+            for i in range(k + 1, 3):
+                factor = balanced[3 * b + k] * W[i][k] / pivot
+                moved[3 * b + i] = moved[3 * b + i] - factor * moved[3 * b + k]
+                for j in range(k + 1, 3):
+                    W[i][j] = W[i][j] - factor * W[k][j]
+        for k in reversed(range(3)):
+            for j in range(k + 1, 3):
+                moved[3 * b + k] = moved[3 * b + k] - W[k][j] * moved[3 * b + j]
+            divisor = where(balanced[3 * b + k] > 0.0, W[k][k], 1.0)
+            moved[3 * b + k] = where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / divisor, 0.0)
+
+
 def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
     """Solves for the accelerations of the six coordinates, from those that balance their own forces."""
     force = array(24)
@@ -278,17 +308,14 @@ def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
     for i in range(3):
         wrench[i] = sums.right_force[i]
         wrench[i + 3] = sums.right_moment[i] / by.length
+    balance_rows(by, force, moved, balanced)
     for k in range(6):
-        for b in range(8):
-            for j in range(3):
-                picked = by.place[k][3 * b + j] > 0.0
-                heavy = size(by.block[b].weight[j][j]) > 0.5
-                balance = force[3 * b + j] / where(heavy, by.block[b].weight[j][j], 1.0)
-                start[k] = where(picked & heavy, balance, start[k])
-                balanced[3 * b + j] = where(picked & heavy, 1.0, balanced[3 * b + j])
+        for i in range(24):
+            start[k] = where(by.place[k][i] > 0.0, moved[i], start[k])
         for j in range(6):
             y[k] = where(by.column[k] == j, wrench[j], y[k])
     for i in range(24):
+        moved[i] = 0.0
         for k in range(6):
             moved[i] = moved[i] + by.share[i][k] * start[k]
     for b in range(8):
@@ -296,7 +323,7 @@ def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
             rest[3 * b + i] = where(balanced[3 * b + i] > 0.0, 0.0, force[3 * b + i])
             for j in range(3):
                 less = rest[3 * b + i] - by.block[b].weight[i][j] * moved[3 * b + j]
-                own = (balanced[3 * b + i] > 0.0) & (i == j)
+                own = (balanced[3 * b + i] > 0.0) & (balanced[3 * b + j] > 0.0)
                 rest[3 * b + i] = where(own, rest[3 * b + i], less)
     for k in range(6):
         for j in range(k):

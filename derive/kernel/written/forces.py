@@ -31,7 +31,7 @@ def add_leg(leg: "LegTerms", i: "Integer", shared: "SharedTerms", sums: "Sums") 
             sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
             sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
             sums.H[j + 3][i] = turned.H_moment[j]
-            sums.arm[i] = larger(size(leg.q[j] - sums.q_1[j]), sums.arm[i])
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
     for j in range(3):
         sums.H[j][i] = leg.H_force[j]
 
@@ -66,7 +66,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
     pivots = eliminate(A, x)
     suspect = where(size(pivots) > model.least, suspect, 1)
     if anywhere(suspect == 1):
-        found = singular_status(sums.H, L, reach, sums.arm)
+        found = singular_status(sums.H, sums.arm, L, reach)
         status = where((status == OK) & (suspect == 1), found, status)
     for i in range(6):
         out.F[i] = D[i] - x[i]
@@ -90,7 +90,20 @@ def prepare(robot: "Robot") -> "Model":
     for i in range(6):
         for j in range(3):
             extent = larger(size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
-    model.per_length = 1.0
-    model.least = SUSPECT * extent * extent * extent
+    model.per_length = per_length_of(extent)
+    extent = extent * model.per_length
+    least = SUSPECT * extent * extent * extent
+    model.least = where(least <= MAX, least, MAX)
     model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
     return model
+
+
+def per_length_of(extent: "Real") -> "Real":
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the least
+    power of two, from 2^-100 to 2^100, that is no smaller than the longest of them."""
+    unit = 1.0
+    for turn in range(100):
+        unit = where(unit < extent, 2.0 * unit, unit)
+    for turn in range(100):
+        unit = where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
+    return where((extent >= SMALLEST) & (extent <= LARGEST), 1.0, 1.0 / unit)

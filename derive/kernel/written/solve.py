@@ -26,23 +26,24 @@ def eliminate(A: "array(6, 7)", x: "array(6)") -> "Real":
     return pivots
 
 
-def singular_status(H: "array(6, 6)", L: "array(6)", reach: "array(6)", arm: "array(6)") -> "Integer":
+def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: "array(6)") -> "Integer":
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
-    L: lengths of the legs; reach: size of the vectors that a leg is the sum of; arm: size of the arms of the
-    moments. If H less its error, in size at most E, is singular, then no v > 0 has |Y| E v < v with Y the
-    inverse of H: the spectral radius of |Y| E is 1 or more. Powers of |Y| E make v; 1/2 leaves room for the
-    errors of Y itself.
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
+    direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s), by that
+    through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the moment. Where H less
+    its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+    spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself.
     """
     Y = array(6, 6)
-    error = array(6)
+    G = array(6, 6)
     v = array(6)
     grown = array(6)
     extent = 0.0
     for i in range(6):
-        extent = larger(arm[i], extent)
-        error[i] = 4.0 * EPSILON * (reach[i] / L[i] + 2.0)
         v[i] = 1.0
+        for j in range(3):
+            extent = larger(size(arm[i][j]), extent)
     lost = 0.0
     for i in range(6):
         for j in range(6):
@@ -64,25 +65,26 @@ def singular_status(H: "array(6, 6)", L: "array(6)", reach: "array(6)", arm: "ar
             for j in range(6):
                 H[i][j] = H[i][j] - factor * H[k][j]
                 Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = size(Y[i][3]) + size(Y[i][4]) + size(Y[i][5])
+        for k in range(6):
+            x = size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * EPSILON) / size(H[i][i])
     least = 1.0
     for turn in range(4):
-        force = 0.0
-        moment = 0.0
-        for k in range(6):
-            force = force + error[k] * v[k]
-            moment = moment + (3.0 * error[k] * arm[k] / extent + 8.0 * EPSILON) * v[k]
         worst = 0.0
         greatest = 0.0
         for i in range(6):
-            by_force = 0.0
-            by_moment = 0.0
-            for j in range(3):
-                by_force = by_force + size(Y[i][j])
-                by_moment = by_moment + size(Y[i][j + 3])
-            grown[i] = (by_force * force + by_moment * moment) / size(H[i][i])
-            share = grown[i] / v[i]
+            total = 0.0
+            for k in range(6):
+                total = total + G[i][k] * v[k]
+            share = total / v[i]
             worst = where(share <= worst, worst, share)
-            greatest = larger(grown[i], greatest)
+            greatest = larger(total, greatest)
+            grown[i] = total
         least = where(worst <= least, worst, least)
         for i in range(6):
             v[i] = larger(grown[i] / greatest, EPSILON)
