@@ -55,7 +55,7 @@ static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_MAX Real(1e308)
 #define STEWART_SHORTEST Threshold()
 #define STEWART_SUSPECT Threshold()
-#define STEWART_LEAST_PIVOTS(v) Threshold()
+#define STEWART_SHORT_SHARE Threshold()
 @INCLUDES@
 int main() {
     static stewart_robot robot;

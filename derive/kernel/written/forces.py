@@ -63,8 +63,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    pivots = eliminate(A, x)
-    suspect = where(size(pivots) > model.least, suspect, 1)
+    suspect = where(eliminate(A, x, model.least) == 0, suspect, 1)
     if anywhere(suspect == 1):
         found = singular_status(sums.H, L, reach, sums.arm)
         status = where((status == OK) & (suspect == 1), found, status)
@@ -91,6 +90,6 @@ def prepare(robot: "Robot") -> "Model":
         for j in range(3):
             extent = larger(size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
     model.per_length = 1.0
-    model.least = SUSPECT * extent * extent * extent
+    model.least = SUSPECT * where(extent < 1.0, extent, 1.0)
     model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
     return model
