@@ -14,7 +14,7 @@ import sympy as sp
 from . import axial_leg, regroup
 from . import notation as n
 from . import prepared as p
-from .block import Block, Builder, Quantity
+from .block import Block, Builder, Quantity, rebuilt
 from .formulation import EXACT, Formulation
 from .leg import cross
 from .reduce import specialised
@@ -90,7 +90,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
     near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
     kernel = regroup.about_tip(replace(kernel, leg_near_pole=near))
     if not level.moving:
-        kernel = kernel.changed(lambda block: specialised(block, _AT_REST))
+        kernel = kernel.changed(lambda block: _weighed(specialised(block, _AT_REST)))
     kernel = regroup.without_zeros(kernel)
     final = regroup.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
     return replace(
@@ -105,6 +105,14 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
 _AT_REST: Mapping[sp.Symbol, sp.Expr] = {
     symbol: _ZERO for quantity in (n.omega, n.v, n.alpha, n.a, p.B) for symbol in quantity.symbols
 }
+
+
+def _weighed(block: Block) -> Block:
+    """The block with the platform's weight from a constant."""
+    weight = dict(zip(p.M_P.value * n.g.value, p.W_P.symbols, strict=True))
+    steps = [replace(step, expr=step.expr.xreplace(weight)) for step in block.steps]
+    outputs = [replace(out, exprs=tuple(e.xreplace(weight) for e in out.exprs)) for out in block.outputs]
+    return rebuilt(block, steps, outputs, (*block.inputs, p.W_P))
 
 
 def _platform(level: Fidelity) -> Block:
@@ -176,7 +184,7 @@ def _platform_alone(friction: bool) -> Block:
     torque = build.vector(
         "M_P_load",
         n.M_ext.value
-        - regroup.euler(build, p.J_P.value, p.dJ_P.value, omega, alpha)
+        - regroup.euler(build, p.J_P.value, p.dJ_P.value, omega, alpha, turn)
         + cross(p.h_P.value, fall_P),
         "(34)",
         f"external moment less I alpha + omega x I omega, {meaning}",

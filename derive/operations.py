@@ -14,8 +14,6 @@ from .regroup import ForceKernel
 
 LEGS = 6
 NOTHING = Operations()
-PIVOTS = Operations(mul=LEGS - 1)
-"""Of the product of the pivots, by which poses that may be singular are found."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +65,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=elimination(LEGS) + PIVOTS,
+        solve=elimination(LEGS),
         forces=Operations(add=LEGS),
     )
 
@@ -75,8 +73,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
 def force_operations(kernel: ForceKernel) -> KernelOperations:
     """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
 
-    What a leg does not have, its part of c or its D, costs nothing to add. The solve includes the product of
-    the pivots.
+    What a leg does not have, its part of c or its D, costs nothing to add.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
@@ -84,12 +81,11 @@ def force_operations(kernel: ForceKernel) -> KernelOperations:
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
-    solve = elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True)
     return KernelOperations(
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve + PIVOTS,
+        solve=elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True),
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

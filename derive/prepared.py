@@ -54,6 +54,7 @@ ADDED = (M_add, h_add, J_add, C_add)
 
 # Prepared constants of the platform.
 M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
+W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
 h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
 J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
 dJ_P = Quantity("dJ_P", (3,), "kg m^2", "J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx")
@@ -158,6 +159,7 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     tensor = build.tensor("J_P", n.I_p.value + point_inertia(M, R_0) + J_add.value)
     values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.PLATFORM} | {
         M_P: M + M_add.value,
+        W_P: (M + M_add.value) * n.g.value,
         h_P: M * R_0 + h_add.value,
         J_P: tensor,
         dJ_P: differences(tensor),

@@ -316,25 +316,40 @@ def rotary(build: Builder, omega: sp.Matrix, alpha: sp.Matrix) -> sp.Matrix:
     )
 
 
-def euler(build: Builder, inertia: sp.Matrix, d: sp.Matrix, omega: sp.Matrix, alpha: sp.Matrix) -> sp.Matrix:
-    """I alpha + omega x I omega, with the products of omega shared and the differences d prepared."""
+def euler(
+    build: Builder,
+    inertia: sp.Matrix,
+    d: sp.Matrix,
+    omega: sp.Matrix,
+    alpha: sp.Matrix,
+    turn: sp.Matrix | None = None,
+) -> sp.Matrix:
+    """I alpha + omega x I omega, with the products of omega shared and the differences d prepared.
+
+    turn: ``rotary`` of the same omega and alpha, where there is one to take sums from.
+    """
     x, y, z = omega
     xy, xz, yz = (build.scalar(name, e) for name, e in (("P_xy", x * y), ("P_xz", x * z), ("P_yz", y * z)))
     xx, yy, zz = (build.scalar(name, e) for name, e in (("P_xx", x * x), ("P_yy", y * y), ("P_zz", z * z)))
+    if turn is None:
+        square = sp.Matrix([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]])
+        turn = square + sp.Matrix(
+            [[0, -alpha[2], alpha[1]], [alpha[2], 0, -alpha[0]], [-alpha[1], alpha[0], 0]]
+        )
     return sp.Matrix(
         [
             inertia[0, 0] * alpha[0]
-            + inertia[0, 1] * (alpha[1] - xz)
-            + inertia[0, 2] * (alpha[2] + xy)
+            - inertia[0, 1] * turn[2, 0]
+            + inertia[0, 2] * turn[1, 0]
             + d[0] * yz
             + inertia[1, 2] * (yy - zz),
-            inertia[0, 1] * (alpha[0] + yz)
+            inertia[0, 1] * turn[2, 1]
             + inertia[1, 1] * alpha[1]
-            + inertia[1, 2] * (alpha[2] - xy)
+            - inertia[1, 2] * turn[0, 1]
             + d[1] * xz
             + inertia[0, 2] * (zz - xx),
-            inertia[0, 2] * (alpha[0] - yz)
-            + inertia[1, 2] * (alpha[1] + xz)
+            -inertia[0, 2] * turn[1, 2]
+            + inertia[1, 2] * turn[0, 2]
             + inertia[2, 2] * alpha[2]
             + d[2] * xy
             + inertia[0, 1] * (xx - yy),

@@ -18,10 +18,10 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 # Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
 # points: the pole of the universal joint.
 POLE_SINE = 4096 * np.finfo(np.float64).eps
-# Product of the pivots, moments over the size of the platform, below which H may be singular to rounding.
-SUSPECT = 4 * np.sqrt(np.finfo(np.float64).eps)
+# Pivot below which H, its moments over a length, may be singular to rounding.
+SUSPECT = np.sqrt(np.sqrt(np.finfo(np.float64).eps))
 # Below this share of the vectors that it is the sum of, a leg may make H singular while the pivots are large.
-SHORT_SHARE = 16 * SUSPECT
+SHORT_SHARE = 64 * np.sqrt(np.finfo(np.float64).eps)
 # A leg shorter than this has a square that is not held to all its digits.
 SHORTEST = np.sqrt(1 / np.finfo(np.float64).max / np.finfo(np.float64).eps)
 
@@ -39,10 +39,10 @@ def solve(robot: Any, motion: Any, leg: dict[str, Array], platform: dict[str, Ar
     for i in range(6):
         c = c + of_legs[..., i, :]
     q = leg["q"]
-    x, pivots = eliminate(*over_length(np.abs(q).max(axis=(-1, -2)), H, c))
+    x, suspect = eliminate(*over_length(np.abs(q).max(axis=(-1, -2)), H, c))
     F = leg["D"] - x
     reach = np.abs(np.broadcast_arrays(q, motion.t[..., None, :], robot.b)).max(axis=(0, -1))
-    status = singular_status(H, pivots, leg["L"], reach, q)
+    status = singular_status(H, suspect, leg["L"], reach, q)
     status = np.where(np.isfinite(F).all(axis=-1) | (status != OK), status, NOT_FINITE)
     fault = leg_status(robot, motion, leg)
     status = np.where(fault == OK, status, fault).astype(np.int32)
@@ -56,16 +56,16 @@ def only_good(values: Array, status: Array) -> Array:
 
 
 def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
-    """x (..., 6) of H x = c by elimination with partial pivoting, and the product of the pivots."""
+    """x (..., 6) of H x = c by elimination with partial pivoting, and whether a pivot is small (...)."""
     A = np.concatenate([H, c[..., None]], axis=-1)
-    pivots = np.ones(H.shape[:-2])
+    suspect = np.zeros(H.shape[:-2], dtype=bool)
     for k in range(6):
         pivot = k + np.argmax(np.abs(A[..., k:, k]), axis=-1)[..., None]
-        order = np.broadcast_to(np.arange(6), (*pivots.shape, 6)).copy()
+        order = np.broadcast_to(np.arange(6), (*suspect.shape, 6)).copy()
         np.put_along_axis(order, pivot, k, axis=-1)
         order[..., k] = pivot[..., 0]
         A = np.take_along_axis(A, order[..., None], axis=-2)
-        pivots = pivots * A[..., k, k]
+        suspect |= ~(np.abs(A[..., k, k]) > SUSPECT)
         factor = A[..., k + 1 :, k] * (1 / A[..., k, k])[..., None]
         A[..., k + 1 :, k + 1 :] -= factor[..., None] * A[..., k, None, k + 1 :]
     x = np.empty_like(c)
@@ -74,7 +74,7 @@ def eliminate(H: Array, c: Array) -> tuple[Array, Array]:
         for j in range(i + 1, 6):
             total = total - A[..., i, j] * x[..., j]
         x[..., i] = total * (1 / A[..., i, i])
-    return x, pivots
+    return x, suspect
 
 
 def per_length(size: Any) -> Any:
@@ -84,7 +84,7 @@ def per_length(size: Any) -> Any:
     """
     fraction, exponent = np.frexp(size)
     power = np.ldexp(1.0, np.clip((fraction == 0.5) - exponent, -100, 100))
-    return np.where((size >= 0.0625) & (size <= 64.0) | (size == 0.0), 1.0, power)
+    return np.where((size >= 0.0625) & (size <= 16.0) | (size == 0.0), 1.0, power)
 
 
 def over_length(size: Any, H: Array, right: Array) -> tuple[Array, Array]:
@@ -96,21 +96,21 @@ def over_length(size: Any, H: Array, right: Array) -> tuple[Array, Array]:
 
 
 def eliminate_many(H: Array, right: Array) -> tuple[Array, Array]:
-    """X (..., 6, n) of H X = right, column by column, and the product of the pivots (...)."""
+    """X (..., 6, n) of H X = right, column by column, and whether a pivot is small (...)."""
     solved = [eliminate(H, right[..., j]) for j in range(right.shape[-1])]
     return np.stack([x for x, _ in solved], axis=-1), solved[0][1]
 
 
-def singular_status(H: Array, pivots: Array, L: Array, reach: Array, arm: Array) -> Array:
+def singular_status(H: Array, suspect: Array, L: Array, reach: Array, arm: Array) -> Array:
     """OK, SINGULAR or NOT_FINITE of every pose: whether H (..., 6, 6) is singular to rounding.
 
-    pivots: their product (...). L, reach (..., 6): length of each leg, size of the vectors that it is the sum
-    of; arm (..., 6, 3): of its moment. As ``singular_status`` of the C, where the bound is explained.
+    suspect: whether a pivot is small (...). L, reach (..., 6): length of each leg, size of the vectors that
+    it is the sum of; arm (..., 6, 3): of its moment. As ``singular_status`` of the C, where the bound is
+    explained.
     """
     size = np.abs(arm).max(axis=(-1, -2))
-    close = (L <= SHORT_SHARE * reach).any(axis=-1)
-    close |= ~(np.abs(pivots) > SUSPECT * (size * per_length(size)) ** 3)
-    status = np.zeros(pivots.shape, dtype=np.int32)
+    close = suspect | (L <= SHORT_SHARE * reach).any(axis=-1)
+    status = np.zeros(suspect.shape, dtype=np.int32)
     if close.any():
         status[close] = _status_of_close(H[close], L[close], reach[close], arm[close], size[close, None])
     return status

@@ -11,9 +11,9 @@ Operations of one pose of inverse dynamics, six legs, solve included
 leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    202 (111 mul, 85 add, 6 div, 0 sqrt)      202 (111 mul, 85 add, 6 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2947 (1608 mul, 1309 add, 18 div, 12 sqrt) 2647 (1458 mul, 1159 add, 18 div, 12 sqrt)
+total    2942 (1603 mul, 1309 add, 18 div, 12 sqrt) 2642 (1453 mul, 1159 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -28,17 +28,17 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "leg": (229, 181, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1608, 1309, 18, 12),
+        "total": (1603, 1309, 18, 12),
     },
     "frictionless": {
         "leg": (204, 156, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1458, 1159, 18, 12),
+        "total": (1453, 1159, 18, 12),
     },
 }
 
@@ -49,21 +49,21 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1184, 892, 18, 12),
+        "total": (1179, 892, 18, 12),
     },
     "frictionless": {
         "leg": (137, 93, 2, 2),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1067, 799, 18, 12),
+        "total": (1062, 799, 18, 12),
     },
 }
-MODEL_NUMBERS = 301
+MODEL_NUMBERS = 300
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -228,8 +228,8 @@ def _solve_columns(robot: Any, motion: Any, H: Array, right: Array) -> tuple[Arr
         q = np.einsum("...ij,lj->...li", motion.R, robot.p)
         terms = np.broadcast_arrays(q, motion.t[..., None, :], robot.b)
         L = np.sqrt(np.sum((q + motion.t[..., None, :] - robot.b) ** 2, axis=-1))
-        x, pivots = eliminate_many(*over_length(np.abs(q).max(axis=(-1, -2)), H, right))
-        return x, singular_status(H, pivots, L, np.abs(terms).max(axis=(0, -1)), q)
+        x, suspect = eliminate_many(*over_length(np.abs(q).max(axis=(-1, -2)), H, right))
+        return x, singular_status(H, suspect, L, np.abs(terms).max(axis=(0, -1)), q)
 
 
 def _matrix(total: dict[str, Array], name: str, symmetric: bool = False) -> Array:

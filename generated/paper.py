@@ -11,9 +11,9 @@ Operations of one pose of inverse dynamics, six legs, solve included
 leg      331 (186 mul, 141 add, 2 div, 2 sqrt)     285 (162 mul, 119 add, 2 div, 2 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    202 (111 mul, 85 add, 6 div, 0 sqrt)      202 (111 mul, 85 add, 6 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    2449 (1350 mul, 1069 add, 18 div, 12 sqrt) 2173 (1206 mul, 937 add, 18 div, 12 sqrt)
+total    2444 (1345 mul, 1069 add, 18 div, 12 sqrt) 2168 (1201 mul, 937 add, 18 div, 12 sqrt)
 """
 
 from typing import Any
@@ -28,17 +28,17 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "leg": (186, 141, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1350, 1069, 18, 12),
+        "total": (1345, 1069, 18, 12),
     },
     "frictionless": {
         "leg": (162, 119, 2, 2),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1206, 937, 18, 12),
+        "total": (1201, 937, 18, 12),
     },
 }
 
@@ -49,21 +49,21 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1100, 844, 18, 12),
+        "total": (1095, 844, 18, 12),
     },
     "frictionless": {
         "leg": (123, 85, 2, 2),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (983, 751, 18, 12),
+        "total": (978, 751, 18, 12),
     },
 }
-MODEL_NUMBERS = 219
+MODEL_NUMBERS = 218
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

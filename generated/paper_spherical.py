@@ -11,9 +11,9 @@ Operations of one pose of inverse dynamics, six legs, solve included
 leg      249 (144 mul, 103 add, 1 div, 1 sqrt)     182 (103 mul, 77 add, 1 div, 1 sqrt)
 platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
 sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
-solve    202 (111 mul, 85 add, 6 div, 0 sqrt)      202 (111 mul, 85 add, 6 div, 0 sqrt)
+solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
 forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
-total    1957 (1098 mul, 841 add, 12 div, 6 sqrt)  1555 (852 mul, 685 add, 12 div, 6 sqrt)
+total    1952 (1093 mul, 841 add, 12 div, 6 sqrt)  1550 (847 mul, 685 add, 12 div, 6 sqrt)
 """
 
 from typing import Any
@@ -28,17 +28,17 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "leg": (144, 103, 1, 1),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1098, 841, 12, 6),
+        "total": (1093, 841, 12, 6),
     },
     "frictionless": {
         "leg": (103, 77, 1, 1),
         "platform": (123, 96, 0, 0),
         "sum of c": (0, 36, 0, 0),
-        "solve": (111, 85, 6, 0),
+        "solve": (106, 85, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (852, 685, 12, 6),
+        "total": (847, 685, 12, 6),
     },
 }
 
@@ -49,21 +49,21 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1019, 805, 12, 6),
+        "total": (1014, 805, 12, 6),
     },
     "frictionless": {
         "leg": (88, 68, 1, 1),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (89, 67, 6, 0),
+        "solve": (84, 67, 6, 0),
         "forces": (0, 6, 0, 0),
-        "total": (773, 649, 12, 6),
+        "total": (768, 649, 12, 6),
     },
 }
-MODEL_NUMBERS = 250
+MODEL_NUMBERS = 249
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

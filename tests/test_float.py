@@ -255,9 +255,9 @@ SIZES = (1e-40, 1e-4, 0.1, 0.124, 0.126, 0.5, 1.0, 63.0, 65.0, 1e3, 1e40)
 
 
 def per_length(size: float) -> float:
-    """One over the least power of two, 2^-100 to 2^100, that ``size`` does not exceed; 1 from 1/8 to 64."""
+    """One over the least power of two, 2^-100 to 2^100, that ``size`` does not exceed; 1 from 1/8 to 16."""
     power = min(max(math.ceil(math.log2(size)), -100), 100)
-    return 1.0 if 0.125 <= size <= 64.0 else 2.0**-power
+    return 1.0 if 0.125 <= size <= 16.0 else 2.0**-power
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])

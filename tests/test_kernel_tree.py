@@ -35,12 +35,12 @@ CONSTANTS = {
     "SHORTEST": sqrt(1 / MAX / EPSILON),
     "POLE_SINE": 4096 * EPSILON,
     "NEAR_POLE": 2.0**-6,
-    "SUSPECT": 4 * sqrt(EPSILON),
+    "SUSPECT": 2.0**-13,
     "SHORT_SHARE": 64 * sqrt(EPSILON),
     "KEPT": 2.0**-5,
     "LEANING": 2.0**-3,
     "SMALLEST": 2.0**-3,
-    "LARGEST": 64.0,
+    "LARGEST": 16.0,
 }
 ON_ARRAYS = Arithmetic(
     np.asarray,

@@ -56,7 +56,6 @@ static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_SHORTEST Threshold()
 #define STEWART_SUSPECT Threshold()
 #define STEWART_SHORT_SHARE Threshold()
-#define STEWART_LEAST_PIVOTS(v) Threshold()
 @INCLUDES@
 int main() {
     static stewart_robot robot;

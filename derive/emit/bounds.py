@@ -949,12 +949,12 @@ static int equations_of_pose(
     return STEWART_OK;
 }
 
-/* Status of the platform's equations by the product of their pivots. */
-static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
+/* Status of the platform's equations; suspect: whether a pivot is small. */
+static int pose_status(const platform_equations *of, int suspect)
 {
     stewart_real H[6][6], arm[6][3];
     int i, j;
-    if (of->close == 0 && STEWART_FABS(pivots) > least) {
+    if (of->close == 0 && suspect == 0) {
         return STEWART_OK;
     }
     for (i = 0; i < 6; ++i) {
@@ -968,12 +968,11 @@ static int pose_status(const platform_equations *of, stewart_real pivots, stewar
     return singular_status(H, arm, of->L, of->reach);
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */
-static stewart_real solution(
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else 0. */
+static int solution(
     const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
 {
-    stewart_real pivots = 0;
-    int column, i, j;
+    int column, i, j, suspect = 0;
     for (column = 0; column < 7; ++column) {
         stewart_real A[6][LANES], found[6];
         for (i = 0; i < 6; ++i) {
@@ -984,12 +983,12 @@ static stewart_real solution(
             A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
             A[i][7] = 0;
         }
-        pivots = solve_pose(A, found);
+        suspect = solve_pose(A, found);
         for (i = 0; i < 6; ++i) {
             *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
         }
     }
-    return pivots;
+    return suspect;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
@@ -1067,7 +1066,7 @@ static int forces_of_pose(
         status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        status = pose_status(&equations, solution(&equations, model->per_length, x, Y), model->least);
+        status = pose_status(&equations, solution(&equations, model->per_length, x, Y));
     }
     if (status != STEWART_OK) {
         return status;

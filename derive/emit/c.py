@@ -516,12 +516,12 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
 """
 
 _SOLVE = """\
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
- * of the pivots. */
-static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
+ * a pivot is small, else 0. */
+static int solve(stewart_real A[6][7], stewart_real x[6])
 {
-    stewart_real inverse[6], pivots = REAL(1);
-    int i, j, k;
+    stewart_real inverse[6];
+    int i, j, k, suspect = 0;
     for (k = 0; k < 6; ++k) {
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -534,7 +534,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
+        suspect = STEWART_FABS(A[k][k]) > STEWART_SUSPECT ? suspect : 1;
         inverse[k] = REAL(1) / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -550,7 +550,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
         }
         x[i] = sum * inverse[i];
     }
-    return pivots;
+    return suspect;
 }
 """
 
@@ -596,8 +596,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7], arm[6][3], reach[6], L[6];
-    stewart_real pivots, per_length, size = REAL(0);
-    int i, j, status;
+    stewart_real per_length, size = REAL(0);
+    int i, j, status, suspect;
     int close = 0;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -638,10 +638,9 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
             A[4][i] = A[4][i] * per_length;
             A[5][i] = A[5][i] * per_length;
         }
-        size = size * per_length;
     }
-    pivots = solve(A, out->x);
-    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size))) {
+    suspect = solve(A, out->x);
+    if (close != 0 || suspect != 0) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
             for (j = 0; j < 6; ++j) {

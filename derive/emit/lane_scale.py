@@ -8,15 +8,15 @@ platforms of about a metre it is 1, and no solve multiplies by it.
 
 import math
 
-SMALLEST, LARGEST = 0.125, 64.0
+SMALLEST, LARGEST = 0.125, 16.0
 """Sizes of platforms, m, between which forces and moments in metres compare well enough.
 
 Of 10^4 poses none loses more than 6.1 rounding units times its condition number at 1/8 m, 2 at 1 m and above,
-but 10 at 1/16 m.
+but 10 at 1/16 m. In float, pivots that are rounding error of moments come near
+``STEWART_SUSPECT`` at 64 m.
 """
 
 MEMBER = f"""\
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
      * {SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;"""
@@ -63,13 +63,6 @@ static stewart_real size_of(const @MODEL@ *model)
     }
     return largest;
 }
-
-/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
-static stewart_real least_pivots(stewart_real size)
-{
-    const stewart_real least = STEWART_LEAST_PIVOTS(size);
-    return least <= STEWART_MAX ? least : STEWART_MAX;
-}
 """
 
 SIZE = (
@@ -77,7 +70,7 @@ SIZE = (
     + "\n"
     + _SIZE.replace("@POINT@", "model->p[j][i]").replace("@FIRST@", "model->p[j][0]")
 )
-"""Functions of a model, its type still to be named, for its members ``per_length`` and ``least``."""
+"""Functions of a model, its type still to be named, for its member ``per_length``."""
 SIZE_BY_LEGS = (
     per_length_function()
     + "\n"
@@ -86,8 +79,7 @@ SIZE_BY_LEGS = (
 """The same for a model in which the legs stand one after the other."""
 
 PREPARED = """\
-    {model}per_length = per_length_of(size_of({address}));
-    {model}least = least_pivots(size_of({address}) * {model}per_length);"""
+    {model}per_length = per_length_of(size_of({address}));"""
 """What preparation does with them."""
 
 IS_SCALED = "model->per_length != REAL(1)"

@@ -79,7 +79,6 @@ def source(kernel: ForceKernel, version: str) -> str:
     name = kernel.name
     parts = [
         _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + singular.MACROS,
-        suspect(kernel),
         _only(_structs(kernel), kernel),
         *_model(kernel),
         _scalar_shared(kernel),
@@ -139,7 +138,7 @@ def _only(text: str, kernel: ForceKernel) -> str:
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     numbers = LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
-    return numbers + 2
+    return numbers + 1
 
 
 def _member(quantity: Quantity, lanes: str) -> str:
@@ -513,14 +512,6 @@ def _moments_of_block(kernel: ForceKernel) -> list[str]:
 # ---------------------------------------------------------------- solving
 
 
-def suspect(kernel: ForceKernel) -> str:
-    """What a product of pivots is compared with."""
-    if kernel.constants is None:
-        return "\n#define STEWART_LEAST (model->least)\n"
-    size = kernel.size * per_length(kernel.size)
-    return f"\n#define STEWART_LEAST STEWART_LEAST_PIVOTS(REAL({size!r}))\n"
-
-
 def is_scaled(kernel: ForceKernel) -> bool:
     """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
     return kernel.constants is None or per_length(kernel.size) != 1.0
@@ -535,7 +526,7 @@ def solve_pose(about_tip: bool) -> str:
         body += [f"/* Column {k + 1}. */"]
         for i in below:
             body += _exchange(k, i)
-        body.append("pivots = a0;" if k == 0 else f"pivots = pivots * a{k};")
+        body.append(f"suspect = STEWART_FABS(a{k}) > STEWART_SUSPECT ? suspect : 1;")
         if below:
             body += _eliminate(k, below)
     body.append("x[5] = A[5][6] / a5;")
@@ -593,13 +584,12 @@ def _solve_block(kernel: ForceKernel) -> str:
         below = [i for i in rows[k + 1 :] if (i, k) in entries[i]]
         for i in below:
             body += _sink(k, i)
+        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_SUSPECT ? fault : REAL(1);")
         if k < rows[-1]:
             body.append(f"const stewart_real inverse{k} = REAL(1) / a{k}{k};")
         for i in below:
             body.append(f"const stewart_real factor{i}{k} = a{i}{k} * inverse{k};")
             body += [f"a{i}{j} = a{i}{j} - factor{i}{k} * a{k}{j};" for j in columns[k + 1 :]]
-    body.append(f"const stewart_real pivots = {' * '.join(f'a{k}{k}' for k in rows)};")
-    body.append("fault = STEWART_FABS(pivots) > least ? fault : REAL(1);")
     for i in reversed(rows):
         body += [f"a{i}6 = a{i}6 - a{i}{j} * a{j}6;" for j in rows[i + 1 :]]
         body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
@@ -885,7 +875,7 @@ _BLOCK = """\
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
     stewart_real <D:D[6][LANES], :D>F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where a leg, the pivots or a force need a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 <A:
 /* What a leg of eight poses hands to the moments. */
@@ -963,13 +953,14 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns the product of the pivots.@WHY@ */
-static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+ * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.@WHY@ */
+static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int suspect = 0;
 @BODY@
-    return pivots;
+    return suspect;
 }
 """
 
@@ -1037,8 +1028,7 @@ int stewart_@NAME@_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real pivots;
-    int i, j, status;
+    int i, j, status, suspect;
     int close = 0;
     <P:int near_pole = 0;:P>
     if (<M:model == NULL || :M>motion == NULL || F == NULL) {
@@ -1082,8 +1072,8 @@ int stewart_@NAME@_forces(
     <S:    scale_pose(A, @PER_LENGTH@);:S>
     <S:}:S>
     <Z:scale_pose(A, @PER_LENGTH@);:Z>
-    pivots = solve_pose(A, x);
-    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
+    suspect = solve_pose(A, x);
+    if (close != 0 || suspect != 0) {
         status = pose_status(&legs);
         if (status != STEWART_OK) {
             return status;
@@ -1132,10 +1122,10 @@ static void scale_block(block *out, stewart_real per_length)
 
 _SOLVE_BLOCK = """\
 /* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = @FORCE@, (37). Marks as bad where the product of the pivots is small or a force is not finite. */
+ * F = @FORCE@, (37). Marks as bad where a pivot is small or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES],<D: stewart_real (*STEWART_RESTRICT D)[LANES],:D>
-    stewart_real least, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -1224,7 +1214,7 @@ static void forces_of_block(const stewart_@NAME@_model *model, const motion_lane
     <S:    scale_block(out, @PER_LENGTH@);:S>
     <S:}:S>
     <Z:scale_block(out, @PER_LENGTH@);:Z>
-    solve_block(out->column, <D:out->D, :D>STEWART_LEAST, out->F, out->bad);
+    solve_block(out->column, <D:out->D, :D>out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

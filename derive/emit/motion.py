@@ -603,20 +603,17 @@ static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
 """What kernels and functions share: name -> text."""
 
 _COLUMNS_STATUS = """\
-/* Status of a pose by its H and the product of the pivots of H. */
+/* Status of a pose by its H; suspect: whether a pivot of it is small. */
 static int columns_status(
     const stewart_@NAME@_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
-    stewart_real (*moment)[LANES], const leg_judgement *judged, stewart_real pivots)
+    stewart_real (*moment)[LANES], const leg_judgement *judged, int suspect)
 {
-    stewart_real H[36], rows[6][6], arm[6][3], size = REAL(0);
+    stewart_real H[36], rows[6][6], arm[6][3];
     int i, j, close = 0;
     for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(model->p[j][i]), size);
-        }
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
-    if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
+    if (close == 0 && suspect == 0) {
         return STEWART_OK;
     }
     column_rows(force, moment, 6, H);
@@ -700,8 +697,8 @@ _SOLVE = """\
  * Returns @RETURNS@. */
 static @TYPE@ solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@]@LEAST@)
 {
-    stewart_real @SCALE@, inverse[6];
-    int i, j, k;
+    stewart_real @SCALE@inverse[6];
+    int i, j, k@SUSPECT@;
 @SCALES@
     for (k = 0; k < 6; ++k) {
 @PIVOT@
@@ -731,7 +728,8 @@ static @TYPE@ solve_@KIND@_@WIDTH@(stewart_real A[6 * @WIDTH@]@LEAST@)
 _DEFINITE = {
     "@RETURNS@": "a status",
     "@TYPE@": "int",
-    "@SCALE@": "scale[6]",
+    "@SCALE@": "scale[6], ",
+    "@SUSPECT@": "",
     "@RESULT@": "STEWART_OK",
     "@KIND@": "definite",
     "@MATRIX@": "M",
@@ -748,15 +746,16 @@ _DEFINITE = {
 }
 
 _PIVOTED = {
-    "@RETURNS@": "the product of the pivots",
-    "@TYPE@": "stewart_real",
-    "@SCALE@": "pivots",
-    "@RESULT@": "pivots",
+    "@RETURNS@": "1 where a pivot is small, else 0",
+    "@TYPE@": "int",
+    "@SCALE@": "",
+    "@SUSPECT@": ", suspect = 0",
+    "@RESULT@": "suspect",
     "@KIND@": "pivoted",
     "@MATRIX@": "H",
     "@METHOD@": "by elimination with partial pivoting",
     "@LEAST@": "",
-    "@SCALES@": "    pivots = REAL(1);",
+    "@SCALES@": "",
     "@PIVOT@": """\
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -769,7 +768,7 @@ _PIVOTED = {
             A[k * @WIDTH@ + j] = A[pivot * @WIDTH@ + j];
             A[pivot * @WIDTH@ + j] = moved;
         }
-        pivots = pivots * A[k * @WIDTH@ + k];""",
+        suspect = STEWART_FABS(A[k * @WIDTH@ + k]) > STEWART_SUSPECT ? suspect : 1;""",
 }
 
 _PUBLIC = {

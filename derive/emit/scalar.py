@@ -19,7 +19,7 @@ from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
 from .lane_scale import IS_SCALED, MEMBER, PREPARED, SIZE_BY_LEGS, per_length
 from .lane_text import dims, entries, filled, literal_macro, literal_macros, loads, names_used, stores
-from .lanes import is_scaled, prepare_function, suspect
+from .lanes import is_scaled, prepare_function
 
 SQRT = "STEWART_SQRT"
 _RIGHT_SIDE = (n.c_force, n.c_moment)
@@ -47,7 +47,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
     parts = [
-        _TOP + ARITHMETIC + _MACROS + singular.MACROS + suspect(kernel),
+        _TOP + ARITHMETIC + _MACROS + singular.MACROS,
         *_preparation(kernel),
         _shared(kernel),
         _closely(kernel),
@@ -327,12 +327,11 @@ def _solve() -> str:
     for k in range(6):
         below = range(k + 1, 3 if k == 0 else 6)
         body += [f"/* Column {k + 1}. */"]
-        body += [f"size = STEWART_FABS(row[{k}][{k}]);"] if below else []
+        body += [f"size = STEWART_FABS(row[{k}][{k}]);"]
         for i in below:
-            body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
-            body += ["    size = other;"] if i != below[-1] else []
+            body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {", "    size = other;"]
             body += [f"    lower = row[{i}];", f"    row[{i}] = row[{k}];", f"    row[{k}] = lower;", "}"]
-        body += [f"pivots = {'' if k == 0 else 'pivots * '}row[{k}][{k}];"]
+        body += ["suspect = (size > STEWART_SUSPECT) ? suspect : 1;"]
         body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
         if below:
@@ -580,8 +579,8 @@ _LEG = """\
 
 _SOLVE = """\
 /* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows.
- * Returns the product of the pivots. */
-static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
+ * Returns 1 where a pivot is small, else 0. */
+static int solve(stewart_real A[6][7], stewart_real x[6])
 {
     stewart_real *row[6];
     stewart_real *lower;
@@ -595,7 +594,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
     stewart_real other;
     stewart_real factor;
     stewart_real inverse;
-    stewart_real pivots;
+    int suspect = 0;
     row[0] = A[0];
     row[1] = A[1];
     row[2] = A[2];
@@ -603,7 +602,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
     row[4] = A[4];
     row[5] = A[5];
 @BODY@
-    return pivots;
+    return suspect;
 }
 """
 
@@ -652,9 +651,9 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     stewart_real x[6];
     stewart_real known[6]; //D
     stewart_real least;
-    stewart_real pivots;
     int i;
     int status;
+    int suspect;
     if ((model == NULL) || (motion == NULL) || (F == NULL)) { //M
     if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
@@ -680,8 +679,8 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
         scale_moments(A, @PER_LENGTH@); //S
     } //S
     scale_moments(A, @PER_LENGTH@); //Z
-    pivots = solve(A, x);
-    if ((pose.close != 0) || (!(STEWART_FABS(pivots) > STEWART_LEAST))) {
+    suspect = solve(A, x);
+    if ((pose.close != 0) || (suspect != 0)) {
         status = pose_status(model, motion, &pose); //M
         status = pose_status(motion, &pose); //B
         if (status != STEWART_OK) {

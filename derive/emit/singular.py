@@ -1,8 +1,8 @@
 """Text by which every C source decides whether H is singular to rounding.
 
-The solves multiply their pivots: of a matrix that is singular to rounding the product is rounding error.
-Where it is small, or a leg is short beside what its vector is the sum of, ``singular_status`` decides from
-bounds of the rounding error of every entry of H. No dynamics, no solve.
+The solves compare their pivots with a limit: of a matrix that is singular to rounding one at least is small.
+Where one is, or a leg is short beside what its vector is the sum of, ``singular_status`` decides from bounds
+of the rounding error of every entry of H. No dynamics, no solve.
 """
 
 MACROS = """
@@ -10,25 +10,22 @@ MACROS = """
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
-#endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 """
 

@@ -52,7 +52,6 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
                 Field("leg", Array(Record("LegConstants"), (6,)), "the legs"),
                 Field("platform", Record("Platform"), "the platform"),
                 Field("per_length", Real(), "1/m: one over the length over which moments are taken"),
-                Field("least", Real(), "of the pivots of H: below this product it may be singular"),
                 STATUS,
             ),
         ),

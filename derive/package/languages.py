@@ -70,14 +70,13 @@ def template(name: str, values: Mapping[str, str]) -> str:
 
 def thresholds(precision: str) -> dict[str, str]:
     """Constants that are no product of others."""
-    eps, largest = (2.0**-52, float.fromhex("0x1.fffffffffffffp1023"))
+    eps, largest = 2.0**-52, float.fromhex("0x1.fffffffffffffp1023")
+    suspect, short_share = 2.0**-13, 64 * math.sqrt(eps)
     if precision == "float":
         eps, largest = 2.0**-23, float.fromhex("0x1.fffffep127")
-    suspect, share = (
-        (4 * math.sqrt(eps), 64 * math.sqrt(eps)) if precision == "double" else (64 * eps, 0.0625)
-    )
-    found = {"shortest": math.sqrt(1 / largest / eps), "suspect": suspect, "share": share}
-    return {name: repr(value) for name, value in found.items()}
+        suspect, short_share = 2.0**-7, 2.0**-4
+    shortest = math.sqrt(1 / largest / eps)
+    return {"shortest": repr(shortest), "suspect": repr(suspect), "short_share": repr(short_share)}
 
 
 def stored(numbers: Numbers, quantity: Quantity, leg: int | None = None) -> list[float]:

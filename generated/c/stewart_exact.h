@@ -20,9 +20,9 @@
  * leg      414 (229 mul, 181 add, 2 div, 2 sqrt)     364 (204 mul, 156 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    202 (111 mul, 85 add, 6 div, 0 sqrt)      202 (111 mul, 85 add, 6 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2947 (1608 mul, 1309 add, 18 div, 12 sqrt) 2647 (1458 mul, 1159 add, 18 div, 12 sqrt)
+ * total    2942 (1603 mul, 1309 add, 18 div, 12 sqrt) 2642 (1453 mul, 1159 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_H
 #define STEWART_EXACT_H

@@ -61,29 +61,23 @@
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
 #endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
-#endif
-
-
-#define STEWART_LEAST (model->least)
 
 /* Motions of eight poses, component by component. */
 typedef struct {
@@ -308,7 +302,7 @@ static stewart_real per_length_of(stewart_real size)
 {
     stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(64.0)) {
+    if (size >= REAL(0.125) && size <= REAL(16.0)) {
         return unit;
     }
     for (i = 0; i < 100 && unit < size; ++i) {
@@ -331,13 +325,6 @@ static stewart_real size_of(const stewart_exact_axisymmetric_friction_model *mod
         }
     }
     return largest;
-}
-
-/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
-static stewart_real least_pivots(stewart_real size)
-{
-    const stewart_real least = STEWART_LEAST_PIVOTS(size);
-    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_axisymmetric_friction_prepare(const stewart_robot *robot, stewart_exact_axisymmetric_friction_model *model)
@@ -420,7 +407,6 @@ int stewart_exact_axisymmetric_friction_prepare(const stewart_robot *robot, stew
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
     made.per_length = per_length_of(size_of(&made));
-    made.least = least_pivots(size_of(&made) * made.per_length);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -487,11 +473,11 @@ static void shared_of_pose(const stewart_exact_axisymmetric_friction_model *mode
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz) - J_P_xz*(P_xy
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
         + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
-        - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
+        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
@@ -915,12 +901,13 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns the product of the pivots.
+ * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
  * The first column has no moment rows. */
-static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int suspect = 0;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -937,7 +924,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a0 = a2;
         a2 = moved;
     }
-    pivots = a0;
+    suspect = STEWART_FABS(a0) > STEWART_SUSPECT ? suspect : 1;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -973,7 +960,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a1 = a5;
         a5 = moved;
     }
-    pivots = pivots * a1;
+    suspect = STEWART_FABS(a1) > STEWART_SUSPECT ? suspect : 1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -1006,7 +993,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a2 = a5;
         a5 = moved;
     }
-    pivots = pivots * a2;
+    suspect = STEWART_FABS(a2) > STEWART_SUSPECT ? suspect : 1;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -1030,7 +1017,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a3 = a5;
         a5 = moved;
     }
-    pivots = pivots * a3;
+    suspect = STEWART_FABS(a3) > STEWART_SUSPECT ? suspect : 1;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -1045,20 +1032,20 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a4 = a5;
         a5 = moved;
     }
-    pivots = pivots * a4;
+    suspect = STEWART_FABS(a4) > STEWART_SUSPECT ? suspect : 1;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    pivots = pivots * a5;
+    suspect = STEWART_FABS(a5) > STEWART_SUSPECT ? suspect : 1;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return pivots;
+    return suspect;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -1170,8 +1157,7 @@ int stewart_exact_axisymmetric_friction_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real pivots;
-    int i, j, status;
+    int i, j, status, suspect;
     int close = 0;
     int near_pole = 0;
     if (model == NULL || motion == NULL || F == NULL) {
@@ -1214,8 +1200,8 @@ int stewart_exact_axisymmetric_friction_forces(
     if (model->per_length != REAL(1)) {
         scale_pose(A, model->per_length);
     }
-    pivots = solve_pose(A, x);
-    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
+    suspect = solve_pose(A, x);
+    if (close != 0 || suspect != 0) {
         status = pose_status(&legs);
         if (status != STEWART_OK) {
             return status;
@@ -1237,7 +1223,7 @@ int stewart_exact_axisymmetric_friction_forces(
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
     stewart_real D[6][LANES], F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where a leg, the pivots or a force need a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 
 /* What a leg of eight poses hands to the moments. */
@@ -1311,11 +1297,11 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz)
+        const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x
             - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-        const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
-            - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
-        const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+        const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
+            - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+        const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
             - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
@@ -1574,10 +1560,10 @@ static void scale_block(block *out, stewart_real per_length)
 }
 
 /* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = D - x, (37). Marks as bad where the product of the pivots is small or a force is not finite. */
+ * F = D - x, (37). Marks as bad where a pivot is small or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real least, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -1643,6 +1629,7 @@ STEWART_APART static void solve_block(
         const stewart_real a06_2 = below20 > REAL(0) ? a26 : a06;
         a26 = below20 > REAL(0) ? a06 : a26;
         a06 = a06_2;
+        fault = STEWART_FABS(a00) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse0 = REAL(1) / a00;
         const stewart_real factor10 = a10 * inverse0;
         a11 = a11 - factor10 * a01;
@@ -1738,6 +1725,7 @@ STEWART_APART static void solve_block(
         const stewart_real a16_5 = below51 > REAL(0) ? a56 : a16;
         a56 = below51 > REAL(0) ? a16 : a56;
         a16 = a16_5;
+        fault = STEWART_FABS(a11) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse1 = REAL(1) / a11;
         const stewart_real factor21 = a21 * inverse1;
         a22 = a22 - factor21 * a12;
@@ -1814,6 +1802,7 @@ STEWART_APART static void solve_block(
         const stewart_real a26_5 = below52 > REAL(0) ? a56 : a26;
         a56 = below52 > REAL(0) ? a26 : a56;
         a26 = a26_5;
+        fault = STEWART_FABS(a22) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse2 = REAL(1) / a22;
         const stewart_real factor32 = a32 * inverse2;
         a33 = a33 - factor32 * a23;
@@ -1858,6 +1847,7 @@ STEWART_APART static void solve_block(
         const stewart_real a36_5 = below53 > REAL(0) ? a56 : a36;
         a56 = below53 > REAL(0) ? a36 : a56;
         a36 = a36_5;
+        fault = STEWART_FABS(a33) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse3 = REAL(1) / a33;
         const stewart_real factor43 = a43 * inverse3;
         a44 = a44 - factor43 * a34;
@@ -1878,12 +1868,12 @@ STEWART_APART static void solve_block(
         const stewart_real a46_5 = below54 > REAL(0) ? a56 : a46;
         a56 = below54 > REAL(0) ? a46 : a56;
         a46 = a46_5;
+        fault = STEWART_FABS(a44) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse4 = REAL(1) / a44;
         const stewart_real factor54 = a54 * inverse4;
         a55 = a55 - factor54 * a45;
         a56 = a56 - factor54 * a46;
-        const stewart_real pivots = a00 * a11 * a22 * a33 * a44 * a55;
-        fault = STEWART_FABS(pivots) > least ? fault : REAL(1);
+        fault = STEWART_FABS(a55) > STEWART_SUSPECT ? fault : REAL(1);
         a56 = a56 / a55;
         a46 = a46 - a45 * a56;
         a46 = a46 * inverse4;
@@ -2020,7 +2010,7 @@ static void forces_of_block(const stewart_exact_axisymmetric_friction_model *mod
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, STEWART_LEAST, out->F, out->bad);
+    solve_block(out->column, out->D, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

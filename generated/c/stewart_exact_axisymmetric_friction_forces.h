@@ -14,9 +14,9 @@
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
- * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1866 (1058 mul, 778 add, 18 div, 12 sqrt)
+ * total    1861 (1053 mul, 778 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_AXISYMMETRIC_FRICTION_FORCES_H
 #define STEWART_EXACT_AXISYMMETRIC_FRICTION_FORCES_H
@@ -48,9 +48,8 @@ typedef struct {
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_axisymmetric_friction_model;
 

@@ -72,25 +72,22 @@
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
-#endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 #define STEWART_INFINITY ((stewart_real)INFINITY)
@@ -633,7 +630,7 @@ static stewart_real per_length_of(stewart_real size)
 {
     stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(64.0)) {
+    if (size >= REAL(0.125) && size <= REAL(16.0)) {
         return unit;
     }
     for (i = 0; i < 100 && unit < size; ++i) {
@@ -656,13 +653,6 @@ static stewart_real size_of(const stewart_exact_bounds_model *model)
         }
     }
     return largest;
-}
-
-/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
-static stewart_real least_pivots(stewart_real size)
-{
-    const stewart_real least = STEWART_LEAST_PIVOTS(size);
-    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
@@ -716,7 +706,6 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares / 6);
     made.per_length = per_length_of(size_of(&made));
-    made.least = least_pivots(size_of(&made) * made.per_length);
     if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
         return STEWART_NOT_FINITE;
     }
@@ -784,11 +773,11 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz) - J_P_xz*(P_xy
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
         + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
-        - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
+        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
     const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
         - B_xy*h_base_y - B_xz*h_base_z;
@@ -1260,12 +1249,13 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns the product of the pivots.
+ * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
  * The first column has no moment rows. */
-static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int suspect = 0;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -1282,7 +1272,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a0 = a2;
         a2 = moved;
     }
-    pivots = a0;
+    suspect = STEWART_FABS(a0) > STEWART_SUSPECT ? suspect : 1;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -1318,7 +1308,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a1 = a5;
         a5 = moved;
     }
-    pivots = pivots * a1;
+    suspect = STEWART_FABS(a1) > STEWART_SUSPECT ? suspect : 1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -1351,7 +1341,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a2 = a5;
         a5 = moved;
     }
-    pivots = pivots * a2;
+    suspect = STEWART_FABS(a2) > STEWART_SUSPECT ? suspect : 1;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -1375,7 +1365,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a3 = a5;
         a5 = moved;
     }
-    pivots = pivots * a3;
+    suspect = STEWART_FABS(a3) > STEWART_SUSPECT ? suspect : 1;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -1390,20 +1380,20 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a4 = a5;
         a5 = moved;
     }
-    pivots = pivots * a4;
+    suspect = STEWART_FABS(a4) > STEWART_SUSPECT ? suspect : 1;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    pivots = pivots * a5;
+    suspect = STEWART_FABS(a5) > STEWART_SUSPECT ? suspect : 1;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return pivots;
+    return suspect;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -1809,10 +1799,10 @@ static void shared_errors(
     const stewart_real P_zz_err = REAL(2)*omega_P_z_err*omega_P_z_max + P_zz_own;
     const stewart_real P_zz_max = STEWART_FABS(P_zz) + P_zz_err;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = M_ext_x - J_P_xx*alpha_P_x - J_P_xy*(alpha_P_y - P_xz) - J_P_xz*(P_xy
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
         + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(5)*J_P_xx_max*alpha_P_x_max
-        + REAL(5)*J_P_xy_max*(P_xz_max + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max)
+    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_P_xx_max*alpha_P_x_max
+        + REAL(6)*J_P_xy_max*(P_xz_max + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max)
         + REAL(3)*J_P_yz_max*(P_yy_max + P_zz_max) + REAL(4)*M_ext_x_max + P_yz_max*dJ_P_x_max
         + STEWART_FABS(M_P_load_x));
     const stewart_real M_P_load_x_err = J_P_xx_err*alpha_P_x_max + J_P_xx_max*alpha_P_x_err
@@ -1821,11 +1811,11 @@ static void shared_errors(
         + J_P_yz_err*(P_yy_max + P_zz_max) + J_P_yz_max*P_yy_err + J_P_yz_max*P_zz_err + P_yz_err*dJ_P_x_max
         + P_yz_max*dJ_P_x_err + M_P_load_x_own;
     const stewart_real M_P_load_x_max = STEWART_FABS(M_P_load_x) + M_P_load_x_err;
-    const stewart_real M_P_load_y = M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz - P_xx)
-        - J_P_yy*alpha_P_y - J_P_yz*(alpha_P_z - P_xy) - P_xz*dJ_P_y;
-    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(6)*J_P_xy_max*(P_yz_max + alpha_P_x_max)
-        + REAL(5)*J_P_xz_max*(P_xx_max + P_zz_max) + REAL(3)*J_P_yy_max*alpha_P_y_max
-        + REAL(3)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max + P_xz_max*dJ_P_y_max
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
+        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_yz_max + alpha_P_x_max)
+        + REAL(4)*J_P_xz_max*(P_xx_max + P_zz_max) + REAL(2)*J_P_yy_max*alpha_P_y_max
+        + REAL(6)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max + P_xz_max*dJ_P_y_max
         + STEWART_FABS(M_P_load_y));
     const stewart_real M_P_load_y_err = J_P_xy_err*(P_yz_max + alpha_P_x_max) + J_P_xy_max*P_yz_err
         + J_P_xy_max*alpha_P_x_err + J_P_xz_err*(P_xx_max + P_zz_max) + J_P_xz_max*P_xx_err
@@ -1833,10 +1823,10 @@ static void shared_errors(
         + alpha_P_z_max) + J_P_yz_max*P_xy_err + J_P_yz_max*alpha_P_z_err + P_xz_err*dJ_P_y_max
         + P_xz_max*dJ_P_y_err + M_P_load_y_own;
     const stewart_real M_P_load_y_max = STEWART_FABS(M_P_load_y) + M_P_load_y_err;
-    const stewart_real M_P_load_z = M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_xz*(alpha_P_x - P_yz)
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
         - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(6)*J_P_xy_max*(P_xx_max + P_yy_max)
-        + REAL(5)*J_P_xz_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max)
+    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_xx_max + P_yy_max)
+        + REAL(6)*J_P_xz_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max)
         + REAL(2)*J_P_zz_max*alpha_P_z_max + REAL(4)*M_ext_z_max + P_xy_max*dJ_P_z_max
         + STEWART_FABS(M_P_load_z));
     const stewart_real M_P_load_z_err = J_P_xy_err*(P_xx_max + P_yy_max) + J_P_xy_max*P_xx_err
@@ -5498,12 +5488,12 @@ static int equations_of_pose(
     return STEWART_OK;
 }
 
-/* Status of the platform's equations by the product of their pivots. */
-static int pose_status(const platform_equations *of, stewart_real pivots, stewart_real least)
+/* Status of the platform's equations; suspect: whether a pivot is small. */
+static int pose_status(const platform_equations *of, int suspect)
 {
     stewart_real H[6][6], arm[6][3];
     int i, j;
-    if (of->close == 0 && STEWART_FABS(pivots) > least) {
+    if (of->close == 0 && suspect == 0) {
         return STEWART_OK;
     }
     for (i = 0; i < 6; ++i) {
@@ -5517,12 +5507,11 @@ static int pose_status(const platform_equations *of, stewart_real pivots, stewar
     return singular_status(H, arm, of->L, of->reach);
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel. Returns the product of the pivots. */
-static stewart_real solution(
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else 0. */
+static int solution(
     const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
 {
-    stewart_real pivots = 0;
-    int column, i, j;
+    int column, i, j, suspect = 0;
     for (column = 0; column < 7; ++column) {
         stewart_real A[6][LANES], found[6];
         for (i = 0; i < 6; ++i) {
@@ -5533,12 +5522,12 @@ static stewart_real solution(
             A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
             A[i][7] = 0;
         }
-        pivots = solve_pose(A, found);
+        suspect = solve_pose(A, found);
         for (i = 0; i < 6; ++i) {
             *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
         }
     }
-    return pivots;
+    return suspect;
 }
 
 /* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
@@ -5616,7 +5605,7 @@ static int forces_of_pose(
         status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        status = pose_status(&equations, solution(&equations, model->per_length, x, Y), model->least);
+        status = pose_status(&equations, solution(&equations, model->per_length, x, Y));
     }
     if (status != STEWART_OK) {
         return status;

@@ -56,9 +56,8 @@ typedef struct {
     stewart_exact_bounds_leg leg[6];
     stewart_exact_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_bounds_model;
 

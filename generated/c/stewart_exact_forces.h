@@ -13,9 +13,9 @@
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)       162 (89 mul, 67 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)       157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2106 (1184 mul, 892 add, 18 div, 12 sqrt) 1896 (1067 mul, 799 add, 18 div, 12 sqrt)
+ * total    2101 (1179 mul, 892 add, 18 div, 12 sqrt) 1891 (1062 mul, 799 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_FORCES_H
 #define STEWART_EXACT_FORCES_H
@@ -54,9 +54,8 @@ typedef struct {
     stewart_real M; /* kg: mass of the platform with its payload */
     stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
     stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_model;
 

@@ -14,9 +14,9 @@
  * platform 186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    1896 (1067 mul, 799 add, 18 div, 12 sqrt)
+ * total    1891 (1062 mul, 799 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_FRICTIONLESS_FORCES_H
 #define STEWART_EXACT_FRICTIONLESS_FORCES_H
@@ -47,9 +47,8 @@ typedef struct {
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_frictionless_model;
 

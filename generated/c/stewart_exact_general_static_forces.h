@@ -11,12 +11,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      88 (53 mul, 31 add, 2 div, 2 sqrt)
- * platform 75 (42 mul, 33 add, 0 div, 0 sqrt)
+ * platform 72 (39 mul, 33 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 33 (0 mul, 33 add, 0 div, 0 sqrt)
- * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    909 (509 mul, 370 add, 18 div, 12 sqrt)
+ * total    901 (501 mul, 370 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_EXACT_GENERAL_STATIC_FORCES_H
 #define STEWART_EXACT_GENERAL_STATIC_FORCES_H
@@ -35,12 +35,11 @@ typedef struct {
     stewart_real w[3][8]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
     stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
     stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
-    stewart_real M_P; /* kg: mass of the platform with the upper parts */
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
+    stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_general_static_model;
 

@@ -11,12 +11,12 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      31 (15 mul, 14 add, 1 div, 1 sqrt)
- * platform 180 (90 mul, 90 add, 0 div, 0 sqrt)
+ * platform 174 (90 mul, 84 add, 0 div, 0 sqrt)
  * moments  12 (6 mul, 6 add, 0 div, 0 sqrt)
  * sum of c 0 (0 mul, 0 add, 0 div, 0 sqrt)
- * solve    162 (89 mul, 67 add, 6 div, 0 sqrt)
+ * solve    157 (84 mul, 67 add, 6 div, 0 sqrt)
  * forces   0 (0 mul, 0 add, 0 div, 0 sqrt)
- * total    588 (299 mul, 271 add, 12 div, 6 sqrt)
+ * total    577 (294 mul, 265 add, 12 div, 6 sqrt)
  */
 #ifndef STEWART_EXACT_MASSLESS_FORCES_H
 #define STEWART_EXACT_MASSLESS_FORCES_H
@@ -36,9 +36,8 @@ typedef struct {
     stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 64 m. Otherwise one over the least power of two that no arm exceeds. */
+     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_massless_model;
 

@@ -61,25 +61,22 @@
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
-#endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
@@ -284,20 +281,17 @@ STEWART_APART static int singular_status(
 }
 #endif
 
-/* Status of a pose by its H and the product of the pivots of H. */
+/* Status of a pose by its H; suspect: whether a pivot of it is small. */
 static int columns_status(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
-    stewart_real (*moment)[LANES], const leg_judgement *judged, stewart_real pivots)
+    stewart_real (*moment)[LANES], const leg_judgement *judged, int suspect)
 {
-    stewart_real H[36], rows[6][6], arm[6][3], size = REAL(0);
+    stewart_real H[36], rows[6][6], arm[6][3];
     int i, j, close = 0;
     for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(model->p[j][i]), size);
-        }
         close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
     }
-    if (close == 0 && STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size * model->per_length)) {
+    if (close == 0 && suspect == 0) {
         return STEWART_OK;
     }
     column_rows(force, moment, 6, H);
@@ -4905,12 +4899,12 @@ static int solve_definite_24(stewart_real A[6 * 24], stewart_real least)
 }
 
 /* Solves for X the rows [H | Y] of 12 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns the product of the pivots. */
-static stewart_real solve_pivoted_12(stewart_real A[6 * 12])
+ * Returns 1 where a pivot is small, else 0. */
+static int solve_pivoted_12(stewart_real A[6 * 12])
 {
-    stewart_real pivots, inverse[6];
-    int i, j, k;
-    pivots = REAL(1);
+    stewart_real inverse[6];
+    int i, j, k, suspect = 0;
+
     for (k = 0; k < 6; ++k) {
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -4923,7 +4917,7 @@ static stewart_real solve_pivoted_12(stewart_real A[6 * 12])
             A[k * 12 + j] = A[pivot * 12 + j];
             A[pivot * 12 + j] = moved;
         }
-        pivots = pivots * A[k * 12 + k];
+        suspect = STEWART_FABS(A[k * 12 + k]) > STEWART_SUSPECT ? suspect : 1;
         inverse[k] = REAL(1) / A[k * 12 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 12 + k] * inverse[k];
@@ -4943,16 +4937,16 @@ static stewart_real solve_pivoted_12(stewart_real A[6 * 12])
             }
         }
     }
-    return pivots;
+    return suspect;
 }
 
 /* Solves for X the rows [H | Y] of 24 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns the product of the pivots. */
-static stewart_real solve_pivoted_24(stewart_real A[6 * 24])
+ * Returns 1 where a pivot is small, else 0. */
+static int solve_pivoted_24(stewart_real A[6 * 24])
 {
-    stewart_real pivots, inverse[6];
-    int i, j, k;
-    pivots = REAL(1);
+    stewart_real inverse[6];
+    int i, j, k, suspect = 0;
+
     for (k = 0; k < 6; ++k) {
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -4965,7 +4959,7 @@ static stewart_real solve_pivoted_24(stewart_real A[6 * 24])
             A[k * 24 + j] = A[pivot * 24 + j];
             A[pivot * 24 + j] = moved;
         }
-        pivots = pivots * A[k * 24 + k];
+        suspect = STEWART_FABS(A[k * 24 + k]) > STEWART_SUSPECT ? suspect : 1;
         inverse[k] = REAL(1) / A[k * 24 + k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i * 24 + k] * inverse[k];
@@ -4985,7 +4979,7 @@ static stewart_real solve_pivoted_24(stewart_real A[6 * 24])
             }
         }
     }
-    return pivots;
+    return suspect;
 }
 
 /* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. Each row of A carries the

@@ -61,29 +61,23 @@
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
 #endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
-#endif
-
-
-#define STEWART_LEAST (model->least)
 
 /* Motions of eight poses, component by component. */
 typedef struct {
@@ -176,9 +170,9 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
 }
 
 typedef struct {
-    stewart_real M_P;
     stewart_real h_P[3];
     stewart_real g[3];
+    stewart_real W_P[3];
 } prepared_platform;
 
 /* Constants of the platform. */
@@ -189,13 +183,16 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
-    out->M_P = M + M_add;
+    const stewart_real c1 = M + M_add;
     out->h_P[0] = M*R_0_x + h_add_x;
     out->h_P[1] = M*R_0_y + h_add_y;
     out->h_P[2] = M*R_0_z + h_add_z;
     out->g[0] = g_x;
     out->g[1] = g_y;
     out->g[2] = g_z;
+    out->W_P[0] = c1*g_x;
+    out->W_P[1] = c1*g_y;
+    out->W_P[2] = c1*g_z;
 }
 
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
@@ -204,7 +201,7 @@ static stewart_real per_length_of(stewart_real size)
 {
     stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(64.0)) {
+    if (size >= REAL(0.125) && size <= REAL(16.0)) {
         return unit;
     }
     for (i = 0; i < 100 && unit < size; ++i) {
@@ -227,13 +224,6 @@ static stewart_real size_of(const stewart_exact_slender_static_model *model)
         }
     }
     return largest;
-}
-
-/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
-static stewart_real least_pivots(stewart_real size)
-{
-    const stewart_real least = STEWART_LEAST_PIVOTS(size);
-    return least <= STEWART_MAX ? least : STEWART_MAX;
 }
 
 int stewart_exact_slender_static_prepare(const stewart_robot *robot, stewart_exact_slender_static_model *model)
@@ -284,15 +274,16 @@ int stewart_exact_slender_static_prepare(const stewart_robot *robot, stewart_exa
         sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
-    made.M_P = platform.M_P;
     made.h_P[0] = platform.h_P[0];
     made.h_P[1] = platform.h_P[1];
     made.h_P[2] = platform.h_P[2];
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
+    made.W_P[0] = platform.W_P[0];
+    made.W_P[1] = platform.W_P[1];
+    made.W_P[2] = platform.W_P[2];
     made.per_length = per_length_of(size_of(&made));
-    made.least = least_pivots(size_of(&made) * made.per_length);
     for (number = 0; number < count; ++number) {
         if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
@@ -302,23 +293,23 @@ int stewart_exact_slender_static_prepare(const stewart_robot *robot, stewart_exa
     return STEWART_OK;
 }
 
-/* What one pose has for all legs: 63 (36 mul, 27 add, 0 div, 0 sqrt) operations. */
+/* What one pose has for all legs: 60 (33 mul, 27 add, 0 div, 0 sqrt) operations. */
 static void shared_of_pose(const stewart_exact_slender_static_model *model, const stewart_motion *at, shared_terms *out)
 {
     const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
         R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
-    const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     /* (30) first moment of the platform, base frame */
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
     const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
     const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + W_P_x;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + W_P_y;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + W_P_z;
     out->c_moment[0] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - g_y*h_base_z;
     out->c_moment[1] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - g_z*h_base_x;
     out->c_moment[2] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - g_x*h_base_y;
@@ -463,12 +454,13 @@ static void subtract_row(
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns the product of the pivots.
+ * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
  * The first column has no moment rows. */
-static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5, pivots;
+    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
+    int suspect = 0;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -485,7 +477,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a0 = a2;
         a2 = moved;
     }
-    pivots = a0;
+    suspect = STEWART_FABS(a0) > STEWART_SUSPECT ? suspect : 1;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -521,7 +513,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a1 = a5;
         a5 = moved;
     }
-    pivots = pivots * a1;
+    suspect = STEWART_FABS(a1) > STEWART_SUSPECT ? suspect : 1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -554,7 +546,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a2 = a5;
         a5 = moved;
     }
-    pivots = pivots * a2;
+    suspect = STEWART_FABS(a2) > STEWART_SUSPECT ? suspect : 1;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -578,7 +570,7 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a3 = a5;
         a5 = moved;
     }
-    pivots = pivots * a3;
+    suspect = STEWART_FABS(a3) > STEWART_SUSPECT ? suspect : 1;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -593,20 +585,20 @@ static stewart_real solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a4 = a5;
         a5 = moved;
     }
-    pivots = pivots * a4;
+    suspect = STEWART_FABS(a4) > STEWART_SUSPECT ? suspect : 1;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    pivots = pivots * a5;
+    suspect = STEWART_FABS(a5) > STEWART_SUSPECT ? suspect : 1;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return pivots;
+    return suspect;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -718,8 +710,7 @@ int stewart_exact_slender_static_forces(
     leg_lanes legs;
     stewart_real A[6][LANES];
     stewart_real x[6], found[6];
-    stewart_real pivots;
-    int i, j, status;
+    int i, j, status, suspect;
     int close = 0;
     if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -756,8 +747,8 @@ int stewart_exact_slender_static_forces(
     if (model->per_length != REAL(1)) {
         scale_pose(A, model->per_length);
     }
-    pivots = solve_pose(A, x);
-    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST)) {
+    suspect = solve_pose(A, x);
+    if (close != 0 || suspect != 0) {
         status = pose_status(&legs);
         if (status != STEWART_OK) {
             return status;
@@ -779,7 +770,7 @@ int stewart_exact_slender_static_forces(
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
     stewart_real D[6][LANES], F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where a leg, the pivots or a force need a closer look, else 0 */
+    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 
 /* What a leg of eight poses hands to the moments. */
@@ -793,9 +784,9 @@ static void shared_of_block(
     shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
-    const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     (void)out;
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
@@ -809,9 +800,9 @@ static void shared_of_block(
         const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
         const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
         const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z;
+        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + W_P_x;
+        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + W_P_y;
+        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + W_P_z;
         c[3][l] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - g_y*h_base_z;
         c[4][l] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - g_z*h_base_x;
         c[5][l] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - g_x*h_base_y;
@@ -951,10 +942,10 @@ static void scale_block(block *out, stewart_real per_length)
 }
 
 /* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = D - x, (37). Marks as bad where the product of the pivots is small or a force is not finite. */
+ * F = D - x, (37). Marks as bad where a pivot is small or a force is not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real least, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
@@ -1020,6 +1011,7 @@ STEWART_APART static void solve_block(
         const stewart_real a06_2 = below20 > REAL(0) ? a26 : a06;
         a26 = below20 > REAL(0) ? a06 : a26;
         a06 = a06_2;
+        fault = STEWART_FABS(a00) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse0 = REAL(1) / a00;
         const stewart_real factor10 = a10 * inverse0;
         a11 = a11 - factor10 * a01;
@@ -1115,6 +1107,7 @@ STEWART_APART static void solve_block(
         const stewart_real a16_5 = below51 > REAL(0) ? a56 : a16;
         a56 = below51 > REAL(0) ? a16 : a56;
         a16 = a16_5;
+        fault = STEWART_FABS(a11) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse1 = REAL(1) / a11;
         const stewart_real factor21 = a21 * inverse1;
         a22 = a22 - factor21 * a12;
@@ -1191,6 +1184,7 @@ STEWART_APART static void solve_block(
         const stewart_real a26_5 = below52 > REAL(0) ? a56 : a26;
         a56 = below52 > REAL(0) ? a26 : a56;
         a26 = a26_5;
+        fault = STEWART_FABS(a22) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse2 = REAL(1) / a22;
         const stewart_real factor32 = a32 * inverse2;
         a33 = a33 - factor32 * a23;
@@ -1235,6 +1229,7 @@ STEWART_APART static void solve_block(
         const stewart_real a36_5 = below53 > REAL(0) ? a56 : a36;
         a56 = below53 > REAL(0) ? a36 : a56;
         a36 = a36_5;
+        fault = STEWART_FABS(a33) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse3 = REAL(1) / a33;
         const stewart_real factor43 = a43 * inverse3;
         a44 = a44 - factor43 * a34;
@@ -1255,12 +1250,12 @@ STEWART_APART static void solve_block(
         const stewart_real a46_5 = below54 > REAL(0) ? a56 : a46;
         a56 = below54 > REAL(0) ? a46 : a56;
         a46 = a46_5;
+        fault = STEWART_FABS(a44) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse4 = REAL(1) / a44;
         const stewart_real factor54 = a54 * inverse4;
         a55 = a55 - factor54 * a45;
         a56 = a56 - factor54 * a46;
-        const stewart_real pivots = a00 * a11 * a22 * a33 * a44 * a55;
-        fault = STEWART_FABS(pivots) > least ? fault : REAL(1);
+        fault = STEWART_FABS(a55) > STEWART_SUSPECT ? fault : REAL(1);
         a56 = a56 / a55;
         a46 = a46 - a45 * a56;
         a46 = a46 * inverse4;
@@ -1393,7 +1388,7 @@ static void forces_of_block(const stewart_exact_slender_static_model *model, con
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, STEWART_LEAST, out->F, out->bad);
+    solve_block(out->column, out->D, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

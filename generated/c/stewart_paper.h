@@ -20,9 +20,9 @@
  * leg      331 (186 mul, 141 add, 2 div, 2 sqrt)     285 (162 mul, 119 add, 2 div, 2 sqrt)
  * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
  * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
- * solve    202 (111 mul, 85 add, 6 div, 0 sqrt)      202 (111 mul, 85 add, 6 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2449 (1350 mul, 1069 add, 18 div, 12 sqrt) 2173 (1206 mul, 937 add, 18 div, 12 sqrt)
+ * total    2444 (1345 mul, 1069 add, 18 div, 12 sqrt) 2168 (1201 mul, 937 add, 18 div, 12 sqrt)
  */
 #ifndef STEWART_PAPER_H
 #define STEWART_PAPER_H

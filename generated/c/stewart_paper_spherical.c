@@ -51,25 +51,22 @@
  * may be singular to rounding with others while the pivots are large. */
 #if !defined(STEWART_SHORT_SHARE)
 #if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE ((stewart_real)0.0625)
+#define STEWART_SHORT_SHARE REAL(0.0625)
 #else
 #define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
 #endif
 #endif
 
-/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
- * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. */
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
 #if !defined(STEWART_SUSPECT)
 #if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT (REAL(64) * STEWART_EPSILON)
+#define STEWART_SUSPECT REAL(0.0078125)
 #else
-#define STEWART_SUSPECT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
-#endif
-
-/* The same for arms of moments that are no larger than `size`. */
-#if !defined(STEWART_LEAST_PIVOTS)
-#define STEWART_LEAST_PIVOTS(size) (STEWART_SUSPECT * (size) * (size) * (size))
 #endif
 
 typedef struct {
@@ -534,7 +531,7 @@ static stewart_real per_length_of(stewart_real size)
 {
     stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.0625) && size <= REAL(64.0)) {
+    if (size >= REAL(0.0625) && size <= REAL(16.0)) {
         return unit;
     }
     for (i = 0; i < 100 && unit < size; ++i) {
@@ -546,12 +543,12 @@ static stewart_real per_length_of(stewart_real size)
     return REAL(1) / unit;
 }
 
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns the product
- * of the pivots. */
-static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
+/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
+ * a pivot is small, else 0. */
+static int solve(stewart_real A[6][7], stewart_real x[6])
 {
-    stewart_real inverse[6], pivots = REAL(1);
-    int i, j, k;
+    stewart_real inverse[6];
+    int i, j, k, suspect = 0;
     for (k = 0; k < 6; ++k) {
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -564,7 +561,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
             A[k][j] = A[pivot][j];
             A[pivot][j] = moved;
         }
-        pivots = k > 0 ? pivots * A[k][k] : A[k][k];
+        suspect = STEWART_FABS(A[k][k]) > STEWART_SUSPECT ? suspect : 1;
         inverse[k] = REAL(1) / A[k][k];
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k] * inverse[k];
@@ -580,7 +577,7 @@ static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
         }
         x[i] = sum * inverse[i];
     }
-    return pivots;
+    return suspect;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -711,8 +708,8 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     leg_terms terms;
     platform_terms own;
     stewart_real A[6][7], arm[6][3], reach[6], L[6];
-    stewart_real pivots, per_length, size = REAL(0);
-    int i, j, status;
+    stewart_real per_length, size = REAL(0);
+    int i, j, status, suspect;
     int close = 0;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -753,10 +750,9 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
             A[4][i] = A[4][i] * per_length;
             A[5][i] = A[5][i] * per_length;
         }
-        size = size * per_length;
     }
-    pivots = solve(A, out->x);
-    if (close != 0 || !(STEWART_FABS(pivots) > STEWART_LEAST_PIVOTS(size))) {
+    suspect = solve(A, out->x);
+    if (close != 0 || suspect != 0) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
             for (j = 0; j < 6; ++j) {

@@ -63,8 +63,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    pivots = eliminate(A, x)
-    suspect = where(size(pivots) > model.least, suspect, 1)
+    suspect = where(eliminate(A, x) == 0, suspect, 1)
     if anywhere(suspect == 1):
         found = singular_status(sums.H, sums.arm, L, reach)
         status = where((status == OK) & (suspect == 1), found, status)
@@ -91,9 +90,6 @@ def prepare(robot: "Robot") -> "Model":
         for j in range(3):
             extent = larger(size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
     model.per_length = per_length_of(extent)
-    extent = extent * model.per_length
-    least = SUSPECT * extent * extent * extent
-    model.least = where(least <= MAX, least, MAX)
     model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
     return model
 

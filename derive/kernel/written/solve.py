@@ -1,9 +1,9 @@
 """Linear systems of six equations, and whether H is singular to rounding."""
 
 
-def eliminate(A: "array(6, 7)", x: "array(6)") -> "Real":
-    """Solves [H | c] for x by elimination with partial pivoting, (36); returns the product of the pivots."""
-    pivots = 1.0
+def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
+    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    suspect = 0
     for k in range(6):
         for i in range(k + 1, 6):
             larger_below = size(A[i][k]) > size(A[k][k])
@@ -11,7 +11,7 @@ def eliminate(A: "array(6, 7)", x: "array(6)") -> "Real":
                 upper = A[k][j]
                 A[k][j] = where(larger_below, A[i][j], A[k][j])
                 A[i][j] = where(larger_below, upper, A[i][j])
-        pivots = pivots * A[k][k]
+        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
         inverse = 1.0 / A[k][k]
         x[k] = inverse
         for i in range(k + 1, 6):
@@ -23,7 +23,7 @@ def eliminate(A: "array(6, 7)", x: "array(6)") -> "Real":
         for j in range(i + 1, 6):
             total = total - A[i][j] * x[j]
         x[i] = where(i == 5, total / A[i][i], total * x[i])
-    return pivots
+    return suspect
 
 
 def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: "array(6)") -> "Integer":
