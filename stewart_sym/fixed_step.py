@@ -34,9 +34,11 @@ def advance(
         raise ValueError(f"steps: expected at least 1, got {shown(steps)}")
     h = duration / steps
     first = np.zeros(state.shape, dtype=np.int32)
-    for _ in range(steps):
-        state, status = _step(plant, state, F, h)
-        first = np.where(first == 0, status, first)
+    # The status of a state that diverges says so.
+    with np.errstate(over="ignore", invalid="ignore"):
+        for _ in range(steps):
+            state, status = _step(plant, state, F, h)
+            first = np.where(first == 0, status, first)
     return state, first
 
 

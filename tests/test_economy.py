@@ -184,7 +184,7 @@ def test_a_missing_scene_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     names = [f"{name}_{axis}" for name in ("t", "theta") for axis in "xyz"]
     names += [f"{name}_{axis}" for name in ("v", "theta_dot", "a", "theta_ddot") for axis in "xyz"]
-    columns = {"time": np.arange(3.0)} | dict.fromkeys(names, np.zeros(3))
+    columns = {"time": 0.1 * np.arange(3.0)} | dict.fromkeys(names, np.zeros(3))
     # In the second row platform point 2 is on base point 2.
     columns |= {"t_x": np.array([0.1, -0.2, 0.1]), "t_y": np.array([0.0, 0.3, 0.0])}
     columns |= {"t_z": np.array([0.5, 0.1, 0.5])}
