@@ -12,7 +12,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact",
         "meaning": "everything",
         "universal": True,
-        "model_numbers": 282,
+        "model_numbers": 300,
         "operations": {
             "leg": 265, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 2101,

@@ -65,6 +65,7 @@ GENERATE_ON_COMMAND = {
     for name in (
         "cli",
         "kit.files",
+        "kit.languages",
         "kit.fmu",
         "kit.parts",
         "kit.readings",
