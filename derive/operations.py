@@ -14,6 +14,8 @@ from .regroup import ForceKernel
 
 LEGS = 6
 NOTHING = Operations()
+PIVOTS = Operations(mul=LEGS - 1)
+"""Of the product of the pivots, where it finds the poses that may be singular."""
 
 
 @dataclass(frozen=True)
@@ -70,14 +72,16 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
     )
 
 
-def force_operations(kernel: ForceKernel) -> KernelOperations:
+def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperations:
     """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
 
-    What a leg does not have, its part of c or its D, costs nothing to add.
+    What a leg does not have, its part of c or its D, costs nothing to add. product: whether the solve has the
+    product of the pivots.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
+    solve = elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True)
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
@@ -85,7 +89,7 @@ def force_operations(kernel: ForceKernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True),
+        solve=solve + PIVOTS if product else solve,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

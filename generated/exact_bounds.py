@@ -5,4 +5,4 @@ SPDX-License-Identifier: 0BSD
 """
 
 # Numbers of ``stewart_exact_bounds_model``.
-MODEL_NUMBERS = 385
+MODEL_NUMBERS = 384

@@ -114,7 +114,7 @@ def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
     blocks = _Blocks(kernel)
     leg = _numbers(blocks.prepare_leg, kernel.leg_constants())
-    return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 3
+    return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 2
 
 
 def python_module(kernel: ForceKernel, version: str) -> str:

@@ -78,9 +78,28 @@ SIZE_BY_LEGS = (
 )
 """The same for a model in which the legs stand one after the other."""
 
+MEMBER_OF_POSE = f"""\
+    stewart_real least; /* product of the pivots of H below which it may be singular to rounding */
+{MEMBER}"""
+LEAST_PIVOTS = """
+/* Product of the pivots below which H may be singular, of arms that are no larger than `size`. */
+static stewart_real least_pivots(stewart_real size)
+{
+    const stewart_real least = STEWART_LEAST_PIVOTS(size);
+    return least <= STEWART_MAX ? least : STEWART_MAX;
+}
+"""
+"""Of a model with ``MEMBER_OF_POSE``, after its functions."""
+
 PREPARED = """\
     {model}per_length = per_length_of(size_of({address}));"""
 """What preparation does with them."""
+PREPARED_OF_POSE = (
+    PREPARED
+    + """
+    {model}least = least_pivots(size_of({address}) * {model}per_length);"""
+)
+"""The same with ``MEMBER_OF_POSE``."""
 
 IS_SCALED = "model->per_length != REAL(1)"
 """Whether a prepared model's moments are multiplied at all."""

@@ -526,7 +526,6 @@ def solve_pose(about_tip: bool) -> str:
         body += [f"/* Column {k + 1}. */"]
         for i in below:
             body += _exchange(k, i)
-        body.append(f"suspect = STEWART_FABS(a{k}) > STEWART_SUSPECT ? suspect : 1;")
         if below:
             body += _eliminate(k, below)
     body.append("x[5] = A[5][6] / a5;")
@@ -534,6 +533,8 @@ def solve_pose(about_tip: bool) -> str:
         known = "".join(f" - A[{i}][{j}] * x[{j}]" for j in rows[i + 1 :])
         body.append(f"x[{i}] = (A[{i}][6]{known}) * inverse{i};")
     why = "\n * The first column has no moment rows." if about_tip else ""
+    large = " && ".join(f"STEWART_FABS(a{k}) > STEWART_SUSPECT" for k in rows)
+    body.append(wrap(f"return ({large}) ? 0 : 1;", " " * 8, before="&&"))
     return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
 
 
@@ -958,9 +959,7 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
     stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    int suspect = 0;
 @BODY@
-    return suspect;
 }
 """
 

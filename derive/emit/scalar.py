@@ -17,7 +17,7 @@ from ..regroup import ForceKernel, joined
 from . import singular
 from .c import ARITHMETIC, operations_table, step_lines, wrap_list
 from .infix import infix, wrap
-from .lane_scale import IS_SCALED, MEMBER, PREPARED, SIZE_BY_LEGS, per_length
+from .lane_scale import IS_SCALED, LEAST_PIVOTS, MEMBER_OF_POSE, PREPARED_OF_POSE, SIZE_BY_LEGS, per_length
 from .lane_text import dims, entries, filled, literal_macro, literal_macros, loads, names_used, stores
 from .lanes import is_scaled, prepare_function
 
@@ -29,13 +29,13 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
     """``stewart_<kernel>_pose.h``; before: of a baked kernel, the one without its numbers."""
     folded = ""
     if before is not None:
-        count = force_operations(before).total.total
+        count = force_operations(before, product=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
     model = "" if before is not None else _MODEL
     parts = {
-        "@SCALE@": [MEMBER],
+        "@SCALE@": [MEMBER_OF_POSE],
         "@FIDELITY@": [f" * Fidelity: {kernel.meaning or 'everything'}.{folded}"],
-        "@OPERATIONS@": [operations_table(force_operations(kernel), None, " * ")],
+        "@OPERATIONS@": [operations_table(force_operations(kernel, product=True), None, " * ")],
         "@MODEL@": [model] if model else [],
         "@LEG@": [_member(q) for q in kernel.leg_constants()],
         "@PLATFORM@": [_member(q) for q in kernel.platform_constants()],
@@ -47,7 +47,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
     parts = [
-        _TOP + ARITHMETIC + _MACROS + singular.MACROS,
+        _TOP + ARITHMETIC + _MACROS + singular.MACROS + singular.PRODUCT_MACROS + _least(kernel),
         *_preparation(kernel),
         _shared(kernel),
         _closely(kernel),
@@ -110,12 +110,12 @@ def _preparation(kernel: ForceKernel) -> list[str]:
         "@ZERO@": [f"    sum->{name} = REAL(0);" for name in entries(ADDED)],
         "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
         "@PLATFORM@": [f"    model->{name} = platform.{name};" for name in of_platform],
-        "@LENGTH@": [PREPARED.format(model="model->", address="model")],
+        "@LENGTH@": [PREPARED_OF_POSE.format(model="model->", address="model")],
     }
     return [
         prepare_function(kernel.prepare_leg, "prepared_leg"),
         prepare_function(kernel.prepare_platform, "prepared_platform"),
-        SIZE_BY_LEGS.replace("@MODEL@", "stewart_@NAME@_pose_model"),
+        (SIZE_BY_LEGS + LEAST_PIVOTS).replace("@MODEL@", "stewart_@NAME@_pose_model"),
         filled(_PREPARE, parts),
     ]
 
@@ -321,17 +321,26 @@ def _judged_sine(exprs: dict[Quantity, tuple[sp.Expr, ...]], least: str, at_pole
 # ---------------------------------------------------------------- solving
 
 
+def _least(kernel: ForceKernel) -> str:
+    """What a product of pivots is compared with."""
+    if kernel.constants is None:
+        return "\n#define STEWART_LEAST (model->least)\n"
+    size = kernel.size * per_length(kernel.size)
+    return f"\n#define STEWART_LEAST STEWART_LEAST_PIVOTS(REAL({size!r}))\n"
+
+
 def _solve() -> str:
     """Elimination on row pointers, unrolled; rows are exchanged by pointer, an upper one is read once."""
     body = []
     for k in range(6):
         below = range(k + 1, 3 if k == 0 else 6)
         body += [f"/* Column {k + 1}. */"]
-        body += [f"size = STEWART_FABS(row[{k}][{k}]);"]
+        body += [f"size = STEWART_FABS(row[{k}][{k}]);"] if below else []
         for i in below:
-            body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {", "    size = other;"]
+            body += [f"other = STEWART_FABS(row[{i}][{k}]);", "if (other > size) {"]
+            body += ["    size = other;"] if i != below[-1] else []
             body += [f"    lower = row[{i}];", f"    row[{i}] = row[{k}];", f"    row[{k}] = lower;", "}"]
-        body += ["suspect = (size > STEWART_SUSPECT) ? suspect : 1;"]
+        body += [f"pivots = {'' if k == 0 else 'pivots * '}row[{k}][{k}];"]
         body += [f"inverse = REAL(1) / row[{k}][{k}];", f"row[{k}][{k}] = inverse;"]
         upper = [f"u{j}" for j in range(k + 1, 7)]
         if below:
@@ -579,8 +588,8 @@ _LEG = """\
 
 _SOLVE = """\
 /* Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows.
- * Returns 1 where a pivot is small, else 0. */
-static int solve(stewart_real A[6][7], stewart_real x[6])
+ * Returns the product of the pivots. */
+static stewart_real solve(stewart_real A[6][7], stewart_real x[6])
 {
     stewart_real *row[6];
     stewart_real *lower;
@@ -594,7 +603,7 @@ static int solve(stewart_real A[6][7], stewart_real x[6])
     stewart_real other;
     stewart_real factor;
     stewart_real inverse;
-    int suspect = 0;
+    stewart_real pivots;
     row[0] = A[0];
     row[1] = A[1];
     row[2] = A[2];
@@ -602,7 +611,7 @@ static int solve(stewart_real A[6][7], stewart_real x[6])
     row[4] = A[4];
     row[5] = A[5];
 @BODY@
-    return suspect;
+    return pivots;
 }
 """
 
@@ -651,9 +660,9 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
     stewart_real x[6];
     stewart_real known[6]; //D
     stewart_real least;
+    stewart_real pivots;
     int i;
     int status;
-    int suspect;
     if ((model == NULL) || (motion == NULL) || (F == NULL)) { //M
     if ((motion == NULL) || (F == NULL)) { //B
         return STEWART_BAD_ARGUMENT;
@@ -679,8 +688,8 @@ int stewart_@NAME@_pose_forces(const stewart_motion *motion, stewart_real F[6]) 
         scale_moments(A, @PER_LENGTH@); //S
     } //S
     scale_moments(A, @PER_LENGTH@); //Z
-    suspect = solve(A, x);
-    if ((pose.close != 0) || (suspect != 0)) {
+    pivots = solve(A, x);
+    if ((pose.close != 0) || (!(STEWART_FABS(pivots) > STEWART_LEAST))) {
         status = pose_status(model, motion, &pose); //M
         status = pose_status(motion, &pose); //B
         if (status != STEWART_OK) {

@@ -29,6 +29,21 @@ MACROS = """
 #endif
 """
 
+PRODUCT_MACROS = """
+/* Product of the pivots, moments over the size of the platform, below which H may be singular to rounding:
+ * that of singular machines was seen to reach epsilon / 5 times 2 + reach / L. Without vector registers it
+ * takes fewer instructions than a look at each pivot. */
+#if defined(STEWART_FLOAT)
+#define STEWART_LEAST_PRODUCT (REAL(64) * STEWART_EPSILON)
+#else
+#define STEWART_LEAST_PRODUCT (REAL(4) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+
+/* The same for arms of moments that are no larger than `size`. */
+#define STEWART_LEAST_PIVOTS(size) (STEWART_LEAST_PRODUCT * (size) * (size) * (size))
+"""
+"""Of the solve of ``scalar``, after MACROS."""
+
 FUNCTION = """\
 #if !defined(STEWART_SINGULAR_STATUS)
 #define STEWART_SINGULAR_STATUS

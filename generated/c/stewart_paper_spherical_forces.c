@@ -688,7 +688,6 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
     stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
     stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    int suspect = 0;
     a0 = A[0][0];
     a1 = A[1][0];
     a2 = A[2][0];
@@ -705,7 +704,6 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a0 = a2;
         a2 = moved;
     }
-    suspect = STEWART_FABS(a0) > STEWART_SUSPECT ? suspect : 1;
     inverse0 = REAL(1) / a0;
     factor1 = a1 * inverse0;
     factor2 = a2 * inverse0;
@@ -741,7 +739,6 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a1 = a5;
         a5 = moved;
     }
-    suspect = STEWART_FABS(a1) > STEWART_SUSPECT ? suspect : 1;
     inverse1 = REAL(1) / a1;
     factor2 = a2 * inverse1;
     factor3 = a3 * inverse1;
@@ -774,7 +771,6 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a2 = a5;
         a5 = moved;
     }
-    suspect = STEWART_FABS(a2) > STEWART_SUSPECT ? suspect : 1;
     inverse2 = REAL(1) / a2;
     factor3 = a3 * inverse2;
     factor4 = a4 * inverse2;
@@ -798,7 +794,6 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a3 = a5;
         a5 = moved;
     }
-    suspect = STEWART_FABS(a3) > STEWART_SUSPECT ? suspect : 1;
     inverse3 = REAL(1) / a3;
     factor4 = a4 * inverse3;
     factor5 = a5 * inverse3;
@@ -813,20 +808,20 @@ static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         a4 = a5;
         a5 = moved;
     }
-    suspect = STEWART_FABS(a4) > STEWART_SUSPECT ? suspect : 1;
     inverse4 = REAL(1) / a4;
     factor5 = a5 * inverse4;
     a5 = A[5][5] - factor5 * A[4][5];
     subtract_row(A[5], factor5, A[4]);
     /* Column 6. */
-    suspect = STEWART_FABS(a5) > STEWART_SUSPECT ? suspect : 1;
     x[5] = A[5][6] / a5;
     x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
     x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
     x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
     x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
     x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return suspect;
+    return (STEWART_FABS(a0) > STEWART_SUSPECT && STEWART_FABS(a1) > STEWART_SUSPECT
+        && STEWART_FABS(a2) > STEWART_SUSPECT && STEWART_FABS(a3) > STEWART_SUSPECT
+        && STEWART_FABS(a4) > STEWART_SUSPECT && STEWART_FABS(a5) > STEWART_SUSPECT) ? 0 : 1;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
