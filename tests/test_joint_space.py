@@ -221,9 +221,9 @@ def test_lengths_in_another_unit_are_named_with_the_fault_that_they_make(
     logged(time, 1e3 * legs[0], tmp_path)
     robot_file = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
     assert main(["forces", str(robot_file), str(tmp_path / "log.csv"), "-o", str(tmp_path / "F.csv")]) == 2
-    (line,) = capsys.readouterr().err.splitlines()
+    *doubts, line = capsys.readouterr().err.splitlines()
     assert "row 2: no pose with these leg lengths" in line
-    assert line.endswith("are they in another unit (--length-unit mm)?")
+    assert any("are they in another unit (--length-unit mm)?" in doubt for doubt in doubts)
 
 
 def spline_rates(time: Array, L: Array) -> tuple[Array, Array]:

@@ -470,7 +470,7 @@ def test_byte_order_mark_and_windows_lines_are_read(tmp_path: Path) -> None:
         (b"schema = = 1", "not valid TOML"),
         (b"schema = 1\nschema = 1\n", "not valid TOML"),
         (b'name = "\xff\xfe"', "expected UTF-8 text, byte 8 is not"),
-        (b"", "schema: missing"),
+        (b"", "cannot read the robot file: the file is empty"),
         (b"x = " + b"[" * 5000, "not valid TOML"),
         (b"schema = " + b"9" * 5000, "not valid TOML"),
     ],
