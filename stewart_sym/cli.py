@@ -514,6 +514,8 @@ def _poses(
     progress: Callable[[str], None],
 ) -> "Trajectory | PoseLog":
     """Poses of a log, found from leg lengths if it holds these."""
+    import numpy as np
+
     from .joint_space import on_platform
     from .rotation import rotation_from_rpy
     from .studies.track import length_doubt
@@ -522,7 +524,8 @@ def _poses(
     if isinstance(log, JointTrajectory):
         distances = log.L
     else:
-        distances = log.coordinates[0, :, :3] if isinstance(log, PoseLog) else log.motion.t
+        places = log.coordinates[0, :, :3] if isinstance(log, PoseLog) else log.motion.t
+        distances = np.linalg.norm(places, axis=-1)
     doubt = length_doubt(robot, distances)
     if doubt is not None:
         warnings.warn(f"{log.source}: {doubt}", stacklevel=2)

@@ -242,6 +242,26 @@ RUN["matlab"] = [["octave-cli", "--eval", "exit(self_test())"], ["octave-cli", "
 RUN["rust"] = [["cargo", "test", "--offline", "-q"], ["cargo", "build", "-q", "--no-default-features"]]
 
 
+def test_a_kit_of_matlab_functions_proves_itself_and_reads_a_matrix(tmp_path: Path) -> None:
+    write_kit(dasgupta(), tmp_path, Choice(language="matlab"))
+    for command in (*RUN["matlab"], ["octave-cli", "--eval", "stewart.motion_of(eye(3), [0 0 1]);"]):
+        subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    wrong = ["octave-cli", "--eval", "stewart.motion_of(eye(3), [0 0]);"]
+    done = subprocess.run(wrong, cwd=tmp_path, capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "t: expected 3 numbers, got 2" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("fields", "line"),
+    [({"omga": [1, 2, 3]}, "omga: expected one of R, t"), ({"t": [1, 2]}, r"t: expected shape \(..., 3\)")],
+)
+def test_a_motion_of_other_fields_or_shapes_is_rejected(fields: Any, line: str, tmp_path: Path) -> None:
+    printed = printed_python(dasgupta(), tmp_path)
+    with pytest.raises(ValueError, match=f"^{line}"):
+        printed["motion_of"](printed["Arithmetic"](np), **fields)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("language", RUN)
 @pytest.mark.parametrize("functions", [("forces",), ("forces", "motion")], ids="+".join)
@@ -277,6 +297,10 @@ def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
         (Choice(language="matlab", precision="float"), "precision: matlab: expected double, got float"),
         (Choice(language="rust", bake=True), "bake: expected language c, got rust"),
         (Choice(language="cobol"), "language: expected"),
+        (
+            Choice(("forces", "motion"), fidelity="slender", language="rust"),
+            "fidelity: rust: expected general with the function motion, got slender",
+        ),
     ],
 )
 def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Path) -> None:
@@ -295,6 +319,16 @@ def with_while(x: "array(6)") -> "Real":  # noqa: F821
 def with_power(x: "array(6)") -> "Real":  # noqa: F821
     """Not allowed."""
     return x[0] ** 2
+
+
+def with_hidden_change(A: "array(6, 7)", x: "array(6)") -> "Integer":  # noqa: F821
+    """Not allowed: what a call changes is handed back in some languages."""
+    return where(eliminate(A, x) == 0, 1, 0)  # noqa: F821
+
+
+def test_a_call_that_changes_an_argument_stands_by_itself(whole: Program) -> None:
+    with pytest.raises(ValueError, match="a statement of its own for a call that changes an argument"):
+        read.function(with_hidden_change, {}, {"eliminate": whole.function("eliminate")})
 
 
 @pytest.mark.parametrize(("text", "got"), [(with_while, "while"), (with_power, r"x\[0\] \*\* 2")])

@@ -90,6 +90,7 @@ class _Reader:
     ) -> None:
         self.structures, self.functions, self.tree = structures, functions, tree
         self.types: dict[str, Type] = {}
+        self.whole: ast.expr | None = None
         self.changed = _changed(tree, functions)
 
     def function(self, name: str, public: bool) -> Function:
@@ -124,6 +125,7 @@ class _Reader:
         return tuple(self.statement(node) for node in nodes)
 
     def statement(self, node: ast.stmt) -> Statement:
+        self.whole = getattr(node, "value", None)
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             return self.assigned(node.targets[0], node.value)
         if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
@@ -223,6 +225,9 @@ class _Reader:
             return Select(*arguments)
         if name not in BUILT_IN and name not in self.functions:
             raise self.error(node, "a function of the program")
+        changes = name in self.functions and any(each.changed for each in self.functions[name].arguments)
+        if changes and node is not self.whole:
+            raise self.error(node, "a statement of its own for a call that changes an argument")
         return Call(name, arguments)
 
     def type(self, value: Expression) -> Type:

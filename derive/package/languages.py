@@ -100,6 +100,11 @@ class Language(ABC):
     run: str
     """Command that runs the self-test, then the example."""
 
+    prepare: str
+    """The call that prepares the constants."""
+    notes: str
+    """What is peculiar to the language, for the README."""
+
     @abstractmethod
     def files(self, kit: Contents) -> dict[str, str]:
         """File name -> text, without README."""
@@ -110,7 +115,7 @@ class Language(ABC):
 
     def readme(self, kit: Contents) -> str:
         """The README of a kit."""
-        calls = "\n".join(self.call(kit, output) for output in kit.outputs)
+        calls = "\n    ".join([self.prepare, *(self.call(kit, output) for output in kit.outputs)])
         return template(
             "readme.md",
             {
@@ -122,6 +127,7 @@ class Language(ABC):
                 "language": self.name,
                 "run": self.run,
                 "calls": calls,
+                "notes": self.notes,
             },
         )
 
@@ -164,6 +170,11 @@ class PythonKit(Language):
     name, title = "python", "Python, on arrays of NumPy, JAX, PyTorch and others"
     run = "python self_test.py && python example.py"
     no_force = ", [0.0] * 6"
+    prepare = "model = stewart_arrays.prepare(on, robot())"
+    notes = (
+        "`motion_of(on, R=..., t=..., ...)` makes a motion, R (..., 3, 3). NumPy warns of divisions\n"
+        'by zero in poses without a result, unless under `np.errstate(all="ignore")`.'
+    )
 
     def files(self, kit: Contents) -> dict[str, str]:
         tests = "".join(
@@ -195,15 +206,20 @@ class MatlabKit(Language):
     """A package of functions."""
 
     name, title = "matlab", "MATLAB and Octave"
-    run = 'octave --eval "exit(self_test())" && octave one_pose.m'
+    run = 'octave-cli --eval "exit(self_test())" && octave-cli one_pose.m'
     no_force = ", zeros(6, 1)"
+    prepare = "model = stewart.prepare(stewart.robot())"
+    notes = (
+        "`stewart.motion_of(R, t, omega, v, alpha, a, F_ext, M_ext)` makes a motion, R 3 x 3;\n"
+        "the member `motion.R` by itself is row-major: `reshape(R.', 9, 1)`."
+    )
 
     def files(self, kit: Contents) -> dict[str, str]:
         tests = "\n".join(line for test in kit.tests for line in self._test(test))
         calls = "\n".join(f"found = {self.call(kit, output)}" for output in kit.outputs)
         fill = self.assignments(kit, "made", "leg({1})", "    ", "[{}].")
         made = {f"+stewart/{name}": text for name, text in Matlab(kit.program).files().items()}
-        for name in ("where", "larger", "constants"):
+        for name in ("where", "larger", "constants", "motion_of"):
             made[f"+stewart/{name}.m"] = template(f"matlab_{name}.m", self.values(kit))
         first = kit.tests[0]
         return {
@@ -243,6 +259,8 @@ class RustKit(Language):
     precisions = ("double", "float")
     run = "cargo test && cargo run --example example"
     no_force = ", &[0.0; 6]"
+    prepare = "let model = prepare(&ROBOT);"
+    notes = "`motion.R` is row-major."
 
     def files(self, kit: Contents) -> dict[str, str]:
         real, root = ("f64", "sqrt") if kit.precision == "double" else ("f32", "sqrtf")

@@ -34,6 +34,10 @@ def check(choice: Choice) -> None:
             raise ValueError(
                 f"functions: {choice.language}: expected some of {', '.join(GROUPS)}, got {shown(name)}"
             )
+    if "motion" in choice.functions and choice.level != "general":
+        raise ValueError(
+            f"fidelity: {choice.language}: expected general with the function motion, got {choice.level}"
+        )
     if choice.precision not in language.precisions:
         expected = " or ".join(language.precisions)
         raise ValueError(f"precision: {choice.language}: expected {expected}, got {choice.precision}")

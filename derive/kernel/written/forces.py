@@ -63,7 +63,8 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    suspect = where(eliminate(A, x) == 0, suspect, 1)
+    small_pivot = eliminate(A, x)
+    suspect = where(small_pivot == 0, suspect, 1)
     if anywhere(suspect == 1):
         found = singular_status(sums.H, sums.arm, L, reach)
         status = where((status == OK) & (suspect == 1), found, status)
