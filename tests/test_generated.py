@@ -49,7 +49,7 @@ def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
 def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "stewart_sym.cli", "derive", "-o", str(tmp_path)]
     subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": "4242"}, cwd=tmp_path)
-    for path in sorted(tmp_path.rglob("*.*")):
+    for path in sorted(tmp_path.rglob("[!.]*.*")):
         name = path.relative_to(tmp_path)
         assert path.read_bytes() == (REPOSITORY / "generated" / name).read_bytes(), name
 

@@ -56,12 +56,6 @@ DEVIATIONS = (
         (*LANES, *CLOSED_FORM),
     ),
     Deviation(
-        "10.6",
-        "an index computed in int is widened",
-        "legs and rows are counted in int, as everywhere; the product is below 100",
-        ("motion",),
-    ),
-    Deviation(
         "8.14",
         "restrict",
         "without it compilers make no vector instructions of the loops over lanes; all pointers so marked "

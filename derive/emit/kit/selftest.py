@@ -539,7 +539,7 @@ int stewart_selftest(int *checks, stewart_real *worst)
 #if !defined(STEWART_NO_MAIN)
 int main(void)
 {
-    int checks;
+    int checks = 0;
     stewart_real worst = 0;
     const int failed = stewart_selftest(&checks, &worst);
     if (failed < 0) {
