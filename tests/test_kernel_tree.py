@@ -4,7 +4,6 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
-from math import sqrt
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -16,35 +15,22 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.derive import notation as n
+from stewart_sym.derive.emit.c import STATUS as OF_C
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel import read
+from stewart_sym.derive.kernel.constants import STATUS, constants
 from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.nodes import Program
 from stewart_sym.derive.kernel.outputs import OUTPUTS, program
 from stewart_sym.derive.package import languages
 from stewart_sym.kit import Choice, write_kit
 
-EPSILON, MAX = 2.0**-52, sys.float_info.max
-CONSTANTS = {
-    "EPSILON": EPSILON,
-    "MAX": MAX,
-    "NAN": np.nan,
-    "ROUNDING": 16 * EPSILON,
-    "SHORTEST": sqrt(1 / MAX / EPSILON),
-    "POLE_SINE": 4096 * EPSILON,
-    "NEAR_POLE": 2.0**-6,
-    "SUSPECT": 2.0**-13,
-    "SHORT_SHARE": 64 * sqrt(EPSILON),
-    "KEPT": 2.0**-5,
-    "LEANING": 2.0**-3,
-    "SMALLEST": 2.0**-3,
-    "LARGEST": 16.0,
-}
+EPSILON = 2.0**-52
 ON_ARRAYS = Arithmetic(
     np.asarray,
-    CONSTANTS,
+    {"NAN": np.nan, **constants("double")},
     np.sqrt,
     np.abs,
     lambda one, other: np.where(one > other, one, other),
@@ -307,6 +293,11 @@ def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Pat
     with pytest.raises(ValueError, match=f"^{line}"):
         write_kit(dasgupta(), tmp_path, choice)
     assert not list(tmp_path.iterdir())
+
+
+def test_status_codes_are_those_of_the_c() -> None:
+    of_c = {name: code for name, code, _ in OF_C}
+    assert {name: code for name, (code, _) in STATUS.items()}.items() <= of_c.items()
 
 
 def with_while(x: "array(6)") -> "Real":  # noqa: F821

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
+from .constants import STATUS
 from .nodes import (
     Array,
     Assign,
@@ -34,7 +35,6 @@ from .nodes import (
     Type,
     Variable,
 )
-from .read import STATUS
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class Interpreter:
             case Number(number):
                 return number if isinstance(number, int) else self.arithmetic.number(number)
             case Constant(name):
-                return STATUS.index(name) if name in STATUS else self.arithmetic.constants[name]
+                return STATUS[name][0] if name in STATUS else self.arithmetic.constants[name]
             case Name(name):
                 return known[name]
             case Member(owner, name):

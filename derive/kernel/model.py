@@ -29,7 +29,7 @@ from .nodes import (
 Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
 """Structure of each argument of a block, "" of a number, and the quantities that it holds."""
 
-STATUS = Field("status", Integer(), "0, or what is wrong")
+STATUS_FIELD = Field("status", Integer(), "0, or what is wrong")
 
 
 def model_structures(kernel: ForceKernel) -> list[Structure]:
@@ -52,7 +52,7 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
                 Field("leg", Array(Record("LegConstants"), (6,)), "the legs"),
                 Field("platform", Record("Platform"), "the platform"),
                 Field("per_length", Real(), "1/m: one over the length over which moments are taken"),
-                STATUS,
+                STATUS_FIELD,
             ),
         ),
     ]

@@ -13,7 +13,7 @@ from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
 from .lower import block_function, stored_type, structure
-from .model import STATUS, Arguments, block_arguments, model_functions, model_structures, sum_function
+from .model import STATUS_FIELD, Arguments, block_arguments, model_functions, model_structures, sum_function
 from .nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type
 from .written import closed_form, forces, legs, solve
 
@@ -75,7 +75,7 @@ _LEG_OUTPUTS = (n.q, n.L, n.k3, n.D, n.H_force, n.c_force, n.c_moment)
 
 
 def _result(name: str, meaning: str, *members: Field) -> Structure:
-    return Structure(name, meaning, (*members, STATUS))
+    return Structure(name, meaning, (*members, STATUS_FIELD))
 
 
 def _numbers(*dims: int) -> Type:

@@ -12,6 +12,7 @@ import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from .constants import NAMES, STATUS
 from .nodes import (
     BUILT_IN,
     Argument,
@@ -44,23 +45,6 @@ from .nodes import (
     Truth,
     Type,
     Variable,
-)
-
-STATUS = ("OK", "NOT_FINITE", "SHORT_LEG", "POLE", "SINGULAR", "INDEFINITE")
-CONSTANTS = (
-    "EPSILON",
-    "MAX",
-    "NAN",
-    "ROUNDING",
-    "SHORTEST",
-    "POLE_SINE",
-    "NEAR_POLE",
-    "SUSPECT",
-    "SHORT_SHARE",
-    "KEPT",
-    "SMALLEST",
-    "LARGEST",
-    "LEANING",
 )
 
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
@@ -185,7 +169,7 @@ class _Reader:
             case ast.Constant(value=int() | float() as number):
                 return Number(number)
             case ast.Name(id=name):
-                return Constant(name) if name in (*STATUS, *CONSTANTS) else Name(name)
+                return Constant(name) if name in (*STATUS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
             case ast.Subscript():

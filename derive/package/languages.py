@@ -1,6 +1,5 @@
 """Kits in Python, MATLAB and Rust: a program, a robot's numbers, a self-test, an example, a README."""
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
+from ..kernel.constants import PRECISIONS, STATUS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -68,15 +68,16 @@ def template(name: str, values: Mapping[str, str]) -> str:
     return Template(text).substitute(values)
 
 
-def thresholds(precision: str) -> dict[str, str]:
-    """Constants that are no product of others."""
-    eps, largest = 2.0**-52, float.fromhex("0x1.fffffffffffffp1023")
-    suspect, short_share = 2.0**-13, 64 * math.sqrt(eps)
-    if precision == "float":
-        eps, largest = 2.0**-23, float.fromhex("0x1.fffffep127")
-        suspect, short_share = 2.0**-7, 2.0**-4
-    shortest = math.sqrt(1 / largest / eps)
-    return {"shortest": repr(shortest), "suspect": repr(suspect), "short_share": repr(short_share)}
+def statuses(line: str) -> str:
+    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
+
+
+def numbers_of(precision: str, line: str) -> str:
+    """A line for each constant, with its ``{name}`` and ``{value}``."""
+    return "\n".join(
+        line.format(name=name, value=repr(value)) for name, value in constants(precision).items()
+    )
 
 
 def stored(numbers: Numbers, quantity: Quantity, leg: int | None = None) -> list[float]:
@@ -140,7 +141,6 @@ class Language(ABC):
             "crate": kit.symbol,
             "first": kit.outputs[0],
             "force": self.no_force if kit.outputs[0] == "forward_dynamics" else "",
-            **thresholds(kit.precision),
             **more,
         }
 
@@ -187,7 +187,13 @@ class PythonKit(Language):
         calls = "\n".join(f'print("{output}", vars({self.call(kit, output)}))' for output in kit.outputs)
         return {
             "stewart_arrays.py": template(
-                "python_arrays.py", self.values(kit, program=Python(kit.program).source())
+                "python_arrays.py",
+                self.values(
+                    kit,
+                    program=Python(kit.program).source(),
+                    statuses=statuses("{name} = {code}  # {meaning}"),
+                    constants="\n".join(f"    {each!r}: {constants(each)!r}," for each in PRECISIONS),
+                ),
             ),
             "robot.py": template("python_robot.py", self.values(kit, numbers=fill)),
             "self_test.py": template("python_test.py", self.values(kit, tests=tests)),
@@ -219,8 +225,13 @@ class MatlabKit(Language):
         calls = "\n".join(f"found = {self.call(kit, output)}" for output in kit.outputs)
         fill = self.assignments(kit, "made", "leg({1})", "    ", "[{}].")
         made = {f"+stewart/{name}": text for name, text in Matlab(kit.program).files().items()}
+        values = self.values(
+            kit,
+            statuses=statuses("    made.{name} = {code}; % {meaning}"),
+            constants=numbers_of("double", "    made.{name} = {value};"),
+        )
         for name in ("where", "larger", "constants", "motion_of"):
-            made[f"+stewart/{name}.m"] = template(f"matlab_{name}.m", self.values(kit))
+            made[f"+stewart/{name}.m"] = template(f"matlab_{name}.m", values)
         first = kit.tests[0]
         return {
             **made,
@@ -269,7 +280,17 @@ class RustKit(Language):
         program = Rust(kit.program).source()
         return {
             "Cargo.toml": template("rust_cargo.toml", self.values(kit)),
-            "src/lib.rs": template("rust_lib.rs", self.values(kit, program=program, real=real, root=root)),
+            "src/lib.rs": template(
+                "rust_lib.rs",
+                self.values(
+                    kit,
+                    program=program,
+                    real=real,
+                    root=root,
+                    statuses=statuses("/// Status: {meaning}.\npub const {name}: usize = {code};"),
+                    constants=numbers_of(kit.precision, "const {name}: Real = {value};"),
+                ),
+            ),
             "src/robot.rs": template("rust_robot.rs", self.values(kit, numbers=_rust_robot(kit.numbers))),
             "tests/self_test.rs": template("rust_test.rs", self.values(kit, tests=tests)),
             "examples/example.rs": template(

@@ -1,5 +1,6 @@
 """Python on arrays of the array API: every number may be an array of one value for each pose."""
 
+from ..kernel.constants import STATUS
 from ..kernel.nodes import (
     Array,
     Call,
@@ -75,9 +76,7 @@ class Python(Printer):
         return repr(value)
 
     def constant(self, name: str) -> str:
-        return name if name in self.statuses else f"on.{name}"
-
-    statuses = ("OK", "NOT_FINITE", "SHORT_LEG", "POLE", "SINGULAR", "INDEFINITE")
+        return name if name in STATUS else f"on.{name}"
 
     def element(self, array: str, index: list[str]) -> str:
         return array + "".join(f"[{each}]" for each in index)

@@ -4,7 +4,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
 from ..kernel.nodes import (
-    Array,
     Assign,
     Binary,
     Both,
@@ -28,7 +27,6 @@ from ..kernel.nodes import (
     Return,
     Select,
     Statement,
-    Type,
     Variable,
 )
 
@@ -205,8 +203,3 @@ def _breaks(line: str, word: str) -> bool:
 def written_to(function: Function) -> list[str]:
     """Names of the arguments that a function changes."""
     return [each.name for each in function.arguments if each.changed]
-
-
-def dimensions(kind: Type) -> tuple[int, ...]:
-    """Of an array; none of anything else."""
-    return kind.dims if isinstance(kind, Array) else ()

@@ -1,0 +1,45 @@
+"""Status codes and constants of the arithmetic: one table for reader, interpreter and every language."""
+
+from math import sqrt
+
+from ..emit.lane_scale import LARGEST, SMALLEST
+
+STATUS = {
+    "OK": (0, "fine"),
+    "NOT_FINITE": (1, "a number of the robot, the motion or the result is not finite"),
+    "SHORT_LEG": (2, "a leg is too short beside the vectors that it is the sum of"),
+    "POLE": (3, "a leg lies along the fixed axis of its universal joint"),
+    "SINGULAR": (4, "H is singular to rounding"),
+    "INDEFINITE": (6, "the inertia is not positive definite"),
+}
+"""Code and meaning by name, as in ``stewart.h``."""
+
+PRECISIONS = {
+    "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),
+    "float": (2.0**-23, float.fromhex("0x1.fffffep127")),
+}
+"""Rounding unit and largest number."""
+
+
+def constants(precision: str) -> dict[str, float]:
+    """Constants by name, of "double" or "float", as in the C sources, which say what each is for."""
+    epsilon, largest = PRECISIONS[precision]
+    double = precision == "double"
+    return {
+        "EPSILON": epsilon,
+        "MAX": largest,
+        "ROUNDING": 16 * epsilon,
+        "POLE_SINE": 4096 * epsilon,
+        "NEAR_POLE": 2.0**-6,
+        "SHORTEST": sqrt(1 / largest / epsilon),
+        "SUSPECT": 2.0**-13 if double else 2.0**-7,
+        "SHORT_SHARE": 64 * sqrt(epsilon) if double else 2.0**-4,
+        "SMALLEST": SMALLEST,
+        "LARGEST": LARGEST,
+        "KEPT": 2.0**-5,
+        "LEANING": 2.0**-3,
+    }
+
+
+NAMES = ("NAN", *constants("double"))
+"""Names of the constants that written functions may use."""
