@@ -26,6 +26,7 @@ from .nodes import (
     Member,
     Name,
     Negative,
+    Not,
     Number,
     Program,
     Record,
@@ -113,13 +114,13 @@ class Interpreter:
                     self._store(target, self._value(value, known), known)
                 case For():
                     self._loop(each, known)
-                case If(test, inner):
-                    if self.arithmetic.anywhere(self._value(test, known)):
-                        self._run(inner, known)
+                case If(test, inner, otherwise):
+                    holds = self.arithmetic.anywhere(self._value(test, known))
+                    self._run(inner if holds else otherwise, known)
                 case Do(call):
                     self._value(call, known)
                 case Return(value):
-                    raise _Finished(self._value(value, known))
+                    raise _Finished(None if value is None else self._value(value, known))
                 case Comment():
                     pass
 
@@ -157,6 +158,8 @@ class Interpreter:
                 for each in index:
                     found = found[of(each, known)]
                 return found
+            case Not(inner):
+                return self.arithmetic.where(of(inner, known), False, True)
             case Negative(inner):
                 return -of(inner, known)
             case Binary(operator, left, right):

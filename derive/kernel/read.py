@@ -136,7 +136,11 @@ class _Reader:
         if name in self.types and name in self.changed:
             return Assign(Name(name), found)
         self.types[name] = self.type(found)
-        return Variable(name, self.types[name], found) if name in self.changed else Let(name, found)
+        return (
+            Variable(name, self.types[name], found)
+            if name in self.changed
+            else Let(name, found, self.types[name])
+        )
 
     def zeros(self, node: ast.expr) -> Type | None:
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):

@@ -24,6 +24,7 @@ class Python(Printer):
     end = ""
     both, either = "&", "|"
     opening, closing = ":", ""
+    alternative, negation = "else:", "~"
     comment = "# {}"
 
     def __init__(self, program: Program) -> None:
