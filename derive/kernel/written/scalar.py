@@ -196,7 +196,8 @@ def solve(A: "array(6, 7)", x: "array(6)") -> "Real":
     for i in each(6):
         row[i] = A[i]
     for k in each(6):
-        largest[k,] = size(row[k][k])
+        if k < 5:
+            largest[k,] = size(row[k][k])
         for i in each(k + 1, 3 if k == 0 else 6):
             other[k, i] = size(row[i][k])
             if other[k, i] > largest[k,]:
@@ -208,7 +209,7 @@ def solve(A: "array(6, 7)", x: "array(6)") -> "Real":
         pivots = row[k][k] if k == 0 else pivots * row[k][k]
         inverse[k,] = 1.0 / row[k][k]
         row[k][k] = inverse[k,]
-        for j in each(k + 1, 7):
+        for j in each(k + 1, 7 if k < 5 else 0):
             upper[k, j] = row[k][j]
         for i in each(k + 1, 3 if k == 0 else 6):
             lower[k, i] = row[i]
