@@ -212,7 +212,8 @@ class C(Printer):
         if function is None:
             name = _BUILT_IN.get(node.function, node.function)
             return f"{name}({', '.join(map(self.text, node.arguments))})"
-        passed = map(self._passed, function.arguments, node.arguments)
+        pairs = zip(function.arguments, node.arguments, strict=True)
+        passed = (self._passed(argument, value) for argument, value in pairs)
         return f"{node.function}({', '.join(passed)})"
 
     def _passed(self, argument: Argument, value: Expression) -> str:
