@@ -1,6 +1,6 @@
 """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from.
 
-Prints names, meanings, counts and sizes of models; the kernels themselves are C. Knows no dynamics.
+Prints names, meanings and counts; the kernels themselves are C. Knows no dynamics.
 """
 
 from collections.abc import Mapping
@@ -9,7 +9,6 @@ from ..fidelity import Fidelity
 from ..operations import force_operations
 from ..regroup import ForceKernel
 from .c import wrap_list
-from .lanes import model_numbers
 
 
 def module(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
@@ -24,7 +23,6 @@ def _entry(level: Fidelity, kernel: ForceKernel) -> str:
         "kernel": kernel.name,
         "meaning": level.meaning,
         "universal": any(q.name == "k" for q in kernel.leg_constants()),
-        "model_numbers": model_numbers(kernel),
     }
     lines = "\n".join(f'        "{name}": {_literal(value)},' for name, value in values.items())
     parts = ", ".join(f'"{part}": {count}' for part, count in counts.items())
