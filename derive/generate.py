@@ -13,7 +13,7 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
+from .emit import bounds, c, lanes, numpy, numpy_motion
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
@@ -23,6 +23,7 @@ from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
+from .package import fidelity_table
 from .package.header import common_header
 from .package.layout import layout
 from .reduce import share

@@ -1,6 +1,7 @@
 """C that never varies stands in files: compilers and linters take each as it is."""
 
 import ast
+import re
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -82,6 +83,38 @@ def test_the_c_of_the_unit_is_c_before_it_is_filled(which: str, tmp_path: Path) 
     )
     (tmp_path / "stewart_unit.h").write_text(UNIT[which] + common)
     checked(tmp_path, "stewart_fmi2.c")
+
+
+def static_c() -> list[Path]:
+    """Every C file of the studies and every C template that holds no word to be filled in but a version."""
+    studies = [*(REPOSITORY / "stewart_sym").rglob("*.[ch]")]
+    templates = [
+        path
+        for path in (REPOSITORY / "derive").rglob("*.[ch].in")
+        if not set(re.findall(r"\$\{?(\w+)", path.read_text(encoding="utf-8"))) - {"version"}
+    ]
+    return sorted(studies + templates)
+
+
+@pytest.mark.skipif(not shutil.which("cppcheck"), reason="needs cppcheck")
+@pytest.mark.parametrize("path", static_c(), ids=lambda path: path.name)
+def test_cppcheck_finds_nothing_in_static_c(path: Path) -> None:
+    lint = ("--enable=warning,performance,portability", "--error-exitcode=1", "--language=c", "--std=c99")
+    done = subprocess.run(["cppcheck", "-q", *lint, str(path)], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("folder", sorted((REPOSITORY / "derive").rglob("templates")), ids=str)
+def test_every_template_is_filled_somewhere(folder: Path) -> None:
+    users = "".join(path.read_text(encoding="utf-8") for path in folder.parent.glob("*.py"))
+    unused = []
+    for path in folder.rglob("*.in"):
+        name = path.name.removesuffix(".in")
+        # The names of some are put together: of a language, or of a list.
+        known = (name, name.partition("_")[2].partition(".")[0], name.partition(".")[0])
+        if not any(re.search(rf"[\"/]{re.escape(each)}\b", users) for each in known if each):
+            unused.append(str(path))
+    assert unused == []
 
 
 def literals(path: Path) -> Iterator[tuple[int, int]]:

@@ -497,7 +497,7 @@ void closed_form_cases(
         double change[CLOSED_NUMBERS];
         uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
         verdict pose;
-        int k, level, status[CLOSED_KERNELS], truth[CLOSED_KERNELS];
+        int k, level, status[CLOSED_KERNELS] = {0}, truth[CLOSED_KERNELS] = {0};
         memset(out, 0, sizeof *out);
         out->made = drawn(
             kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * (index / each), sizes[index / each],

@@ -55,11 +55,15 @@ void OWN(closed_form)(
     static const int of_kernel[CLOSED_KERNELS] = {
         NUMBERS(stewart_equations), 6, 6, 36, NUMBERS(stewart_derivatives), NUMBERS(stewart_linearisation)
     };
-    outputs truth, moved;
-    const stewart_real *at = (const stewart_real *)&truth, *beside = (const stewart_real *)&moved;
+    union {
+        outputs of;
+        stewart_real numbers[CLOSED_NUMBERS];
+    } truth, moved;
+    const stewart_real *const at = truth.numbers, *const beside = moved.numbers;
     int moved_status[CLOSED_KERNELS], sample, i, k;
     memset(&truth, 0, sizeof truth);
-    solved(numbers, motion, forces, 0, &seed, wanted, 0, &truth, status);
+    memset(&moved, 0, sizeof moved);
+    solved(numbers, motion, forces, 0, &seed, wanted, 0, &truth.of, status);
     for (i = 0; i < CLOSED_NUMBERS; ++i) {
         high[i] = (double)at[i];
         low[i] = (double)(at[i] - (stewart_real)high[i]);
@@ -68,7 +72,7 @@ void OWN(closed_form)(
     for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS + 6 : samples); ++sample) {
         int only = sample;
         solved(
-            numbers, motion, forces, amount, &seed, wanted, samples < 0 ? &only : 0, &moved, moved_status);
+            numbers, motion, forces, amount, &seed, wanted, samples < 0 ? &only : 0, &moved.of, moved_status);
         for (k = i = 0; k < CLOSED_KERNELS; ++k) {
             const int end = i + of_kernel[k];
             for (; i < end && wanted >> k & 1 && !status[k]; ++i) {

@@ -5,16 +5,17 @@ Prints names, meanings and counts; the kernels themselves are C. Knows no dynami
 
 from collections.abc import Mapping
 
+from ..emit.c import wrap_list
 from ..fidelity import Fidelity
 from ..operations import force_operations
 from ..regroup import ForceKernel
-from .c import wrap_list
+from .words import template
 
 
 def module(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """The module's text."""
     entries = "\n".join(_entry(level, kernel) for level, kernel in kernels.items())
-    return _MODULE.format(version=version, entries=entries)
+    return template("fidelities.py", {"version": version, "entries": entries})
 
 
 def _entry(level: Fidelity, kernel: ForceKernel) -> str:
@@ -32,19 +33,3 @@ def _entry(level: Fidelity, kernel: ForceKernel) -> str:
 
 def _literal(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(value)
-
-
-_MODULE = '''\
-"""The levels of fidelity of the force kernels of ``exact``, from everything to nothing but the platform.
-
-Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
-SPDX-License-Identifier: 0BSD
-"""
-
-from typing import Any
-
-# kernel: name of its C, stewart_<kernel>_forces; universal: whether it knows the universal joints' axes.
-FIDELITIES: dict[str, dict[str, Any]] = {{
-{entries}
-}}
-'''
