@@ -23,6 +23,7 @@ from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
+from .package.header import common_header
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -87,7 +88,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
     files = {
-        "c/stewart.h": c.common_header(version),
+        "c/stewart.h": common_header(version),
         "assembly.py": numpy.assembly(version),
         "__init__.py": _PACKAGE.format(version=version),
     }

@@ -3,8 +3,6 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
-from string import Template
 from typing import Any
 
 from .. import notation as n
@@ -14,6 +12,7 @@ from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
+from .words import template
 
 Numbers = Mapping[str, Any]
 
@@ -60,12 +59,6 @@ RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
     "forward_dynamics": {"a": (3,), "alpha": (3,)},
 }
 """Members of each output that are compared."""
-
-
-def template(name: str, values: Mapping[str, str]) -> str:
-    """A file of ``templates`` with each ``$word`` replaced."""
-    text = (files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8")
-    return Template(text).substitute(values)
 
 
 def statuses(line: str) -> str:

@@ -1,39 +1,33 @@
-"""How a kit's texts write numbers, names, lists and tables.
-
-The bottom of the kit's texts: knows the layout of ``stewart.h`` from the notation, and no kernel.
-"""
+"""How a kit's texts write numbers, names, lists and tables, and how its templates are filled."""
 
 import hashlib
 import math
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from string import Template
 from typing import Any
 
-from ... import notation as n
-from ...block import Quantity
+from .. import notation as n
+from ..block import Quantity
 
 Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""
 
-EPSILON = """\
-#define REAL(value) ((stewart_real)(value))
-
-#if !defined(STEWART_REAL)
-#if defined(STEWART_FLOAT)
-#define STEWART_EPSILON FLT_EPSILON
-#define STEWART_MAX FLT_MAX
-#else
-#define STEWART_EPSILON DBL_EPSILON
-#define STEWART_MAX DBL_MAX
-#endif
-#endif
-"""
-"""Rounding unit and largest number of the kit's arithmetic, for sources that include float.h."""
-
-
 LONGEST = 48
 """Characters of a robot's name in a C identifier."""
+
+
+@cache
+def _template(name: str) -> Template:
+    return Template((files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8"))
+
+
+def template(name: str, values: Mapping[str, str] | None = None) -> str:
+    """A file of ``templates``, its name without ``.in``, with each ``$word`` replaced."""
+    return _template(name).substitute(values or {})
 
 
 def robot_symbol(name: str) -> str:
@@ -51,11 +45,6 @@ def robot_symbol(name: str) -> str:
     if len(symbol) > LONGEST:
         symbol = f"{symbol[: LONGEST - 9].rstrip('_')}_{digest[:8]}"
     return f"stewart_robot_{symbol}"
-
-
-def filled(template: str, values: Mapping[str, str]) -> str:
-    """The template with each ``@word@`` replaced, in one pass: an @ in a robot's name stays what it is."""
-    return re.sub(r"@(\w+)@", lambda match: values[match[1]], template)
 
 
 def in_comment(name: str) -> str:

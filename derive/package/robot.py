@@ -1,6 +1,6 @@
 """``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source, and its robot file.
 
-One of the kit's texts; takes the numbers of ``stewart_robot`` by name.
+Takes the numbers of ``stewart_robot`` by name.
 """
 
 import hashlib
@@ -9,14 +9,12 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ... import notation as n
-from .words import EPSILON, Numbers, braces, filled, in_comment, literal, member, robot_symbol, stored
+from .. import notation as n
+from ..kernel.interface import STRUCTS, Member
+from .words import Numbers, braces, in_comment, literal, member, robot_symbol, stored, template
 
 HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
 """File names of the constants: not the commonplace robot.h."""
-
-_LIMITS = {"shortest": "m", "longest": "m", "force": "N", "speed": "m/s"}
-"""Members of ``stewart_limits`` and their units."""
 
 
 def robot_files(
@@ -36,15 +34,15 @@ def robot_files(
         "version": version,
         "digest": robot_digest(name, robot),
         "robot": _initialiser(robot),
-        "epsilon": EPSILON,
-        "limits": "\n".join(_limit(member, limits[member]) for member in _LIMITS),
+        "arithmetic": template("kit/arithmetic.h"),
+        "limits": "\n".join(_limit(each, limits[each.name]) for each in STRUCTS["limits"]),
     }
-    return {HEADER: filled(_HEADER, values), SOURCE: filled(_SOURCE, values)}
+    return {name: template(f"kit/{name}", values) for name in (HEADER, SOURCE)}
 
 
-def _limit(member: str, limits: Sequence[float]) -> str:
-    numbers = ["STEWART_MAX" if math.isinf(limit) else literal(limit, member) for limit in limits]
-    return f"    /* {member}, {_LIMITS[member]} */\n    {braces(numbers, '    ')},"
+def _limit(member: Member, limits: Sequence[float]) -> str:
+    numbers = ["STEWART_MAX" if math.isinf(limit) else literal(limit, member.name) for limit in limits]
+    return f"    /* {member.name}, {member.unit} */\n    {braces(numbers, '    ')},"
 
 
 def robot_digest(name: str, robot: Numbers) -> str:
@@ -67,69 +65,9 @@ def _initialiser(robot: Numbers) -> str:
     return "\n".join(["    {", *legs, "    },", *platform])
 
 
-_HEADER = """\
-/* stewart_robot.h: the constants of "@name@".
- *
- * Written by stewart-sym @version@; do not edit.
- * SPDX-License-Identifier: 0BSD
- */
-#ifndef @guard@
-#define @guard@
-
-#include "stewart.h"
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-/* To be handed to the functions of the kit. */
-extern const stewart_robot @symbol@;
-
-/* Limits of the robot file, which no function checks. */
-extern const stewart_limits @symbol@_limits;
-
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-"""
-
-_SOURCE = """\
-/* stewart_robot.c: the constants of "@name@".
- *
- * Written by stewart-sym @version@; do not edit.
- * SPDX-License-Identifier: 0BSD
- *
- * SHA-256 of name and constants:
- * @digest@
- */
-#include <float.h>
-
-#include "stewart_robot.h"
-
-@epsilon@
-const stewart_robot @symbol@ = {
-@robot@
-};
-
-const stewart_limits @symbol@_limits = {
-@limits@
-};
-"""
-
-_TOML = """\
-# robot.toml: the robot file of this kit, SI units, all defaults and units written out.
-#
-#     stewart-sym generate robot.toml -o . @options@
-#
-# SPDX-License-Identifier: 0BSD
-"""
-
-
 def robot_toml(tables: Mapping[str, Any], options: str) -> str:
     """The kit's copy of the robot file, of the tables of a robot file: the same robot to the bit."""
-    head = filled(_TOML, {"options": options})
+    head = template("kit/robot.toml", {"options": options})
     return head + "\n".join(_table(tables, "")) + "\n"
 
 
