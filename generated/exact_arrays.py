@@ -803,7 +803,9 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them."""
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
     unit = 1.0
     for turn in range(100):
         unit = on.where(unit < extent, 2.0 * unit, unit)
@@ -905,7 +907,9 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg in joint coordinates: D, its column of H and its part of c: 265 (156 mul, 105 add, 2 div, 2 sqrt)."""
+    """One leg in joint coordinates: D, its column of H and its part of c: 265 (156 mul, 105 add, 2 div,
+    2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -1038,7 +1042,9 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
 
 
 def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg in joint coordinates: D, its column of H and its part of c: 289 (173 mul, 112 add, 2 div, 2 sqrt)."""
+    """One leg in joint coordinates: D, its column of H and its part of c: 289 (173 mul, 112 add, 2 div,
+    2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -1183,7 +1189,9 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
 
 
 def find_legs(on: Arithmetic, model: Any, motion: Any, shared: Any, sums: Any) -> None:
-    """The legs, all by the block that suits a pose in which one is near its joint singularity, if one is."""
+    """The legs, all by the block that suits a pose in which one is near its joint singularity, if one
+    is.
+    """
     near = 0
     for i in range(6):
         sums.leg[i] = leg_terms(on, model.leg[i], model.platform, motion, shared)
@@ -1287,7 +1295,15 @@ def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
 
 
 def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced. arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s), by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself."""
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6
@@ -1445,7 +1461,9 @@ def equations_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of M, C, g and friction, its column of H and the column's rate: 678 (422 mul, 252 add, 2 div, 2 sqrt)."""
+    """One leg's part of M, C, g and friction, its column of H and the column's rate: 678 (422 mul, 252
+    add, 2 div, 2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -1755,7 +1773,9 @@ def equations_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
 
 
 def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of M, C, g and friction, its column of H and the column's rate: 698 (426 mul, 268 add, 2 div, 2 sqrt)."""
+    """One leg's part of M, C, g and friction, its column of H and the column's rate: 698 (426 mul, 268
+    add, 2 div, 2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -2043,7 +2063,9 @@ def place_symmetric_6(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any)
 
 
 def place_inertia_6(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz."""
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
     for i in range(3):
         for j in range(3):
             A[i][first + j + 3] = vw[3 * i + j]
@@ -2108,7 +2130,9 @@ def checked_equations(on: Arithmetic, found: Any) -> Any:
 
 
 def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
-    """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads."""
+    """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
+    loads.
+    """
     model = on.arrays(model)
     motion = on.arrays(motion)
     out = Equations()
@@ -2710,7 +2734,9 @@ def place_symmetric_8(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any)
 
 
 def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz."""
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
     for i in range(3):
         for j in range(3):
             A[i][first + j + 3] = vw[3 * i + j]
@@ -2739,7 +2765,10 @@ def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T. INDEFINITE where a pivot is not more than ``kept`` of its diagonal number."""
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
     scale = [0.0] * 6
     inverse = [0.0] * 6
     status = OK
@@ -2849,7 +2878,9 @@ def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's inertia and generalised forces in its joint coordinates, and their gradients: 341 (207 mul, 130 add, 2 div, 2 sqrt)."""
+    """One leg's inertia and generalised forces in its joint coordinates, and their gradients: 341 (207
+    mul, 130 add, 2 div, 2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -3131,7 +3162,10 @@ def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
 
 
 def pick_rows(on: Arithmetic, by: Any) -> None:
-    """Picks six rows as coordinates by elimination with complete pivoting; the others are sums of them. Rows and columns are exchanged: ``order`` and ``column`` say which they were."""
+    """Picks six rows as coordinates by elimination with complete pivoting; the others are sums of them.
+
+    Rows and columns are exchanged: ``order`` and ``column`` say which they were.
+    """
     share = [0.0] * 6
     for i in range(24):
         by.order[i] = i
@@ -3188,7 +3222,12 @@ def weigh_rows(on: Arithmetic, by: Any) -> None:
 
 
 def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any) -> None:
-    """Accelerations of the coordinates' rows under which the inertia of each block balances their forces. ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before them, else 0; ``moved`` is 0 of all others."""
+    """Accelerations of the coordinates' rows under which the inertia of each block balances their
+    forces.
+
+    ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows
+    before them, else 0; ``moved`` is 0 of all others.
+    """
     W = [[0.0] * 3 for _ in range(3)]
     for i in range(24):
         moved[i] = force[i]
@@ -3215,7 +3254,12 @@ def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any)
 
 
 def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest: Any, right: Any) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench. force: of each row, as its generalised force over its size, without accelerations. start: accelerations of the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the rows' forces there."""
+    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+
+    force: of each row, as its generalised force over its size, without accelerations. start:
+    accelerations of the coordinates that balance their own large forces, from which the unknown ones
+    are measured; rest: the rows' forces there.
+    """
     moved = [0.0] * 24
     balanced = [0.0] * 24
     balance_rows(on, by, force, moved, balanced)
@@ -3316,7 +3360,9 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
 
 
 def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
-    """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read."""
+    """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
+    read.
+    """
     model = on.arrays(model)
     motion = on.arrays(motion)
     F = on.arrays(F)
@@ -3357,7 +3403,9 @@ def place_symmetric_12(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any
 
 
 def place_inertia_12(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz."""
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
     for i in range(3):
         for j in range(3):
             A[i][first + j + 3] = vw[3 * i + j]
@@ -3394,7 +3442,9 @@ def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
-    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1 where a pivot is small."""
+    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+    where a pivot is small.
+    """
     inverse = [0.0] * 6
     suspect = 0
     for k in range(6):
@@ -4893,7 +4943,9 @@ def place_symmetric_24(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any
 
 
 def place_inertia_24(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz."""
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
     for i in range(3):
         for j in range(3):
             A[i][first + j + 3] = vw[3 * i + j]
@@ -4930,7 +4982,9 @@ def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
-    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1 where a pivot is small."""
+    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+    where a pivot is small.
+    """
     inverse = [0.0] * 6
     suspect = 0
     for k in range(6):
@@ -5030,7 +5084,10 @@ def with_acceleration(on: Arithmetic, motion: Any, a: Any, alpha: Any) -> Any:
 
 
 def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T. INDEFINITE where a pivot is not more than ``kept`` of its diagonal number."""
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
     scale = [0.0] * 6
     inverse = [0.0] * 6
     status = OK
@@ -5232,7 +5289,9 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 1983 (1250 mul, 729 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 1983
+    (1250 mul, 729 add, 2 div, 2 sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k

@@ -279,7 +279,9 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
 
 
 def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them."""
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
     unit = 1.0
     for turn in range(100):
         unit = on.where(unit < extent, 2.0 * unit, unit)
@@ -379,7 +381,9 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 221 (128 mul, 91 add, 1 div, 1 sqrt)."""
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 221 (128 mul, 91 add, 1 div, 1
+    sqrt).
+    """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     m_d = leg.m_d
@@ -593,7 +597,15 @@ def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
 
 
 def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced. arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s), by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself."""
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6

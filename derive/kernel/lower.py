@@ -172,11 +172,11 @@ def block_function(
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
         tuple(Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()),
         Record(result),
-        (*loads, *_steps(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
+        (*loads, *steps_of(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
     )
 
 
-def _steps(steps: Iterable[Step]) -> list[Statement]:
+def steps_of(steps: Iterable[Step]) -> list[Statement]:
     """Each step, with its equation and meaning before the first of a run that shares them."""
     found: list[Statement] = []
     before = None

@@ -87,7 +87,7 @@ class _Needed:
                 if each != name:
                     self.add(each)
             self.functions[name] = read.function(
-                found.written, self.structures, self.functions, name, public, found.names
+                found.written, self.structures, self.functions, name, public, names=found.names
             )
         else:
             made = found()

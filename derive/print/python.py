@@ -29,7 +29,7 @@ from ..kernel.nodes import (
     names_in,
     statements,
 )
-from .spelling import ATOM, WIDTH, Printer
+from .spelling import ATOM, WIDTH, Printer, remark
 
 
 class Python(Printer):
@@ -188,7 +188,7 @@ class Python(Printer):
         ]
         return [
             *self.lines("", f"def {function.name}({arguments}) -> {result}:"),
-            f'    """{function.meaning}"""',
+            *_docstring(function.meaning),
             *given,
             *self.body(function.body),
         ]
@@ -199,6 +199,12 @@ class Python(Printer):
         if len(before) + len(text) <= WIDTH or not sign or text.startswith("def "):
             return [before + text]
         return super().lines(before, f"{left} = ({right})")
+
+
+def _docstring(meaning: str) -> list[str]:
+    first, *others = remark(meaning, WIDTH - 10)
+    lines = [f'    """{first}', *(f"    {line}".rstrip() for line in others)]
+    return [*lines, '    """'] if others else [f'{lines[0]}"""']
 
 
 def _element(node: Statement) -> Element | None:
