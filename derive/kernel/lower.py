@@ -1,8 +1,7 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
-from math import prod
 
 import sympy as sp
 
@@ -17,7 +16,9 @@ from .nodes import (
     Element,
     Expression,
     Field,
+    For,
     Function,
+    Integer,
     Let,
     Member,
     Name,
@@ -114,16 +115,33 @@ def component(owner: Expression, quantity: Quantity, index: int) -> Expression:
     return Element(member, (Number(index),)) if quantity.shape else member
 
 
-def elements(owner: Expression, kind: Structure) -> list[Expression]:
-    """Every number of a structure, in the order in which they are stored."""
-    found: list[Expression] = []
+Place = Callable[[Expression], Expression]
+"""From a structure to one of its numbers."""
+
+
+def each_number(kind: Structure, statement: Callable[[Place], Statement]) -> list[Statement]:
+    """A statement for each real number of a structure, in loops over arrays."""
+    found = []
     for field in kind.members:
-        member = Member(owner, field.name)
-        if isinstance(field.type, Array):
-            found += [Element(member, (Number(i),)) for i in range(prod(field.type.dims))]
-        else:
-            found.append(member)
+        if field.type == Integer():
+            continue
+        dims = field.type.dims if isinstance(field.type, Array) else ()
+        body = statement(_place(field.name, len(dims)))
+        for index, count in reversed(list(zip(_INDICES, dims, strict=False))):
+            body = For(index, Number(0), Number(count), (body,))
+        found.append(body)
     return found
+
+
+_INDICES = "ij"
+
+
+def _place(member: str, count: int) -> Place:
+    def place(owner: Expression) -> Expression:
+        found = Member(owner, member)
+        return Element(found, tuple(map(Name, _INDICES[:count]))) if count else found
+
+    return place
 
 
 def block_function(
@@ -154,11 +172,11 @@ def block_function(
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
         tuple(Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()),
         Record(result),
-        (*loads, *_steps(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
+        (*loads, *steps_of(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
     )
 
 
-def _steps(steps: Iterable[Step]) -> list[Statement]:
+def steps_of(steps: Iterable[Step]) -> list[Statement]:
     """Each step, with its equation and meaning before the first of a run that shares them."""
     found: list[Statement] = []
     before = None

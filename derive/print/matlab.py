@@ -25,6 +25,7 @@ class Matlab(Printer):
 
     both, either, unequal = "&", "|", "~="
     opening, closing = "", "end"
+    alternative, negation = "else", "~"
     comment = "% {}"
     continued = " ..."
 
@@ -130,7 +131,9 @@ class Matlab(Printer):
     def condition(self, test: str) -> str:
         return f"if {test}"
 
-    def returned(self, value: Expression) -> str:
+    def returned(self, value: Expression | None) -> str:
+        if value is None:
+            return "return;"
         return (
             "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
         )
