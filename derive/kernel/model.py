@@ -26,22 +26,24 @@ from .nodes import (
     Variable,
 )
 
-Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
-"""Structure of each argument of a block, "" of a number, and the quantities that it holds."""
-
 STATUS_FIELD = Field("status", Integer(), "0, or what is wrong")
+
+
+def machine_structures() -> list[Structure]:
+    """The robot and the motion."""
+    legs = Field("leg", Array(Record("Leg"), (6,)), "the legs")
+    return [
+        structure("Leg", "One leg.", n.LEG),
+        structure("Robot", "The machine.", n.PLATFORM, legs),
+        structure("Motion", "Motion of the platform and its load.", n.MOTION),
+    ]
 
 
 def model_structures(kernel: ForceKernel) -> list[Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
     of_leg = [out.quantity for out in kernel.prepare_leg.outputs]
-    robot = structure(
-        "Robot", "The machine.", n.PLATFORM, Field("leg", Array(Record("Leg"), (6,)), "the legs")
-    )
     return [
-        structure("Leg", "One leg.", n.LEG),
-        robot,
-        structure("Motion", "Motion of the platform and its load.", n.MOTION),
+        *machine_structures(),
         structure("LegConstants", "Prepared constants of one leg.", of_leg),
         structure("Added", "What the legs add to the platform's constants.", p.ADDED),
         structure("Platform", "Constants of the platform.", kernel.platform_constants()),
@@ -76,7 +78,9 @@ def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> li
     ]
 
 
-def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> Arguments:
+def block_arguments(
+    kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]
+) -> dict[str, tuple[str, tuple[Quantity, ...]]]:
     """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),

@@ -12,8 +12,8 @@ from .. import prepared as p
 from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
-from .lower import block_function, stored_type, structure
-from .model import STATUS_FIELD, Arguments, block_arguments, model_functions, model_structures, sum_function
+from .lower import Arguments, block_function, stored_type, structure
+from .model import STATUS_FIELD, block_arguments, model_functions, model_structures, sum_function
 from .nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type
 from .written import closed_form, forces, legs, solve
 

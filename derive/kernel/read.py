@@ -1,9 +1,10 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if`` without ``else``, ``return``,
-``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``break``, ``if``, ``else``,
+``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
+selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
+the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
+``"Real"``.
 """
 
 import ast
@@ -12,7 +13,7 @@ import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from .constants import NAMES, STATUS
+from .constants import INTEGERS, NAMES
 from .nodes import (
     BUILT_IN,
     Argument,
@@ -20,6 +21,7 @@ from .nodes import (
     Assign,
     Binary,
     Both,
+    Break,
     Call,
     Compare,
     Constant,
@@ -114,8 +116,10 @@ class _Reader:
             return self.assigned(node.targets[0], node.value)
         if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
             return self.loop(node, node.target.id)
-        if isinstance(node, ast.If) and not node.orelse:
-            return If(self.expression(node.test), self.body(node.body))
+        if isinstance(node, ast.If):
+            return If(self.expression(node.test), self.body(node.body), self.body(node.orelse))
+        if isinstance(node, ast.Break):
+            return Break()
         if isinstance(node, ast.Return) and node.value is not None:
             return Return(self.expression(node.value))
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
@@ -173,7 +177,7 @@ class _Reader:
             case ast.Constant(value=int() | float() as number):
                 return Number(number)
             case ast.Name(id=name):
-                return Constant(name) if name in (*STATUS, *NAMES) else Name(name)
+                return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
             case ast.Subscript():
@@ -223,7 +227,7 @@ class _Reader:
             case Number(number):
                 return Real() if isinstance(number, float) else Integer()
             case Constant(name):
-                return Integer() if name in STATUS else Real()
+                return Integer() if name in INTEGERS else Real()
             case Name(name):
                 return self.types[name]
             case Member(owner, name):

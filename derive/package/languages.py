@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import PRECISIONS, STATUS, constants
+from ..kernel.constants import INTEGERS, PRECISIONS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -69,8 +69,10 @@ def template(name: str, values: Mapping[str, str]) -> str:
 
 
 def statuses(line: str) -> str:
-    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
+    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(
+        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
+    )
 
 
 def numbers_of(precision: str, line: str) -> str:

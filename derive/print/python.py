@@ -1,6 +1,6 @@
 """Python on arrays of the array API: every number may be an array of one value for each pose."""
 
-from ..kernel.constants import STATUS
+from ..kernel.constants import INTEGERS
 from ..kernel.nodes import (
     Array,
     Call,
@@ -77,7 +77,7 @@ class Python(Printer):
         return repr(value)
 
     def constant(self, name: str) -> str:
-        return name if name in STATUS else f"on.{name}"
+        return name if name in INTEGERS else f"on.{name}"
 
     def element(self, array: str, index: list[str]) -> str:
         return array + "".join(f"[{each}]" for each in index)

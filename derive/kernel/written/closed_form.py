@@ -17,7 +17,7 @@ def equations(model: "Model", motion: "Motion") -> "Equations":
     pose = equations_pose(model.platform, motion)
     for i in range(6):
         leg = equations_leg(model.leg[i], model.platform, motion)
-        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i], motion, leg.q))
+        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i].b, motion.t, leg.q))
         status = where(status == OK, fault, status)
         leaning = where(leg.k3 < LEANING, 1, leaning)
         total = equations_more(total, leg)
@@ -97,7 +97,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
     pose = forward_pose(model.platform, motion)
     for i in range(6):
         leg = forward_leg(model.leg[i], model.platform, motion, pose, F[i])
-        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i], motion, leg.q))
+        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i].b, motion.t, leg.q))
         status = where(status == OK, fault, status)
         total = forward_more(total, leg)
     sums = forward_total(total, pose)

@@ -50,7 +50,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
     shared = shared_terms(model.platform, motion)
     for i in range(6):
         leg = leg_of(model, i, motion, shared)
-        reach[i] = reach_of(model.leg[i], motion, leg.q)
+        reach[i] = reach_of(model.leg[i].b, motion.t, leg.q)
         fault = fault_of(leg.L, leg.k3, reach[i])
         status = where(status == OK, fault, status)
         suspect = where(leg.L > SHORT_SHARE * reach[i], suspect, 1)
