@@ -14,9 +14,9 @@ from .nodes import Array, Field, Function, Program, Real, Record, Structure
 from .written import kinematics as written
 from .written import legs
 
-_LEG = {"leg": ("Leg", n.LEG)}
-_POSE = {"pose": ("Pose", (n.R, n.t))}
-_MOTION = {"motion": ("Motion", n.MOTION)}
+_LEG: Arguments = {"leg": ("Leg", n.LEG)}
+_POSE: Arguments = {"pose": ("Pose", (n.R, n.t))}
+_MOTION: Arguments = {"motion": ("Motion", n.MOTION)}
 _VECTORS = (n.q, k.S, n.L)
 
 
@@ -29,7 +29,7 @@ def legs_program(blocks: k.Kinematics) -> Program:
 
 def search_program(blocks: k.Kinematics) -> Program:
     """``leg_rates``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back."""
-    of_leg = {"leg": ("LegVectors", _VECTORS)}
+    of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
         structure("Pose", "Pose of the platform.", (n.R, n.t)),
         structure("LegVectors", "Vectors of a leg.", _VECTORS),
@@ -54,7 +54,7 @@ def rotation_program(blocks: Iterable[Block]) -> Program:
         # A quaternion's numbers stand in one array, scalar first.
         names = dict.fromkeys(q.name.removesuffix("_w") for q in block.inputs)
         held = {name: tuple(q for q in block.inputs if q.name.removesuffix("_w") == name) for name in names}
-        arguments = {name: ("", parts) for name, parts in held.items()}
+        arguments: Arguments = {name: ("", parts) for name, parts in held.items()}
         made.append(block_function(block, block.name, "Turn", arguments))
     turn = structure("Turn", "An orientation and its rates.", (n.R, n.omega, n.alpha))
     return _program("rotation", [turn], made, (written.finite_turn,))

@@ -1,6 +1,6 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import reduce
 from math import prod
 
@@ -34,7 +34,7 @@ from .nodes import (
 
 OUT = "out"
 
-Arguments = Mapping[str, tuple[str, tuple[Quantity, ...]]]
+Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
 """Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 

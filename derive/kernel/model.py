@@ -4,7 +4,7 @@ from .. import notation as n
 from .. import prepared as p
 from ..block import Quantity
 from ..regroup import ForceKernel
-from .lower import block_function, elements, structure
+from .lower import Arguments, block_function, elements, structure
 from .nodes import (
     Argument,
     Array,
@@ -62,7 +62,7 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
 
 def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> list[Function]:
     """What ``written.forces.prepare`` calls."""
-    robot = {"robot": ("Robot", n.PLATFORM)}
+    robot: Arguments = {"robot": ("Robot", n.PLATFORM)}
     return [
         block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | {"leg": ("Leg", n.LEG)}),
         block_function(
@@ -78,9 +78,7 @@ def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> li
     ]
 
 
-def block_arguments(
-    kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]
-) -> dict[str, tuple[str, tuple[Quantity, ...]]]:
+def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, ...]]) -> Arguments:
     """Arguments of a leg's block: constants, the motion, and ``more``: name, structure, what it holds."""
     return {
         "leg": ("LegConstants", kernel.leg_constants()),
