@@ -166,7 +166,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
                 Name("count"),
                 (Assign(at(Name("many"), Name("pose")), Member(Name("made"), "a")),),
                 type=Count(),
-                step=8,
+                step=As(Count(), Constant("LANES")),
             ),
             Switch(
                 "STEWART_FLOAT",
@@ -194,7 +194,7 @@ def test_every_statement_compiles_without_a_warning(tmp_path: Path, brackets: bo
     assert [line for line in text.splitlines() if len(line) > 108] == []
     assert "const stewart_real x = from[i][0], y = from[i][1];" in text
     assert "inner(made.lanes, &made, &sum, 1);" in text
-    assert "for (pose = 0U; pose < count; pose += 8U)" in text
+    assert "for (pose = 0U; pose < count; pose += (size_t)LANES)" in text
     source = tmp_path / "all.c"
     source.write_text(text)
     command = ["gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", str(source)]

@@ -10,9 +10,8 @@ from ..kernel.constants import LIMITS
 from ..kernel.kinematics import legs_program, rotation_program, search_program
 from ..kernel.nodes import Program
 from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
-from ..package.languages import template
 from ..print.c import C
-from .c import ARITHMETIC
+from ..print.template import filled
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
@@ -32,24 +31,27 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         "step": step_operations(blocks),
         "velocity": velocity_operations(blocks),
     }
-    said = {
-        "operations": "\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
-        "max_steps": str(LIMITS["MAX_STEPS"][0]),
-        "steps": _listed(STEPS["double"]),
-        "float_steps": _listed(STEPS["float"]),
-    }
-    return _files("kinematics", search_program(blocks), _OF_POSES, version, said)
+    return _files(
+        "kinematics",
+        search_program(blocks),
+        _OF_POSES,
+        version,
+        operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
+        max_steps=LIMITS["MAX_STEPS"][0],
+        steps=_listed(STEPS["double"]),
+        float_steps=_listed(STEPS["float"]),
+    )
 
 
 def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_legs``: the legs of many poses."""
-    said = {"operations": f" * Operations, six legs: {6 * blocks.second.operations()}."}
-    return _files("legs", legs_program(blocks), _OF_ARRAYS, version, said)
+    operations = f" * Operations, six legs: {6 * blocks.second.operations()}."
+    return _files("legs", legs_program(blocks), _OF_ARRAYS, version, operations=operations)
 
 
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
     """``stewart_rotation``: R, omega and alpha of a motion from roll, pitch and yaw, or from a quaternion."""
-    return _files("rotation", rotation_program(blocks), _OF_STEWART_H, version, {})
+    return _files("rotation", rotation_program(blocks), _OF_STEWART_H, version)
 
 
 def _listed(numbers: tuple[int, int, int]) -> str:
@@ -57,15 +59,12 @@ def _listed(numbers: tuple[int, int, int]) -> str:
 
 
 def _files(
-    name: str, program: Program, records: dict[str, str], version: str, said: dict[str, str]
+    name: str, program: Program, records: dict[str, str], version: str, **said: object
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
+    file = f"stewart_{name}"
     printer = C(program.functions, None, True, records, program.structures)
-    own = [each for each in program.structures if each.name not in records]
-    parts = [*map(printer.structure, own), *map(printer.function, program.functions)]
-    text = "\n\n".join("\n".join(lines) for lines in parts)
-    values = {"version": version, "arithmetic": ARITHMETIC, "program": text}
-    return {
-        f"stewart_{name}.h": template(f"{name}.h", {"version": version, **said}),
-        f"stewart_{name}.c": template(f"{name}.c", values),
-    }
+    own = (each for each in program.structures if each.name not in records)
+    top = filled("top.c", file=file, version=version) + filled("arithmetic.c")
+    source = printer.source(top, *own, *program.functions, filled(f"{name}.c"))
+    return {f"{file}.h": filled(f"{name}.h", version=version, **said), f"{file}.c": source}

@@ -46,5 +46,5 @@ def constants(precision: str) -> dict[str, float]:
     }
 
 
-NAMES = ("NAN", *constants("double"))
+NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))
 """Names of the constants that written functions may use."""

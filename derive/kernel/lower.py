@@ -163,7 +163,7 @@ def block_function(block: Block, name: str, result: str, arguments: Arguments) -
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
         tuple(Argument(name, kind) for name, kind in kinds.items()),
         Record(result),
-        (*loads, *_steps(block.steps), Variable(OUT, Record(result), blank=True), *stores, Return(out)),
+        (*loads, *steps_of(block.steps), Variable(OUT, Record(result), blank=True), *stores, Return(out)),
     )
 
 
@@ -173,7 +173,7 @@ def _argument_type(kind: str, held: tuple[Quantity, ...]) -> Type:
     return Array(Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else Real()
 
 
-def _steps(steps: Iterable[Step]) -> list[Statement]:
+def steps_of(steps: Iterable[Step]) -> list[Statement]:
     """Each step, with its equation and meaning before the first of a run that shares them."""
     found: list[Statement] = []
     before = None

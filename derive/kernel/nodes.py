@@ -35,7 +35,7 @@ class Truth:
 class Array:
     """``dims`` of ``item``, row-major."""
 
-    item: "Real | Integer | Record"
+    item: "Real | Integer | Record | Pointer"
     dims: tuple[int, ...]
 
 
@@ -43,7 +43,7 @@ class Array:
 class Pointer:
     """The first of a number of ``item`` that the type does not say; may be ``NULL``."""
 
-    item: "Real | Integer | Record"
+    item: "Real | Integer | Record | Pointer"
 
 
 @dataclass(frozen=True)
@@ -246,7 +246,7 @@ class For:
     body: tuple["Statement", ...]
     down: bool = False
     type: Integer | Count = Integer()
-    step: int = 1
+    step: Expression = Number(1)
 
 
 @dataclass(frozen=True)
@@ -385,11 +385,20 @@ def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
 
 def names_in(node: Any) -> Iterator[Name]:
     """Names that a node reads or writes, those of its parts as well."""
-    if isinstance(node, Name):
-        yield node
-    elif isinstance(node, tuple):
+    return (each for each in parts_of(node) if isinstance(each, Name))
+
+
+def calls_in(node: Any) -> Iterator[Call]:
+    """Calls in a node and its parts."""
+    return (each for each in parts_of(node) if isinstance(each, Call))
+
+
+def parts_of(node: Any) -> Iterator[Any]:
+    """A node and its parts, their parts as well."""
+    if isinstance(node, tuple):
         for each in node:
-            yield from names_in(each)
+            yield from parts_of(each)
     elif is_dataclass(node):
+        yield node
         for field in fields(node):
-            yield from names_in(getattr(node, field.name))
+            yield from parts_of(getattr(node, field.name))

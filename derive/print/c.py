@@ -17,6 +17,7 @@ from ..kernel.nodes import (
     Either,
     Element,
     Expression,
+    Field,
     For,
     From,
     Function,
@@ -70,6 +71,16 @@ class C(Printer):
         self.pointers: set[str] = set()
         self.numbers: set[str] = set()
 
+    def source(self, *parts: str | Structure | Table | Function) -> str:
+        """Texts, structures, tables and functions, one after the other with an empty line between them."""
+        functions = (each for each in parts if isinstance(each, Function))
+        self.functions_by_name |= {each.name: each for each in functions}
+        return "\n".join(each if isinstance(each, str) else self._part(each) for each in parts)
+
+    def _part(self, part: Structure | Table | Function) -> str:
+        spelled = {Structure: self.structure, Table: self.table, Function: self.function}
+        return "\n".join([*spelled[type(part)](part), ""])  # type: ignore[operator]
+
     # ------------------------------------------------------------ comments
 
     def remark(self, text: str, before: str = "") -> list[str]:
@@ -106,12 +117,14 @@ class C(Printer):
 
     def structure(self, structure: Structure) -> list[str]:
         """A structure as a type."""
-        members = [
-            f"    {self.declared(each.type, each.name)};{f' /* {each.meaning} */' if each.meaning else ''}"
-            for each in structure.members
-        ]
+        members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
         return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {structure.name};"]
+
+    def _member(self, field: Field) -> list[str]:
+        declared = f"    {self.declared(field.type, field.name)};"
+        line = f"{declared} /* {field.meaning} */" if field.meaning else declared
+        return [line] if len(line) <= WIDTH + 40 else [*self.remark(field.meaning, "    "), declared]
 
     def table(self, table: Table) -> list[str]:
         """Constant structures and their type."""
@@ -145,7 +158,7 @@ class C(Printer):
             return str(value)
         if value == 0.5:
             return "STEWART_HALF"
-        return f"REAL({int(value) if value.is_integer() and abs(value) < 2.0**53 else repr(value)})"
+        return f"REAL({int(value) if value.is_integer() and abs(value) < 1e9 else repr(value)})"
 
     def constant(self, name: str) -> str:
         return _PLAIN.get(name, f"STEWART_{name}")
@@ -237,6 +250,8 @@ class C(Printer):
         return lines
 
     def let(self, node: Let) -> str:
+        if isinstance(node.type, Pointer) and isinstance(node.type.item, Real):
+            return f"{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
         if isinstance(node.type, Pointer):
             self.pointers.add(node.name)
             value = self._address(node.value)
@@ -257,8 +272,10 @@ class C(Printer):
             case Array(item, (count, *others)):
                 inner = Array(item, tuple(others)) if others else item
                 return f"{{{', '.join([self.zero(inner)] * count)}}}"
-            case Record(name):
+            case Record(name) if name in self.structures:
                 return f"{{{', '.join(self.zero(each.type) for each in self.structures[name].members)}}}"
+            case Record():
+                return "{0}"
         return "0"
 
     def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
@@ -279,8 +296,7 @@ class C(Printer):
         if node.down:
             end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
             return f"for ({index} = {first}; {index} {end}; --{index})"
-        step = f"++{index}" if node.step == 1 else f"{index} += {self.text(As(node.type, Number(node.step)))}"
-        step = step.replace("(int)", "")
+        step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
         return f"for ({index} = {first}; {index} < {last}; {step})"
 
     def condition(self, test: str) -> str:

@@ -175,6 +175,7 @@ static LegMotions leg_motions(const stewart_robot *robot, const stewart_motions 
     out.status = status;
     return out;
 }
+
 /* Copies the numbers of a pose into a batch's array, or nothing if it is null. */
 static void copy(stewart_real *array, size_t pose, const stewart_real *values, size_t count)
 {

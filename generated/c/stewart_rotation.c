@@ -149,6 +149,7 @@ static int finite_turn(const Turn *turn)
     }
     return status;
 }
+
 /* Takes what was found over into the motion, if it is finite. */
 static int taken(const Turn *found, stewart_motion *motion)
 {
