@@ -17,7 +17,6 @@ from .emit import bounds, c, fidelity_table, lanes, numpy
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
-from .emit import rotation as rotation_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel.constants import STATUS
@@ -125,15 +124,9 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files |= _closed_form(version)
     progress("deriving the kinematics")
     blocks = reduced_kinematics()
-    files["c/stewart_kinematics.h"] = kinematics_text.header(blocks, version)
-    files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
-    files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
-    files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
-    files["c/stewart_rotation.h"] = rotation_text.header(version)
-    files["c/stewart_rotation.c"] = rotation_text.source(
-        reduced_rotation()["motion_from_rpy"], reduced_rotation()["motion_from_quaternion"], version
-    )
-    return files
+    made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
+    made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
+    return files | {f"c/{name}": text for name, text in made.items()}
 
 
 def _error_bounds(version: str) -> dict[str, str]:

@@ -11,8 +11,13 @@ STATUS = {
     "POLE": (3, "a leg lies along the fixed axis of its universal joint"),
     "SINGULAR": (4, "H is singular to rounding"),
     "INDEFINITE": (6, "the inertia is not positive definite"),
+    "NOT_CONVERGED": (7, "no pose with these leg lengths was found"),
 }
 """Code and meaning by name, as in ``stewart.h``."""
+
+LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
+INTEGERS = STATUS | LIMITS
+"""Whole numbers that written functions may use."""
 
 PRECISIONS = {
     "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),

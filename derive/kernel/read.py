@@ -1,9 +1,10 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``break``, ``return``,
-``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``else``, ``break``,
+``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
+selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
+the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
+``"Real"``.
 
 For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
 ``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
@@ -23,7 +24,7 @@ from functools import reduce
 from types import MappingProxyType
 from typing import Any, cast
 
-from .constants import NAMES, STATUS
+from .constants import INTEGERS, NAMES
 from .nodes import (
     BUILT_IN,
     Argument,
@@ -315,7 +316,7 @@ class _Reader:
             case ast.Constant(value=None):
                 return Constant("NULL")
             case ast.Name(id=name):
-                found = self.given.get(name, Constant(name) if name in (*STATUS, *NAMES) else Name(name))
+                found = self.given.get(name, Constant(name) if name in (*INTEGERS, *NAMES) else Name(name))
                 assert isinstance(found, Expression)
                 return found
             case ast.Attribute():
@@ -390,7 +391,7 @@ class _Reader:
             case Number(number):
                 return Real() if isinstance(number, float) else Integer()
             case Constant(name):
-                return Integer() if name in STATUS else Real()
+                return Integer() if name in INTEGERS else Real()
             case Name(name):
                 return self.types.get(name, Real())
             case Member(owner, name):

@@ -7,7 +7,7 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import PRECISIONS, STATUS, constants
+from ..kernel.constants import INTEGERS, PRECISIONS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -62,8 +62,10 @@ RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
 
 
 def statuses(line: str) -> str:
-    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
+    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(
+        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
+    )
 
 
 def numbers_of(precision: str, line: str) -> str:

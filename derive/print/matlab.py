@@ -120,7 +120,8 @@ class Matlab(Printer):
         return self.lines(before, f"{left} = {self.text(value)};")
 
     def do(self, call: Call) -> str:
-        return f"{self._results(call, [])} = {self.call(call)}"
+        function = self.functions_by_name[call.function]
+        return f"{self._results(call, [] if function.result is None else ['~'])} = {self.call(call)}"
 
     def loop(self, node: For) -> str:
         first, last = self.text(node.first), self.text(node.last)
