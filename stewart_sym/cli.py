@@ -21,7 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO, cast
 
-from .extras import needed_for
+from .extras import need, needed_for
 from .faults import SingularPoseWarning
 from .interrupts import as_interrupts
 from .native import CompilerError
@@ -261,6 +261,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
     from .studies import energy_drift, run
     from .studies.output import csv_lines
 
+    need("scipy", "simulation")
     if arguments.pictures:
         _plots()
     scene = read_scene(arguments.scene)
@@ -553,10 +554,16 @@ def _measured(
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about measured forces, by name, and the estimate."""
     from .logs import HeaderError
-    from .smooth_motion import PoseNoise
+    from .physical import POSSIBLE
+    from .smooth_motion import WITHOUT_PERIOD, PoseNoise
     from .studies.identify import from_measurement, measured_texts
     from .trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
 
+    if arguments.physical:
+        need("scipy", POSSIBLE)
+    noisy = _pose_noise(arguments)
+    if noisy and arguments.period is None:
+        need("scipy", WITHOUT_PERIOD)
     robot = _robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = _form(arguments)
@@ -572,7 +579,7 @@ def _measured(
     trajectory = cast("Trajectory", _poses(robot, log, arguments.start, progress))
     time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
     noise = None
-    if _pose_noise(arguments):
+    if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
         noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
     model = (not arguments.no_friction, arguments.physical)

@@ -22,13 +22,14 @@ from .checks import finite_array, instance, real_array, truth
 from .dynamics import inverse_dynamics, need_motion, need_universal
 from .equations import force_derivatives
 from .excitation import Excitation, force_regressor, need_seed
+from .extras import need
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
 from .parameters import Parameters, inertial_parameters, is_friction, with_parameters
-from .physical import Negative, negative, possible_fit
+from .physical import POSSIBLE, Negative, negative, possible_fit
 from .robot import LEGS, Robot
 from .rotation import rotation_from_vector
-from .smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
+from .smooth_motion import WITHOUT_PERIOD, Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
 
 Array = NDArray[np.float64]
 
@@ -163,6 +164,10 @@ def identify(
     instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
     truth(physical, "physical")
+    if physical:
+        need("scipy", POSSIBLE)
+    if isinstance(noise, PoseNoise) and noise.period is None:
+        need("scipy", WITHOUT_PERIOD)
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .extras import needed_for
 from .identifiable import BaseParameters
 from .parameters import (
     Parameters,
@@ -30,6 +31,9 @@ from .robot import LEGS, Robot
 
 Array = NDArray[np.float64]
 Condition = tuple[str, str, Callable[[Array], float]]
+
+POSSIBLE = "an estimate kept to bodies that can exist"
+"""What needs SciPy, in words."""
 
 _AXES = ("xx", "xy", "xz", "yy", "yz", "zz")
 _PLATFORM = ("M", *(f"h_P_{axis}" for axis in "xyz"), *(f"J_P_{axes}" for axes in _AXES))
@@ -107,10 +111,8 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
     where they are not, are the prior with a deviation of about a factor e in each length and mass: it decides
     what the measurement does not. Needs SciPy.
     """
-    try:
+    with needed_for(POSSIBLE):
         from scipy.optimize import least_squares
-    except ImportError:
-        raise ImportError("possible bodies need SciPy: pip install scipy") from None
     own = inertial_parameters(robot)
     bodies, friction = _split(own.values)
     roots = np.array([_root(body) for body in bodies])

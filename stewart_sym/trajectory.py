@@ -12,6 +12,7 @@ import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array, shown
-from .extras import needed_for
+from .extras import need, needed_for
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
@@ -259,6 +260,8 @@ _LOADS = ("F_ext", "M_ext")
 FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
 """Columns of actuator forces."""
 _MIN_SPLINE_POINTS = 4
+# What needs SciPy, and what helps without.
+_SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
 _PART = 1 << 14
 _ANGLES = ("theta", "theta_dot", "theta_ddot")
 _PLAIN = LogFormat()
@@ -433,7 +436,7 @@ def read_log(
     """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
     source = file_name(path)
     with opened(source, "trajectory", _MOST_BYTES) as stream:
-        columns, rows = read_columns(stream, source, _check_header, form)
+        columns, rows = read_columns(stream, source, partial(_check_log, smoothing=smoothing), form)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     log = _Log(source, rows, columns["time"], written, form, smoothing)
@@ -631,6 +634,13 @@ def _components(*names: str) -> list[str]:
     ]
 
 
+def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
+    """Reject a header, and rows that nothing will differentiate, before they are read."""
+    _check_header(header, source)
+    if not smoothing.on and not {"v_x", "L_dot_1"} & set(header):
+        need("scipy", *_SPLINE)
+
+
 def _check_header(header: list[str], source: str) -> None:
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*_POSE, *_DERIVATIVES)
@@ -760,6 +770,6 @@ def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
 
 
 def _spline_maker() -> Callable[..., Callable[..., Array]]:
-    with needed_for("a trajectory without derivatives"):
+    with needed_for(*_SPLINE):
         from scipy.interpolate import make_interp_spline
     return make_interp_spline  # type: ignore[no-any-return]
