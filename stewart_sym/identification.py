@@ -157,17 +157,17 @@ def identify(
     ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
+    truth(physical, "physical")
+    if physical:
+        need("scipy", POSSIBLE)
+    if isinstance(noise, PoseNoise) and noise.period is None:
+        need("scipy", WITHOUT_PERIOD)
     if noise is None:
         need_motion(robot, motion)
     if base is None:
         base = base_parameters(robot)
     instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
-    truth(physical, "physical")
-    if physical:
-        need("scipy", POSSIBLE)
-    if isinstance(noise, PoseNoise) and noise.period is None:
-        need("scipy", WITHOUT_PERIOD)
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")

@@ -259,6 +259,12 @@ _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
 FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
 """Columns of actuator forces."""
+# Columns in words.
+_KNOWN = (
+    "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
+    "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*; for other names give "
+    "--columns NAME=HEADER,..."
+)
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
 _SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
@@ -644,13 +650,18 @@ def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
 def _check_header(header: list[str], source: str) -> None:
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*_POSE, *_DERIVATIVES)
+    lengths, poses = ([c for c in header if c in known] for known in (in_joints, of_pose))
+    if lengths and poses:
+        raise ValueError(
+            f"{source}: columns {poses[0]} and {lengths[0]}: expected poses or leg lengths, got both"
+        )
     # Poses are what a header without any of the two is taken to lack.
-    joints = any(c in in_joints for c in header) and not any(c in of_pose for c in header)
+    joints = bool(lengths)
     position: tuple[str, ...] = _QUATERNION if "q_w" in header else _POSE
     derivatives: tuple[str, ...] = () if "q_w" in header else _DERIVATIVES
     if joints:
         position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
-    _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source)
+    _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source, _KNOWN)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
         raise ValueError(
@@ -666,11 +677,11 @@ def _check_header(header: list[str], source: str) -> None:
             raise ValueError(f"{source}: missing column {column}")
 
 
-def _check_names(header: list[str], known: list[str], source: str) -> None:
-    """Refuse columns that are not known or given twice."""
+def _check_names(header: list[str], known: list[str], source: str, expected: str = "") -> None:
+    """Reject columns that are not known, with what is expected in words, or that are given twice."""
     for column in header:
         if column not in known:
-            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
+            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected {expected}")
         if header.count(column) > 1:
             name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
             raise ValueError(f"{source}: column {name} is given twice")
