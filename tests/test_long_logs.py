@@ -10,14 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.interpolation import between
 from stewart_sym.logs import LogFormat, read_columns
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies import output, track
+from stewart_sym.studies import track
 from stewart_sym.studies.output import csv_lines
 from stewart_sym.trajectory import Trajectory, read_csv
 
@@ -47,43 +46,9 @@ def test_lines_of_many_rows_take_a_part_of_the_room_of_their_columns() -> None:
 @pytest.mark.parametrize("count", [0, 1, 4095, 4096, 4097, 10_000])
 def test_lines_hold_every_row_with_all_its_digits(count: int) -> None:
     columns = {"a": np.random.default_rng(1).normal(size=count), "n": np.arange(count)}
-    head, *rows = "".join(csv_lines(columns)).splitlines()
-    assert head == "a,n"
-    assert rows == [f"{a!r},{n}" for a, n in zip(columns["a"].tolist(), range(count), strict=True)]
-
-
-def doubles() -> dict[str, np.ndarray]:
-    """Doubles of all kinds, by what they are."""
-    rng, count = np.random.default_rng(3), share(100_000)
-    two, ten = 2.0 ** np.arange(-1074, 1024), 10.0 ** np.arange(-323, 309)
-    beside = [np.nextafter(x, towards) for x in (two, ten) for towards in (0.0, np.inf)]
-    return {
-        "any bits": rng.integers(0, 2**64, count, dtype=np.uint64).view(np.float64),
-        "subnormal": rng.integers(0, 2**52, count, dtype=np.uint64).view(np.float64),
-        "of size 1": rng.normal(size=count),
-        "decimals": np.round(rng.normal(size=count), 3),
-        "of all spellings": 10.0 ** rng.uniform(-6.0, 18.0, count),
-        "whole": rng.integers(-(10**17), 10**17, count).astype(np.float64),
-        "powers": np.concatenate([two, -two, ten, *beside]),
-        "special": np.array([0.0, -0.0, np.inf, -np.inf, np.nan, 5e-324, 1e15, 1e16, 1e-4, 1e-5, 4.35]),
-        "integers": np.array([0, 1, -1, 10, 2**63 - 1, -(2**63)]),
-        "of 32 bits": rng.normal(size=count).astype(np.float32),
-    }
-
-
-@pytest.mark.parametrize("kind", doubles())
-def test_compiled_numbers_are_those_of_repr(kind: str) -> None:
-    column = doubles()[kind]
-    written = output._compiled()
-    assert written is not None
-    assert written([column, column[::-1]]) == output._interpreted([column, column[::-1]])
-
-
-def test_without_a_compiler_long_tables_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    columns = {"a": np.random.default_rng(1).normal(size=10_000), "n": np.arange(10_000, dtype=np.int32)}
-    compiled = "".join(csv_lines(columns))
-    monkeypatch.setattr(output, "_compiled", lambda: None)
-    assert "".join(csv_lines(columns)) == compiled
+    head, *rows = csv_lines(columns)
+    assert head == "a,n\n"
+    assert rows == [f"{a!r},{n}\n" for a, n in zip(columns["a"].tolist(), range(count), strict=True)]
 
 
 def test_columns_are_read_in_less_room_than_their_text() -> None:
