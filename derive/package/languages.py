@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import PRECISIONS, STATUS, constants
+from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -172,6 +172,7 @@ def python_arithmetic() -> str:
         {
             "statuses": statuses("{name} = {code}  # {meaning}"),
             "constants": "\n".join(f"    {name!r}: {values!r}," for name, values in found.items()),
+            "declared": "\n".join(f"    {name}: float" for name in NAMES),
         },
     )
 
