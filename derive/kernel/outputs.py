@@ -59,9 +59,10 @@ def program(
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
     for each in sums:
         known |= _of_sums(kernel, each)
-    needed = _Needed(known, of_model, {each.name: each for each in model_functions(kernel, of_model)})
-    for name in ("prepare", *outputs):
-        needed.add(name, public=True)
+    functions = {each.name: each for each in model_functions(kernel, of_model)}
+    needed = _Needed(known, ("prepare", *outputs), of_model, functions)
+    for name in needed.public:
+        needed.add(name)
     return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
 
 
@@ -70,10 +71,11 @@ class _Needed:
     """Structures and functions that are needed, each after those that it needs."""
 
     known: Mapping[str, Definition]
+    public: tuple[str, ...]
     structures: dict[str, Structure]
     functions: dict[str, Function]
 
-    def add(self, name: str, public: bool = False) -> None:
+    def add(self, name: str) -> None:
         """What a name stands for, with what that needs; nothing where it stands for nothing."""
         found = self._found(name)
         if found is None or name in self.structures or name in self.functions:
@@ -85,6 +87,7 @@ class _Needed:
             for each in read.used(found.written, found.names):
                 if each != name:
                     self.add(each)
+            public = name in self.public
             self.functions[name] = read.function(
                 found.written, self.structures, self.functions, name, public, names=found.names
             )
