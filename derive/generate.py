@@ -20,13 +20,14 @@ from .emit import regressor as regressor_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel.constants import STATUS
-from .kernel.nodes import Program
+from .kernel.nodes import Constant, Program, parts_of
 from .kernel.outputs import FORCES, OUTPUTS, program
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
 from .package.header import common_header
-from .package.languages import python_arithmetic, python_module, template
+from .package.languages import python_arithmetic, python_module
+from .package.words import template
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -110,11 +111,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{form.kernel_name}.py"] = numpy.module(
             built, counts, force_counts, lanes.model_numbers(forces), version
         )
-        files[f"{form.kernel_name}_arrays.py"] = python_module(
-            output_program(form, OUTPUTS if form == EXACT else (FORCES,)),
-            f"from .arithmetic import {', '.join(sorted(STATUS))}, Arithmetic",
-            version,
-        )
+        arrays = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
+        files[f"{form.kernel_name}_arrays.py"] = python_module(arrays, _imported(arrays), version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
     files |= _fidelities(version, progress)
@@ -205,6 +203,17 @@ def _closed_form(version: str) -> dict[str, str]:
         ),
         **{f"c/{file}": text for file, text in sources.items()},
     }
+
+
+def _imported(program: Program) -> str:
+    """The import of what a program on arrays names in the module that they share."""
+    named = {
+        each.name
+        for function in program.functions
+        for each in parts_of(function.body)
+        if isinstance(each, Constant)
+    }
+    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
 
 
 _ARITHMETIC = '''\

@@ -28,6 +28,22 @@ class Arithmetic:
     or, where that is switched off, what the namespace takes in its place.
     """
 
+    NAN: float
+    LANES: float
+    BAD_ARGUMENT: float
+    EPSILON: float
+    MAX: float
+    ROUNDING: float
+    POLE_SINE: float
+    NEAR_POLE: float
+    SHORTEST: float
+    SUSPECT: float
+    SHORT_SHARE: float
+    SMALLEST: float
+    LARGEST: float
+    KEPT: float
+    LEANING: float
+
     def __init__(self, xp: Any, real: Any = None) -> None:
         self.xp = xp
         self.type = xp.asarray(0.0, dtype=xp.float64 if real is None else real).dtype

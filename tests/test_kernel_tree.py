@@ -249,7 +249,7 @@ def test_a_motion_of_other_fields_or_shapes_is_rejected(fields: Any, line: str, 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("language", RUN)
-@pytest.mark.parametrize("functions", [("forces",), ("forces", "motion")], ids="+".join)
+@pytest.mark.parametrize("functions", [("forces",), ("forces", "motion"), ("derivatives",)], ids="+".join)
 def test_a_kit_proves_itself_in_its_language(
     language: str, functions: tuple[str, ...], tmp_path: Path
 ) -> None:
@@ -277,7 +277,7 @@ def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
     [
         (
             Choice(("kinematics",), language="rust"),
-            "functions: rust: expected some of forces, motion, got 'kinematics'",
+            "functions: rust: expected some of forces, motion, derivatives, got 'kinematics'",
         ),
         (Choice(language="matlab", precision="float"), "precision: matlab: expected double, got float"),
         (Choice(language="rust", bake=True), "bake: expected language c, got rust"),

@@ -1,6 +1,6 @@
 """Every output that kernels have as trees: the structures, blocks and written functions that each needs."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -13,7 +13,7 @@ from .. import prepared as p
 from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
-from .lower import block_function, stored_type, structure
+from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
@@ -58,9 +58,10 @@ def program(
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
     for each in sums:
         known |= _of_sums(kernel, each)
-    needed = _Needed(known, of_model, {each.name: each for each in model_functions(kernel, of_model)})
-    for name in ("prepare", *outputs):
-        needed.add(name, public=True)
+    functions = {each.name: each for each in model_functions(kernel, of_model)}
+    needed = _Needed(known, ("prepare", *outputs), of_model, functions)
+    for name in needed.public:
+        needed.add(name)
     return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
 
 
@@ -69,31 +70,37 @@ class _Needed:
     """Structures and functions that are needed, each after those that it needs."""
 
     known: Mapping[str, Definition]
+    public: tuple[str, ...]
     structures: dict[str, Structure]
     functions: dict[str, Function]
 
-    def add(self, name: str, public: bool = False) -> None:
+    def add(self, name: str) -> None:
         """What a name stands for, with what that needs; nothing where it stands for nothing."""
         found = self._found(name)
         if found is None or name in self.structures or name in self.functions:
             return
         if isinstance(found, Structure):
-            for each in found.members:
-                kind = each.type.item if isinstance(each.type, Array) else each.type
-                self.add(kind.name if isinstance(kind, Record) else "")
+            self._add_types(member.type for member in found.members)
             self.structures[name] = found
         elif isinstance(found, Text):
             for each in read.used(found.written, found.names):
                 if each != name:
                     self.add(each)
+            public = name in self.public
             self.functions[name] = read.function(
                 found.written, self.structures, self.functions, name, public, names=found.names
             )
         else:
             made = found()
-            for kind in (made.result, *(each.type for each in made.arguments)):
-                self.add(kind.name if isinstance(kind, Record) else "")
+            self._add_types(argument.type for argument in made.arguments)
+            self._add_types([] if made.result is None else [made.result])
             self.functions[name] = made
+
+    def _add_types(self, types: Iterable[Type]) -> None:
+        for each in types:
+            kind = each.item if isinstance(each, Array) else each
+            if isinstance(kind, Record):
+                self.add(kind.name)
 
     def _found(self, name: str) -> Definition | None:
         """The definition of a name, or of what ends in a width."""
@@ -137,9 +144,9 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     shared = _quantities(kernel.shared)
     arguments = block_arguments(kernel, ("shared", "SharedTerms", shared))
     of_pose = {name: arguments[name] for name in ("platform", "motion")}
-    own = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
-    tip = {"sums": ("Sums", (p.q_1,))}
-    right = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
+    own: Arguments = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
+    tip: Arguments = {"sums": ("Sums", (p.q_1,))}
+    right: Arguments = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
     structures = (
         structure("SharedTerms", "What a pose has for all legs.", shared),
         structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),

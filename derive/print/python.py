@@ -6,6 +6,7 @@ from types import MappingProxyType
 
 from ..kernel.constants import INTEGERS
 from ..kernel.nodes import (
+    Argument,
     Array,
     Assign,
     Call,
@@ -178,7 +179,8 @@ class Python(Printer):
 
     def function(self, function: Function) -> list[str]:
         loops = {each.index for each in statements(function.body) if isinstance(each, For)}
-        known = [*function.arguments, *(each for each in function.body if isinstance(each, Variable))]
+        made = [each for each in function.body if isinstance(each, Variable)]
+        known: list[Argument | Variable] = [*function.arguments, *made]
         self.records = {each.name: each.type.name for each in known if isinstance(each.type, Record)}
         self.fixed = frozenset(loops | {each.name for each in function.arguments if each.type == Integer()})
         arguments = ", ".join(["on: Arithmetic", *(f"{each.name}: Any" for each in function.arguments)])
