@@ -9,6 +9,7 @@ hides on which side the pose is, it hides what the motion does there: that sampl
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
@@ -235,8 +236,10 @@ def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
 def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
     """Two vectors at each of many samples, (n, 3), without all that makes them in memory at once."""
     found = np.empty((2, count, 3))
-    for start in range(0, count, _PART):
-        part = slice(start, start + _PART)
+    # None is much smaller than the others: few poses take NumPy's kinematics, whose last bits are other ones.
+    starts = [i * _PART for i in range(max(1, count // _PART))]
+    for start, end in itertools.pairwise([*starts, count]):
+        part = slice(start, end)
         found[0, part], found[1, part] = function(part)
     return found[0], found[1]
 
