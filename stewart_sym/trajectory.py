@@ -581,15 +581,17 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
             f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
         )
     if "L_dot" in log.written:
-        L_dot, L_ddot = (log.vector(name) for name in _LENGTH_DERIVATIVES)
-        noise = _as_given(
-            log, np.stack([L, L_dot, L_ddot]), [log.steps(name) for name in ("L", "L_dot", "L_ddot")]
-        )
+        found = np.empty((3, *L.shape))
+        found[0] = L
+        for i, name in enumerate(_LENGTH_DERIVATIVES):
+            found[i + 1] = log.vector(name)
+        noise = _as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
     else:
-        (L, L_dot, L_ddot), noise = _differentiate(log, L, log.steps("L"))
+        found, noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
-    _warn_of_units(log, np.stack([L, L_dot, L_ddot]))
+    _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in _LOADS)
+    L, L_dot, L_ddot = found
     return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
 
 
