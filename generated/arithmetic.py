@@ -6,12 +6,12 @@ SPDX-License-Identifier: 0BSD
 
 from typing import Any
 
-OK = 0  # fine
-NOT_FINITE = 1  # a number of the robot, the motion or the result is not finite
-SHORT_LEG = 2  # a leg is too short beside the vectors that it is the sum of
+OK = 0  # solved
+NOT_FINITE = 1  # an input is not finite, or a result overflows
+SHORT_LEG = 2  # a leg has length zero
 POLE = 3  # a leg lies along the fixed axis of its universal joint
-SINGULAR = 4  # H is singular to rounding
-INDEFINITE = 6  # the inertia is not positive definite
+SINGULAR = 4  # H is singular: no leg forces can hold the platform
+INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
 NOT_CONVERGED = 7  # no pose with these leg lengths was found
 MAX_STEPS = 30  # steps after which the search of a pose ends
 

@@ -1,15 +1,20 @@
 """The interface table is what headers declare and what the package, kits and the sweep go by."""
 
 import re
+import subprocess
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 
 import pytest
 
-from stewart_sym import results
+from stewart_sym import native, results
+from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.constants import STATUS as OF_TREES
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
 from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
+from stewart_sym.derive.package.layout import layout
+from stewart_sym.generated import interface
 from stewart_sym.kit.choice import STEMS
 
 ROTATION = ("motion_from_rpy", "motion_from_quaternion")
@@ -74,3 +79,24 @@ def test_status_codes_are_the_same_everywhere() -> None:
     assert all(getattr(results, name) == code for name, code in codes.items())
     defined = re.findall(r"^#define STEWART_([A-Z_]+) (\d) /\*", headers()["stewart.h"], re.M)
     assert [(name, int(code)) for name, code in defined] == list(codes.items())
+
+
+def test_the_package_reads_the_table_of_the_derivation() -> None:
+    written = (files("stewart_sym.generated") / "interface.py").read_text(encoding="utf-8")
+    assert written == layout(interface.MODELS, generator_version())
+    assert {name for name in STRUCTS if f"{name}_arrays" in str(headers())} == {
+        name for name in interface.STRUCTS if name not in ("leg", "platform", "limits", "motion", "pose")
+    }
+
+
+@pytest.mark.parametrize("name", interface.MODELS)
+def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -> None:
+    header = f"stewart_{name}.h" if name.endswith("_bounds") else f"stewart_{name}_forces.h"
+    for each, text in headers().items():
+        (tmp_path / each).write_text(text, encoding="utf-8")
+    right = f"sizeof(stewart_{name}_model) == {interface.MODELS[name]} * sizeof(stewart_real)"
+    (tmp_path / "size.c").write_text(f'#include "{header}"\ntypedef char right[{right} ? 1 : -1];\n')
+    compiler = native.find_compiler()
+    if compiler is None:
+        pytest.skip("needs a C compiler")
+    subprocess.run([*compiler.command, "-std=c99", "-fsyntax-only", "size.c"], check=True, cwd=tmp_path)

@@ -117,12 +117,6 @@ def model_numbers(kernel: ForceKernel) -> int:
     return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 2
 
 
-def python_module(kernel: ForceKernel, version: str) -> str:
-    """``<kernel>_bounds.py``: what Python must know of the C's layout."""
-    name = kernel.formulation.kernel_name
-    return _PYTHON.format(name=name, version=version, numbers=model_numbers(kernel))
-
-
 # ---------------------------------------------------------------- the blocks
 
 
@@ -1143,14 +1137,3 @@ int stewart_@NAME@_forces_bounded_batch(
     return result;
 }
 """
-
-_PYTHON = '''\
-"""Layout of the C that bounds the rounding error of the forces, formulation and joint `{name}`.
-
-Written by stewart-sym {version}; do not edit.
-SPDX-License-Identifier: 0BSD
-"""
-
-# Numbers of ``stewart_{name}_bounds_model``.
-MODEL_NUMBERS = {numbers}
-'''

@@ -226,8 +226,10 @@ def _prototype(symbol: str, parameters: Iterable[str]) -> str:
     return f"int {symbol}({', '.join(parameters)});"
 
 
-def _in(name: str, count: int, unit: str, meaning: str, **more: bool) -> Argument:
-    return Argument(name, takes=(_flat(name, (count,), unit, meaning),), **more)
+def _in(name: str, count: int, unit: str, meaning: str, shared: bool = False) -> Argument:
+    """shared: one array for all poses, which may be null."""
+    taken = (_flat(name, (count,), unit, meaning),)
+    return Argument(name, takes=taken, optional=shared, shared=shared)
 
 
 def _out(member: Member) -> Argument:
@@ -289,7 +291,6 @@ CALLS: dict[str, Call] = {
                 6,
                 "m",
                 "from each base point along its leg to where M_p is taken; or null",
-                optional=True,
                 shared=True,
             ),
             Argument("forces", "forces", written=True),

@@ -19,10 +19,7 @@ from ..block import AXES, Quantity
 from ..kernel.interface import CALLS, STATUS
 from . import licence
 from . import robot as robot_text
-from .words import template
-
-Numbers = Mapping[str, Any]
-"""Quantity name -> number or nested lists of numbers."""
+from .words import Numbers, component, template
 
 STEP = 0.001
 """Step that the description proposes, s."""
@@ -159,11 +156,7 @@ def _variable_name(quantity: Quantity, key: tuple[int, ...]) -> str:
 
 
 def _number(value: Any, key: Sequence[int], where: str) -> float:
-    try:
-        for i in key:
-            value = value[i]
-    except (IndexError, TypeError):
-        raise ValueError(f"{where}: expected an entry {list(key)}") from None
+    value = component(value, key, where)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         raise ValueError(f"{where}: expected finite numbers, got {value!r}")
     return float(value)

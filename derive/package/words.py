@@ -77,11 +77,12 @@ def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = N
         raise ValueError(f"{where}: missing")
     prefix = () if leg is None else (leg,)
     return [
-        literal(_component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
+        literal(component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
     ]
 
 
-def _component(value: Any, key: Sequence[int], where: str) -> Any:
+def component(value: Any, key: Sequence[int], where: str) -> Any:
+    """An entry of nested lists. Raises ValueError naming ``where`` if there is none."""
     try:
         for i in key:
             value = value[i]

@@ -14,7 +14,8 @@ from pathlib import Path
 
 from .. import native
 from ..derive.package import fmu as texts
-from ..derive.package.fmu import Numbers, UnitKernel
+from ..derive.package.fmu import UnitKernel
+from ..derive.package.words import Numbers
 
 __all__ = ["UnitKernel", "binary_folder", "fmu_unit"]
 

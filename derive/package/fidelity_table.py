@@ -1,21 +1,21 @@
 """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from.
 
-Prints names, meanings, counts and sizes of models; the kernels themselves are C. Knows no dynamics.
+Prints names, meanings and counts; the kernels themselves are C. Knows no dynamics.
 """
 
 from collections.abc import Mapping
 
+from ..emit.c import wrap_list
 from ..fidelity import Fidelity
 from ..operations import force_operations
 from ..regroup import ForceKernel
-from .c import wrap_list
-from .lanes import model_numbers
+from .words import template
 
 
 def module(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """The module's text."""
     entries = "\n".join(_entry(level, kernel) for level, kernel in kernels.items())
-    return _MODULE.format(version=version, entries=entries)
+    return template("fidelities.py", {"version": version, "entries": entries})
 
 
 def _entry(level: Fidelity, kernel: ForceKernel) -> str:
@@ -24,7 +24,6 @@ def _entry(level: Fidelity, kernel: ForceKernel) -> str:
         "kernel": kernel.name,
         "meaning": level.meaning,
         "universal": any(q.name == "k" for q in kernel.leg_constants()),
-        "model_numbers": model_numbers(kernel),
     }
     lines = "\n".join(f'        "{name}": {_literal(value)},' for name, value in values.items())
     parts = ", ".join(f'"{part}": {count}' for part, count in counts.items())
@@ -34,19 +33,3 @@ def _entry(level: Fidelity, kernel: ForceKernel) -> str:
 
 def _literal(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(value)
-
-
-_MODULE = '''\
-"""The levels of fidelity of the force kernels of ``exact``, from everything to nothing but the platform.
-
-Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
-SPDX-License-Identifier: 0BSD
-"""
-
-from typing import Any
-
-# kernel: name of its C, stewart_<kernel>_forces; universal: whether it knows the universal joints' axes.
-FIDELITIES: dict[str, dict[str, Any]] = {{
-{entries}
-}}
-'''

@@ -1,431 +1,31 @@
-"""C texts of the judge: random cases near failure, the shipped kernels' answers, the truth in wider types.
-
-Texts alone; ``judge`` puts them beside the generated kernels and calls them.
-"""
-
-WIDER = """\
-/* The forces, and how sensitive they are to their inputs, in a type wider than the kernels'. */
-@TYPE@
-@RENAMED@
-#include <float.h>
-#include "stewart_exact_text.h"
-#include "judge.h"
-
-#define EACH(array) (int)(sizeof (array) / sizeof (array)[0])
-
-/* Numbers in a leg's own frame change one by one: what is symmetric stays so, and what is zero. */
-static const int of_leg[] = {3, 3, 3, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-static const int of_platform[] = {1, 3, 6, 3};
-static const int of_motion[] = {9, 3, 3, 3, 3, 3, 3, 3};
-
-/* Copies quantities, each component moved by at most `amount` of its quantity's largest; or, where `only` is
- * not null, by just that the one component to which it counts down. */
-static void move(
-    stewart_real **to, const double **from, const int *widths, int count, double amount, uint64_t *seed,
-    int *only)
-{
-    int group, i;
-    for (group = 0; group < count; ++group) {
-        double largest = 0;
-        for (i = 0; i < widths[group]; ++i) {
-            const double size = (*from)[i] < 0 ? -(*from)[i] : (*from)[i];
-            largest = size > largest ? size : largest;
-        }
-        for (i = 0; i < widths[group]; ++i) {
-            const double share = only ? (*only)-- == 0 : amount > 0 ? between(seed) : 0;
-            *(*to)++ = (stewart_real)*(*from)++ + (stewart_real)(amount * share) * (stewart_real)largest;
-        }
-    }
-}
-
-static int solved(
-    const double *numbers, const double *motion, double amount, uint64_t *seed, int *only,
-    stewart_forces *out)
-{
-    stewart_robot robot;
-    stewart_motion at;
-    stewart_real *to = (stewart_real *)&robot;
-    int leg;
-    for (leg = 0; leg < 6; ++leg) {
-        move(&to, &numbers, of_leg, EACH(of_leg), amount, seed, only);
-    }
-    move(&to, &numbers, of_platform, EACH(of_platform), amount, seed, only);
-    to = (stewart_real *)&at;
-    move(&to, &motion, of_motion, EACH(of_motion), amount, seed, only);
-    return stewart_exact_inverse_dynamics(&robot, &at, out);
-}
-
-/* Ratio of the largest to the smallest singular value of H, moments over a length; one-sided Jacobi. */
-static double condition(const stewart_real H[6][6], double length)
-{
-    stewart_real A[6][6], size[6], largest = 0, smallest;
-    int sweep, i, j, k;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            A[j][i] = i < 3 ? H[i][j] : H[i][j] / (stewart_real)length;
-        }
-    }
-    for (sweep = 0; sweep < 12; ++sweep) {
-        int turned = 0;
-        for (i = 0; i < 5; ++i) {
-            for (j = i + 1; j < 6; ++j) {
-                stewart_real ii = 0, jj = 0, ij = 0, t, c, s, tau;
-                for (k = 0; k < 6; ++k) {
-                    ii += A[i][k] * A[i][k];
-                    jj += A[j][k] * A[j][k];
-                    ij += A[i][k] * A[j][k];
-                }
-                if (!(ij * ij > (stewart_real)1e-24 * ii * jj)) {
-                    continue;
-                }
-                turned = 1;
-                tau = (jj - ii) / (2 * ij);
-                t = (tau < 0 ? -1 : 1) / (STEWART_FABS(tau) + STEWART_SQRT(1 + tau * tau));
-                c = 1 / STEWART_SQRT(1 + t * t);
-                s = c * t;
-                for (k = 0; k < 6; ++k) {
-                    const stewart_real one = A[i][k];
-                    A[i][k] = c * one - s * A[j][k];
-                    A[j][k] = s * one + c * A[j][k];
-                }
-            }
-        }
-        if (!turned) {
-            break;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        size[i] = 0;
-        for (k = 0; k < 6; ++k) {
-            size[i] += A[i][k] * A[i][k];
-        }
-        size[i] = STEWART_SQRT(size[i]);
-    }
-    smallest = size[0];
-    for (i = 0; i < 6; ++i) {
-        largest = size[i] > largest ? size[i] : largest;
-        smallest = size[i] < smallest ? size[i] : smallest;
-    }
-    return smallest > 0 ? (double)(largest / smallest) : DBL_MAX;
-}
-
-/* How far a rounding unit turns a leg's frame: the largest of 1 over |k x s| and of the terms of S over L. */
-static double frames(const double *numbers, const double *motion)
-{
-    double worst = 1;
-    int leg, i;
-    for (leg = 0; leg < 6; ++leg) {
-        const double *b = numbers + 32 * leg, *p = b + 3, *k = b + 6;
-        stewart_real S[3], L = 0, sine, reach = 0, ratio;
-        for (i = 0; i < 3; ++i) {
-            const stewart_real q = (stewart_real)motion[3 * i] * p[0]
-                + (stewart_real)motion[3 * i + 1] * p[1] + (stewart_real)motion[3 * i + 2] * p[2];
-            const stewart_real terms[3] = {q, (stewart_real)motion[9 + i], (stewart_real)b[i]};
-            int j;
-            S[i] = terms[0] + terms[1] - terms[2];
-            L += S[i] * S[i];
-            for (j = 0; j < 3; ++j) {
-                reach = STEWART_FABS(terms[j]) > reach ? STEWART_FABS(terms[j]) : reach;
-            }
-        }
-        L = STEWART_SQRT(L);
-        sine = 0;
-        for (i = 0; i < 3; ++i) {
-            const stewart_real part = k[(i + 1) % 3] * S[(i + 2) % 3] - k[(i + 2) % 3] * S[(i + 1) % 3];
-            sine += part * part;
-        }
-        sine = STEWART_SQRT(sine);
-        ratio = sine > 0 ? L / sine : STEWART_MAX;
-        ratio = reach > ratio * L ? reach / L : ratio;
-        worst = ratio > (stewart_real)worst ? (double)ratio : worst;
-    }
-    return worst;
-}
-
-void @NAME@_judge(
-    const double *numbers, const double *motion, double length, double amount, int samples, uint64_t seed,
-    verdict *out)
-{
-    stewart_forces truth, moved;
-    stewart_real size = 0;
-    double sum[6] = {0, 0, 0, 0, 0, 0};
-    int sample, i;
-    out->status = solved(numbers, motion, 0, &seed, 0, &truth);
-    if (out->status != STEWART_OK) {
-        return;
-    }
-    for (i = 0; i < 6; ++i) {
-        const stewart_real parts[3] = {truth.F[i], truth.D[i], truth.x[i]};
-        int part;
-        for (part = 0; part < 3; ++part) {
-            size = STEWART_FABS(parts[part]) > size ? STEWART_FABS(parts[part]) : size;
-        }
-        out->high[i] = (double)truth.F[i];
-        out->low[i] = (double)(truth.F[i] - (stewart_real)out->high[i]);
-    }
-    out->size = (double)size;
-    out->own = 0;
-    /* Negative: every number by itself, changes added up, instead of random changes of all. */
-    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS : samples); ++sample) {
-        int only = sample;
-        if (solved(numbers, motion, amount, &seed, samples < 0 ? &only : 0, &moved) != STEWART_OK) {
-            out->own = 1 / amount;
-            break;
-        }
-        for (i = 0; i < 6; ++i) {
-            const double change
-                = (double)(STEWART_FABS(moved.F[i] - truth.F[i]) / ((stewart_real)amount * size));
-            sum[i] = samples < 0 ? sum[i] + change : change;
-            out->own = sum[i] > out->own ? sum[i] : out->own;
-        }
-    }
-    out->frames = frames(numbers, motion);
-    out->scaled = condition((const stewart_real(*)[6])truth.H, length);
-}
-"""
-
-HEADER = """\
-#ifndef JUDGE_H
-#define JUDGE_H
-
-#include <math.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#define ROBOT_NUMBERS 205
-#define MOTION_NUMBERS 30
-#define KERNELS 3
-#define CLOSED_KERNELS 6
-#define CLOSED_NUMBERS 546
-
-/* What a wider type finds: F as high + low, the largest of |F|, |D| and |x|, the problem's own condition
- * number, the scaled one of H, that of the legs' frames, the status. */
-typedef struct {
-    double high[6], low[6], size, own, scaled, frames;
-    int status;
-} verdict;
-
-static inline uint64_t next(uint64_t *seed)
-{
-    uint64_t z = (*seed += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
-
-/* Between -1 and 1. */
-static inline double between(uint64_t *seed)
-{
-    return (double)(next(seed) >> 11) / 4503599627370496.0 - 1;
-}
-
-#endif
-"""
-
-EVERY = """\
-/* The kernel of every output in the kernels' own type. */
-@TYPE@
-@RENAMED@
-#include "stewart_exact_text.h"
-#include "judge.h"
-
-int @NAME@_every(const double *numbers, const double *motion, double F[6])
-{
-    stewart_robot robot;
-    stewart_motion at;
-    stewart_forces found;
-    int i, status;
-    for (i = 0; i < ROBOT_NUMBERS; ++i) {
-        ((stewart_real *)&robot)[i] = (stewart_real)numbers[i];
-    }
-    for (i = 0; i < MOTION_NUMBERS; ++i) {
-        ((stewart_real *)&at)[i] = (stewart_real)motion[i];
-    }
-    status = stewart_exact_inverse_dynamics(&robot, &at, &found);
-    for (i = 0; i < 6 && status == STEWART_OK; ++i) {
-        F[i] = (double)found.F[i];
-    }
-    return status;
-}
-"""
-
-FORCES = """\
-/* The kernel of the forces alone in the kernels' own type: one pose, and a batch around it. */
-@TYPE@
-@RENAMED@
-#include "stewart_exact_forces_text.h"
-#include "judge.h"
-
-#define BATCH 11
-
-void @NAME@_forces(
-    const double *numbers, const double *motion, const double *calm, int place, double F[2][6], int status[2])
-{
-    static const int widths[8] = {9, 3, 3, 3, 3, 3, 3, 3};
-    stewart_robot robot;
-    stewart_exact_model model;
-    stewart_motion at;
-    stewart_real arrays[MOTION_NUMBERS * BATCH], one[6], many[6 * BATCH];
-    const stewart_real *parts[8];
-    stewart_motions motions;
-    int codes[BATCH], i, j, group, start = 0;
-    for (i = 0; i < ROBOT_NUMBERS; ++i) {
-        ((stewart_real *)&robot)[i] = (stewart_real)numbers[i];
-    }
-    for (i = 0; i < MOTION_NUMBERS; ++i) {
-        ((stewart_real *)&at)[i] = (stewart_real)motion[i];
-    }
-    status[0] = status[1] = stewart_exact_prepare(&robot, &model);
-    if (status[0] != STEWART_OK) {
-        return;
-    }
-    for (group = 0; group < 8; ++group) {
-        parts[group] = arrays + start * BATCH;
-        for (j = 0; j < BATCH; ++j) {
-            const double *from = j == place ? motion : calm;
-            for (i = 0; i < widths[group]; ++i) {
-                arrays[start * BATCH + j * widths[group] + i] = (stewart_real)from[start + i];
-            }
-        }
-        start += widths[group];
-    }
-    motions.R = parts[0];
-    motions.t = parts[1];
-    motions.omega = parts[2];
-    motions.v = parts[3];
-    motions.alpha = parts[4];
-    motions.a = parts[5];
-    motions.F_ext = parts[6];
-    motions.M_ext = parts[7];
-    status[0] = stewart_exact_forces(&model, &at, one);
-    stewart_exact_forces_batch(&model, BATCH, &motions, many, codes);
-    status[1] = codes[place];
-    for (i = 0; i < 6; ++i) {
-        F[0][i] = (double)one[i];
-        F[1][i] = (double)many[6 * place + i];
-    }
-}
-"""
-
-PREPARE = """\
-/* The closed form's constants in a wider type. */
-@TYPE@
-@RENAMED@
-#include "stewart_exact_forces_text.h"
-"""
-
-CLOSED_FORM = """\
-/* The closed form's kernels in one type: their outputs one after the other, a status for each kernel, and how
- * far each output moves with its inputs. */
-@TYPE@
-@RENAMED@
-#include <float.h>
-#include "stewart_exact_motion_text.h"
-#include "judge.h"
-
-typedef struct {
-    stewart_equations equations;
-    stewart_real bias[6], acceleration[6], inertia[36];
-    stewart_derivatives derivatives;
-    stewart_linearisation linearisation;
-} outputs;
-
-/* Numbers with each changed by `amount` of itself, up or down; or, where `only` is not null, the one alone to
- * which it counts down. */
-static void changed(
-    stewart_real *to, const double *from, int count, double amount, uint64_t *seed, int *only)
-{
-    double by;
-    int i;
-    for (i = 0; i < count; ++i) {
-        to[i] = (stewart_real)from[i];
-        by = only ? amount * ((*only)-- == 0) : between(seed) < 0 ? -amount : amount;
-        to[i] += to[i] * (stewart_real)by;
-    }
-}
-
-static void solved(
-    const double *numbers, const double *motion, const double *forces, double amount, uint64_t *seed,
-    int wanted, int *only, outputs *out, int *status)
-{
-    stewart_robot robot;
-    stewart_motion at;
-    stewart_exact_model model;
-    stewart_real F[6];
-    int prepared, k;
-    changed((stewart_real *)&robot, numbers, ROBOT_NUMBERS, amount, seed, only);
-    changed((stewart_real *)&at, motion, MOTION_NUMBERS, amount, seed, only);
-    changed(F, forces, 6, amount, seed, only);
-    prepared = stewart_exact_prepare(&robot, &model);
-    for (k = 0; k < CLOSED_KERNELS; ++k) {
-        status[k] = prepared;
-        if (prepared != STEWART_OK || !(wanted >> k & 1)) {
-            continue;
-        }
-        status[k] = k == 0 ? stewart_exact_equations(&model, &at, &out->equations)
-            : k == 1       ? stewart_exact_bias(&model, &at, out->bias)
-            : k == 2       ? stewart_exact_forward_dynamics(&model, &at, F, out->acceleration)
-            : k == 3       ? stewart_exact_joint_inertia(&model, &at, out->inertia)
-            : k == 4       ? stewart_exact_derivatives(&model, &at, &out->derivatives)
-                           : stewart_exact_linearisation(&model, &at, F, &out->linearisation);
-    }
-}
-
-/* high + low: the outputs; change: the largest of any sample over `amount`, infinite with a status;
- * with a negative number of samples the sum of what every input does by itself. */
-void @NAME@_closed_form(
-    const double *numbers, const double *motion, const double *forces, int wanted, double amount, int samples,
-    uint64_t seed, double *high, double *low, double *change, int *status)
-{
-    static const int of_kernel[CLOSED_KERNELS] = {162, 6, 6, 36, 114, 222};
-    outputs truth, moved;
-    const stewart_real *at = (const stewart_real *)&truth, *beside = (const stewart_real *)&moved;
-    int moved_status[CLOSED_KERNELS], sample, i, k;
-    typedef char packed[sizeof(outputs) == CLOSED_NUMBERS * sizeof(stewart_real) ? 1 : -1];
-    (void)sizeof(packed);
-    memset(&truth, 0, sizeof truth);
-    solved(numbers, motion, forces, 0, &seed, wanted, 0, &truth, status);
-    for (i = 0; i < CLOSED_NUMBERS; ++i) {
-        high[i] = (double)at[i];
-        low[i] = (double)(at[i] - (stewart_real)high[i]);
-        change[i] = 0;
-    }
-    for (sample = 0; sample < (samples < 0 ? ROBOT_NUMBERS + MOTION_NUMBERS + 6 : samples); ++sample) {
-        int only = sample;
-        solved(
-            numbers, motion, forces, amount, &seed, wanted, samples < 0 ? &only : 0, &moved, moved_status);
-        for (k = i = 0; k < CLOSED_KERNELS; ++k) {
-            const int end = i + of_kernel[k];
-            for (; i < end && wanted >> k & 1 && !status[k]; ++i) {
-                const double moved_by = moved_status[k]
-                    ? INFINITY
-                    : fabs((double)((beside[i] - at[i]) / (stewart_real)amount));
-                change[i] = samples < 0 ? change[i] + moved_by : fmax(change[i], moved_by);
-            }
-            i = end;
-        }
-    }
-}
-"""
-
-CASES = """\
-/* Random cases that come near a failure, and the judgement of each. */
+/* Random cases that come near a failure, and the errors of the kernels in each. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
-#include "judge.h"
+#include "sweep.h"
 
 enum { SINGULAR, POLE, SHORT, SCALE, POLE_AND_SINGULAR, HEAVY, PROPORTIONS, MACHINE };
-#define LEG 32
-#define B 0
-#define P 3
-#define K 6
+/* Where numbers stand in a leg and in a motion. */
+#define PLACE(type, member) ((int)(offsetof(type, member) / sizeof(stewart_real)))
+#define LEG NUMBERS(stewart_leg)
+#define B PLACE(stewart_leg, b)
+#define P PLACE(stewart_leg, p)
+#define K PLACE(stewart_leg, k)
+#define POSITION PLACE(stewart_motion, t)
+#define OMEGA PLACE(stewart_motion, omega)
+#define VELOCITY PLACE(stewart_motion, v)
+#define ALPHA PLACE(stewart_motion, alpha)
+#define ACCELERATION PLACE(stewart_motion, a)
+#define FORCE PLACE(stewart_motion, F_ext)
+#define MOMENT PLACE(stewart_motion, M_ext)
 #define BODY (6 * LEG + 1)
 /* Random changes of all inputs find less than all of what each can do, by no more than this factor. */
 #define MAY_BE_WITHIN(error, limit) ((error) > (limit) && (error) < 30 * (limit))
 
-@DECLARED@
+WIDER(wide)
+WIDER(quad)
+OF_KERNELS(double)
+OF_KERNELS(float)
 
 static double uniform(uint64_t *seed)
 {
@@ -487,7 +87,7 @@ static void point(const double *motion, const double *leg, double *q, double *S)
     int i;
     for (i = 0; i < 3; ++i) {
         q[i] = motion[3 * i] * leg[P] + motion[3 * i + 1] * leg[P + 1] + motion[3 * i + 2] * leg[P + 2];
-        S[i] = q[i] + motion[9 + i] - leg[B + i];
+        S[i] = q[i] + motion[POSITION + i] - leg[B + i];
     }
 }
 
@@ -535,19 +135,19 @@ static void random_motion(const double *numbers, double size, double *motion, ui
     int i, j;
     normals(phi, 0.2, seed);
     turned(E, phi, 1, motion);
-    normals(motion + 9, 0.15 * size, seed);
+    normals(motion + POSITION, 0.15 * size, seed);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
-            motion[9 + j] += numbers[LEG * i + B + j] / 6;
+            motion[POSITION + j] += numbers[LEG * i + B + j] / 6;
         }
     }
-    motion[11] += 1.1 * size;
-    normals(motion + 12, 0.5 * sqrt(rate2), seed);
-    normals(motion + 15, 0.5 * sqrt(rate2) * size, seed);
-    normals(motion + 18, 0.5 * rate2, seed);
-    normals(motion + 21, 0.5 * rate2 * size, seed);
-    normals(motion + 24, weight, seed);
-    normals(motion + 27, weight * size, seed);
+    motion[POSITION + 2] += 1.1 * size;
+    normals(motion + OMEGA, 0.5 * sqrt(rate2), seed);
+    normals(motion + VELOCITY, 0.5 * sqrt(rate2) * size, seed);
+    normals(motion + ALPHA, 0.5 * rate2, seed);
+    normals(motion + ACCELERATION, 0.5 * rate2 * size, seed);
+    normals(motion + FORCE, weight, seed);
+    normals(motion + MOMENT, weight * size, seed);
 }
 
 /* Moves the pose to a distance, a share of the way, from a singular one. */
@@ -563,7 +163,7 @@ static int near_singular(
         normals(way, 0.4 * size, seed);
         turned(motion, phi, 1, at);
         for (i = 0; i < 3; ++i) {
-            at[9 + i] = motion[9 + i] + way[i];
+            at[POSITION + i] = motion[POSITION + i] + way[i];
         }
         if (side(numbers, at, size) != start) {
             break;
@@ -576,7 +176,7 @@ static int near_singular(
         const double middle = (low + high) / 2;
         turned(motion, phi, middle, at);
         for (i = 0; i < 3; ++i) {
-            at[9 + i] = motion[9 + i] + middle * way[i];
+            at[POSITION + i] = motion[POSITION + i] + middle * way[i];
         }
         if (side(numbers, at, size) == start) {
             low = middle;
@@ -587,7 +187,7 @@ static int near_singular(
     low += between(seed) < 0 ? -distance : distance;
     turned(motion, phi, low, at);
     for (i = 0; i < 3; ++i) {
-        at[9 + i] = motion[9 + i] + low * way[i];
+        at[POSITION + i] = motion[POSITION + i] + low * way[i];
     }
     memcpy(motion, at, sizeof at);
     return 1;
@@ -619,10 +219,10 @@ static void near_short(double *leg, double distance, const double *motion, uint6
     point(motion, leg, q, S);
     normals(way, 1, seed);
     for (i = 0; i < 3; ++i) {
-        reach = fmax(reach, fmax(fabs(q[i]), fabs(motion[9 + i])));
+        reach = fmax(reach, fmax(fabs(q[i]), fabs(motion[POSITION + i])));
     }
     for (i = 0; i < 3; ++i) {
-        leg[B + i] = q[i] + motion[9 + i] - distance * reach * way[i] / size_of(way);
+        leg[B + i] = q[i] + motion[POSITION + i] - distance * reach * way[i] / size_of(way);
     }
 }
 
@@ -647,7 +247,7 @@ static void out_of_proportion(double *numbers, double *motion, double *distance,
     if (next(seed) % 2) {
         scaled(numbers + BODY, 3, smaller);
         scaled(numbers + BODY + 3, 6, smaller * smaller);
-        scaled(motion + 27, 3, smaller);
+        scaled(motion + MOMENT, 3, smaller);
     }
     *distance = smaller;
     for (leg = 0; leg < 6 && which != 1; ++leg) {
@@ -666,7 +266,9 @@ int make_case(
     double *calm, double *distance)
 {
     /* Where a leg's masses and inertias lie, and how many numbers they are. */
-    static const int masses[3][2] = {{9, 1}, {13, 7}, {23, 6}};
+    static const int masses[3][2] = {
+        {PLACE(stewart_leg, m_d), 1}, {PLACE(stewart_leg, I_d0), 7}, {PLACE(stewart_leg, I_u0), 6}
+    };
     const double way = pow(10, -nearest * uniform(&seed));
     double *leg = numbers + LEG * (int)(next(&seed) % 6);
     int i;
@@ -674,7 +276,7 @@ int make_case(
     random_motion(numbers, size, motion, &seed);
     if (next(&seed) % 4 == 0) {
         /* At rest: where the machine feels little of a failure, little may be lost. */
-        memset(motion + 12, 0, 12 * sizeof *motion);
+        memset(motion + OMEGA, 0, 12 * sizeof *motion);
     }
     *distance = way;
     if ((kind == SINGULAR || kind == POLE_AND_SINGULAR)
@@ -746,16 +348,16 @@ static double units(const double *F, const verdict *truth, double epsilon)
     return worst / (epsilon * truth->size);
 }
 
-/* Judges an answer with the wider type; with quadruple precision where a kernel looks wrong, or always. */
-static void judged(
+/* Solves a case in the wider type; in quadruple precision where a kernel looks wrong, or always. */
+static void solved(
     const double *numbers, const double *motion, int in_float, int samples, int in_quad, uint64_t seed,
     verdict *truth)
 {
     const double length = length_of(numbers);
     if (in_quad || LDBL_MANT_DIG < 64) {
-        quad_judge(numbers, motion, length, in_float ? 1e-12 : 1e-20, samples, seed, truth);
+        quad_solve(numbers, motion, length, in_float ? 1e-12 : 1e-20, samples, seed, truth);
     } else {
-        wide_judge(numbers, motion, length, in_float ? 1e-12 : 0x1p-53, samples, seed, truth);
+        wide_solve(numbers, motion, length, in_float ? 1e-12 : 0x1p-53, samples, seed, truth);
     }
 }
 
@@ -782,8 +384,8 @@ static int drawn(
     return made;
 }
 
-/* Judges given cases or, where `motions` is null, random ones of each robot in turn. */
-void judge_cases(
+/* Errors of given cases or, where `motions` is null, of random ones of each robot in turn. */
+void sweep_cases(
     int kind, int in_float, int in_quad, int samples, double nearest, uint64_t seed, size_t robots,
     const double *numbers, const double *sizes, const double *motions, size_t each, double doubtful,
     result *results)
@@ -821,7 +423,7 @@ void judge_cases(
                 double worst = 0;
                 int suspect = 0;
                 out->in_quad = level > 0;
-                judged(mine, motion, in_float, level < 2 ? samples : -1, level > 0, next(&own_seed), &truth);
+                solved(mine, motion, in_float, level < 2 ? samples : -1, level > 0, next(&own_seed), &truth);
                 out->truth = truth.status;
                 out->size = truth.size;
                 out->own = truth.own;
@@ -879,7 +481,7 @@ static void weigh(
     }
 }
 
-/* The closed form's kernels named by the bits of `wanted`, on the cases that judge_cases makes; of machines
+/* The closed form's kernels named by the bits of `wanted`, on the cases that sweep_cases makes; of machines
  * that are singular at every pose the statuses alone. */
 void closed_form_cases(
     int kind, int in_float, int in_quad, int samples, double nearest, uint64_t seed, size_t robots,
@@ -895,7 +497,7 @@ void closed_form_cases(
         double change[CLOSED_NUMBERS];
         uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
         verdict pose;
-        int k, level, status[CLOSED_KERNELS], truth[CLOSED_KERNELS];
+        int k, level, status[CLOSED_KERNELS] = {0}, truth[CLOSED_KERNELS] = {0};
         memset(out, 0, sizeof *out);
         out->made = drawn(
             kind, in_float, nearest, &own_seed, numbers + ROBOT_NUMBERS * (index / each), sizes[index / each],
@@ -919,7 +521,7 @@ void closed_form_cases(
         if (kind == MACHINE) {
             continue;
         }
-        judged(mine, motion, in_float, 0, in_quad, 0, &pose);
+        solved(mine, motion, in_float, 0, in_quad, 0, &pose);
         out->scaled = pose.status ? DBL_MAX : pose.scaled;
         out->frames = pose.status ? DBL_MAX : pose.frames;
         for (level = in_quad; level < 3; ++level) {
@@ -945,7 +547,7 @@ void closed_form_cases(
     }
 }
 
-/* The case that judge_cases makes of a robot's number i, as it makes it. */
+/* The case that sweep_cases makes of a robot's number i, as it makes it. */
 void show_case(
     int kind, int in_float, double nearest, uint64_t seed, size_t index, const double *numbers, double size,
     double *mine, double *motion)
@@ -954,4 +556,3 @@ void show_case(
     uint64_t own_seed = seed + index * 0x2545F4914F6CDD1Du;
     drawn(kind, in_float, nearest, &own_seed, numbers, size, 0, mine, motion, calm, &distance);
 }
-"""
