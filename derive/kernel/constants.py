@@ -5,12 +5,12 @@ from math import sqrt
 from ..emit.lane_scale import LARGEST, SMALLEST
 from .interface import STATUS as OF_INTERFACE
 
-STATUS = {
-    name: (code, meaning)
-    for name, code, meaning in OF_INTERFACE
-    if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
-}
-"""Code and meaning by name, of what kernels without pointers and searches return."""
+STATUS = {name: (code, meaning) for name, code, meaning in OF_INTERFACE if name != "BAD_ARGUMENT"}
+"""Code and meaning by name, of what kernels without pointers return."""
+
+LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
+INTEGERS = STATUS | LIMITS
+"""Whole numbers that written functions may use."""
 
 PRECISIONS = {
     "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),
@@ -39,5 +39,5 @@ def constants(precision: str) -> dict[str, float]:
     }
 
 
-NAMES = ("NAN", *constants("double"))
+NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))
 """Names of the constants that written functions may use."""

@@ -87,12 +87,6 @@ DEVIATIONS = (
         _CODE,
     ),
     Deviation(
-        "14.1",
-        "a loop whose condition looks at a number of the arithmetic",
-        "a counter bounds it as well; it ends early where the rotation is one to rounding",
-        ("kinematics",),
-    ),
-    Deviation(
         "15.5",
         "more than one return in a function",
         "a bad status returns at once, so that nothing is computed from what is not finite",
