@@ -8,6 +8,7 @@ of a force along every step (``adjoint``), which tells what that error does.
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
+from math import prod
 
 import sympy as sp
 
@@ -21,7 +22,6 @@ from . import prepare as p
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
 from .lower import expression, steps_of
 from .nodes import (
-    Argument,
     Array,
     Assign,
     Binary,
@@ -42,10 +42,11 @@ from .nodes import (
     Record,
     Statement,
     Structure,
+    Type,
 )
 from .read import Given
 from .written import bounds as written
-from .written import legs, scale
+from .written import lanes, legs, scale
 
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
@@ -53,14 +54,6 @@ _ARM = ("arm_x", "arm_y", "arm_z")
 _CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which its status is decided."""
 _FLAGS: dict[str, Given] = {name: Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
-_SOLVE = Function(
-    "solve_pose",
-    "",
-    (Argument("A", Array(Real(), (6, 8)), changed=True), Argument("x", Array(Real(), (6,)), changed=True)),
-    Integer(),
-    (),
-)
-_FINITE = Function("model_is_finite", "", (Argument("model", Record("Model")),), Integer(), ())
 
 
 # ---------------------------------------------------------------- the blocks
@@ -97,9 +90,8 @@ class BoundedForces:
             "Motion": replace(p.MOTION, name="stewart_motions"),
         } | self._structures()
         named = self.structures | {each.name: each for each in self.structures.values()}
-        model = Argument("model", Record(self.structures["Model"].name))
-        known = (_SOLVE, p.SINGULAR_STATUS, replace(_FINITE, arguments=(model,)))
-        self.texts = Written(named, _FLAGS, {each.name: each for each in known})
+        flags = _FLAGS | {"COUNT": self.model_numbers()}
+        self.texts = Written(named, flags, {p.SINGULAR_STATUS.name: p.SINGULAR_STATUS})
 
     def _structures(self) -> dict[str, Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
@@ -160,8 +152,19 @@ class BoundedForces:
         }
         return {key: Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
-    def parts(self, solve: str, singular: str, finite: str) -> Iterable[str | Structure | Function]:
-        """Structures and functions in their order, and around them fixed texts of three that they call."""
+    def model_numbers(self) -> int:
+        """How many numbers the prepared model holds."""
+        known = {each.name: each for each in self.structures.values()}
+
+        def of(kind: Type) -> int:
+            if isinstance(kind, Array):
+                return prod(kind.dims) * of(kind.item)
+            return sum(of(each.type) for each in known[kind.name].members) if isinstance(kind, Record) else 1
+
+        return of(Record(self.structures["Model"].name))
+
+    def parts(self, singular: str) -> Iterable[str | Structure | Function]:
+        """Structures and functions in their order; singular: text of ``singular_status``, which they call."""
         read = self.texts.function
         private = list(self.structures).index("Added")
         yield from list(self.structures.values())[private:]
@@ -173,14 +176,14 @@ class BoundedForces:
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
         yield p.per_length_of(self.texts)
         yield p.size_of(self.texts, by_legs=True)
-        yield finite
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
         yield read(written.prepare, public, public=True, given=_sums())
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
         yield read(legs.fault_of)
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
-        yield solve
+        for row in (lanes.exchange_rows, lanes.subtract_row, lanes.solve_pose):
+            yield read(row, given={"ABOUT_TIP": 1})
         yield singular
         yield read(written.stretch_error)
         yield read(written.solution_error)

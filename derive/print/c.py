@@ -181,9 +181,10 @@ class C(Printer):
                 return f"&{self.text(array, ATOM)}[{self.text(index)}]", SIGN
             case As(Count(), Number(number)):
                 return f"{number}U", ATOM
+            case As(Pointer() as kind, value):
+                return f"(const {self.declared(kind, '').strip()}){self._address(value)}", SIGN
             case As(kind, value):
-                const = "const " if isinstance(kind, Pointer) else ""
-                return f"({const}{self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
+                return f"({self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
             case Binary("*" | "/" as operator, left, right):
                 return f"{self._operand(left, node)}{operator}{self._operand(right, node, 1)}", PRODUCT
             case Binary(operator, left, right):
@@ -206,7 +207,8 @@ class C(Printer):
             case Compare():
                 level, apart = SUM, isinstance(value, Binary)
             case _:
-                level, apart = COMPARE, True
+                alike = isinstance(value, type(whole))
+                level, apart = (OR if alike else COMPARE), not alike
         return self.text(value, SIGN if self.brackets and apart else level)
 
     def select(self, node: Select) -> str:
@@ -218,7 +220,8 @@ class C(Printer):
         if function is None:
             name = _BUILT_IN.get(node.function, node.function)
             return f"{name}({', '.join(map(self.text, node.arguments))})"
-        passed = map(self._passed, function.arguments, node.arguments)
+        pairs = zip(function.arguments, node.arguments, strict=True)
+        passed = (self._passed(argument, value) for argument, value in pairs)
         return f"{node.function}({', '.join(passed)})"
 
     def _passed(self, argument: Argument, value: Expression) -> str:
@@ -230,6 +233,8 @@ class C(Printer):
         return self.text(value)
 
     def _address(self, value: Expression) -> str:
+        if isinstance(value, Select):
+            return f"{self.text(value.test)} ? {self._address(value.yes)} : {self._address(value.no)}"
         is_address = isinstance(value, From) or (isinstance(value, Name) and value.name in self.pointers)
         return self.text(value) if is_address else f"&{self.text(value, ATOM)}"
 
@@ -251,7 +256,8 @@ class C(Printer):
 
     def let(self, node: Let) -> str:
         if isinstance(node.type, Pointer) and isinstance(node.type.item, Real):
-            return f"{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
+            const = "const " if isinstance(node.value, As) else ""
+            return f"{const}{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
         if isinstance(node.type, Pointer):
             self.pointers.add(node.name)
             value = self._address(node.value)

@@ -92,8 +92,10 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     prepare_platform(robot, sum, made.platform)
     made.length = sqrt(squares / 6.0)
     made.per_length = per_length_of(size_of(made))
-    if model_is_finite(made) == 0:
-        return NOT_FINITE
+    numbers = numbers_of(made)
+    for i in range(COUNT):
+        if not size(numbers[i]) <= MAX:
+            return NOT_FINITE
     model = made
     return OK
 
