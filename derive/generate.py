@@ -13,7 +13,7 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import bounds, c, fidelity_table, lanes, numpy, numpy_motion
+from .emit import bounds, c, lanes, numpy, numpy_motion
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
@@ -22,6 +22,9 @@ from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
+from .package import fidelity_table
+from .package.header import common_header
+from .package.layout import layout
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -85,8 +88,9 @@ def reduced_rotation() -> dict[str, Block]:
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
+    models: dict[str, int] = {}
     files = {
-        "c/stewart.h": c.common_header(version),
+        "c/stewart.h": common_header(version),
         "assembly.py": numpy.assembly(version),
         "__init__.py": _PACKAGE.format(version=version),
     }
@@ -101,12 +105,13 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         fast = f"c/stewart_{form.kernel_name}_forces"
         files[f"{fast}.h"] = lanes.header(forces, smooth, version)
         files[f"{fast}.c"] = lanes.source(forces, version)
-        files[f"{form.kernel_name}.py"] = numpy.module(
-            built, counts, force_counts, lanes.model_numbers(forces), version
-        )
+        models[form.kernel_name] = lanes.model_numbers(forces)
+        files[f"{form.kernel_name}.py"] = numpy.module(built, counts, force_counts, version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
-    files |= _fidelities(version, progress)
+    models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
+    progress("deriving the fidelities")
+    files |= _fidelities(version, models)
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
@@ -115,13 +120,14 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
-    return files | {f"c/{name}": text for name, text in made.items()}
+    files |= {f"c/{name}": text for name, text in made.items()}
+    files["interface.py"] = layout(models, version)
+    return files
 
 
 def _error_bounds(version: str) -> dict[str, str]:
     name, built = EXACT.kernel_name, reduced_forces(EXACT)
     return {
-        f"{name}_bounds.py": bounds.python_module(built, version),
         f"c/stewart_{name}_bounds.h": bounds.header(built, version),
         f"c/stewart_{name}_bounds.c": bounds.source(built, version),
     }
@@ -133,13 +139,14 @@ def reduced_fidelity(level: Fidelity) -> ForceKernel:
     return shared_blocks(fidelity_kernel(EXACT, level))
 
 
-def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]:
-    progress("deriving the fidelities")
+def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
+    """Files of the levels; what their models hold is added to ``models``."""
     files, kernels = {}, {}
     for level in FIDELITIES.values():
         built = reduced_fidelity(level)
         kernels[level] = built if built.fidelity != "general" else prepared_model(EXACT)
         if built.fidelity != "general":
+            models[built.name] = lanes.model_numbers(built)
             files[f"c/stewart_{built.name}_forces.h"] = lanes.header(built, None, version)
             files[f"c/stewart_{built.name}_forces.c"] = lanes.source(built, version)
     files["fidelities.py"] = fidelity_table.module(kernels, version)

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import forces
 from stewart_sym.cli import main
+from stewart_sym.generated.interface import MODELS
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
 from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, host, timing
@@ -65,7 +66,7 @@ def padded(numbers: int) -> dict[str, str]:
 
 def some_passes() -> tuple[Pass, ...]:
     """Two passes whose models differ; deriving the real ones takes too long here."""
-    numbers = module("exact").MODEL_NUMBERS
+    numbers = MODELS["exact"]
     return (
         Pass("as derived", "steps as stated", (30, 40), padded(1_000), numbers + 1_000),
         Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), numbers),

@@ -29,7 +29,6 @@ def source(kernel: ForceKernel, version: str) -> str:
     return C(made.texts.functions.values(), {8: "LANES"}).source(*parts)
 
 
-def python_module(kernel: ForceKernel, version: str) -> str:
-    """``<kernel>_bounds.py``: what Python must know of the C's layout."""
-    name = kernel.formulation.kernel_name
-    return filled("bounds.py", name=name, version=version, numbers=BoundedForces(kernel).model_numbers())
+def model_numbers(kernel: ForceKernel) -> int:
+    """How many numbers ``stewart_<kernel>_bounds_model`` holds."""
+    return BoundedForces(kernel).model_numbers()

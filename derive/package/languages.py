@@ -3,17 +3,16 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
-from string import Template
 from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import INTEGERS, PRECISIONS, constants
+from ..kernel.constants import PRECISIONS, STATUS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
+from .words import template
 
 Numbers = Mapping[str, Any]
 
@@ -62,17 +61,9 @@ RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
 """Members of each output that are compared."""
 
 
-def template(name: str, values: Mapping[str, str]) -> str:
-    """A file of ``templates`` with each ``$word`` replaced."""
-    text = (files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8")
-    return Template(text).substitute(values)
-
-
 def statuses(line: str) -> str:
-    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(
-        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
-    )
+    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
 
 
 def numbers_of(precision: str, line: str) -> str:

@@ -6,15 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import option, shown
-from ..derive.emit.kit import licence
-from ..derive.emit.kit.robot import robot_toml
-from ..derive.emit.kit.words import robot_symbol
 from ..derive.fidelity import FIDELITIES
 from ..derive.formulation import EXACT, FORMULATIONS
 from ..derive.generate import prepared_model, reduced_fidelity, reduced_motion
 from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import program
+from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
+from ..derive.package.robot import robot_toml
+from ..derive.package.words import robot_symbol
 from ..fidelity import resolved
 from ..robot import Robot
 from .choice import Choice, options
