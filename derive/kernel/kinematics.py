@@ -27,8 +27,12 @@ def legs_program(blocks: k.Kinematics) -> Program:
     return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.leg_motions))
 
 
-def search_program(blocks: k.Kinematics) -> Program:
-    """``leg_rates``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back."""
+def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
+    """``leg_rates``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
+
+    public: ``inverse_kinematics``, ``forward_kinematics`` and ``forward_velocity`` as well, whose numbers are
+    NaN where the status is not OK.
+    """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
         structure("Pose", "Pose of the platform.", (n.R, n.t)),
@@ -44,7 +48,8 @@ def search_program(blocks: k.Kinematics) -> Program:
         _read(blocks.rate, "leg_rate", "LegRate", of_leg | _MOTION),
         _read(blocks.turned, "turned_by", "Turned", {"turn": ("", (k.turn,))}),
     ]
-    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *_SEARCH))
+    texts = (*_SEARCH, *_PUBLIC) if public else _SEARCH
+    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *texts))
 
 
 def rotation_program(blocks: Iterable[Block]) -> Program:
@@ -141,3 +146,4 @@ _SEARCH = (
     written.pose_of,
     written.twist_of,
 )
+_PUBLIC = (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)

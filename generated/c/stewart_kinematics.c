@@ -337,9 +337,8 @@ static void substitute(stewart_real A[6][7], stewart_real x[6])
     }
 }
 
-/* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0.
- *
- * Two poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+/* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+ * poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
  * rounding: lengths known to rounding leave the pose open. */
 static int is_open(stewart_real A[6][7])
 {
@@ -433,10 +432,9 @@ static stewart_real compare(const stewart_real L[6], LegsAtPose *legs)
 }
 
 /* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
- * more than a quarter of a radian and of the longest leg.
- *
- * Beyond it (2) is far from the straight line that it is taken for. With it, steps need no damping:
- * taking back those that lead away loses more poses. */
+ * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
+ * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
+ * poses. */
 static void newton_step(
     LegsAtPose *legs, stewart_real per_size, stewart_real longest, stewart_real along[3],
     stewart_real turn[3])

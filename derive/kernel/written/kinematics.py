@@ -127,11 +127,9 @@ def substitute(A: "array(6, 7)", x: "array(6)") -> None:
 
 
 def is_open(A: "array(6, 7)") -> "Integer":
-    """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0.
-
-    Two poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
-    rounding: lengths known to rounding leave the pose open.
-    """
+    """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+    poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+    rounding: lengths known to rounding leave the pose open."""
     pivot = array(6)
     inverse = array(6)
     total = 0.0
@@ -209,12 +207,10 @@ def newton_step(
     along: "array(3)",
     turn: "array(3)",
 ) -> None:
-    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
-    more than a quarter of a radian and of the longest leg.
-
-    Beyond it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking
-    back those that lead away loses more poses.
-    """
+    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
+    no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight
+    line that it is taken for. With it, steps need no damping: taking back those that lead away loses
+    more poses."""
     x = array(6)
     reflect(legs.A)
     substitute(legs.A, x)
