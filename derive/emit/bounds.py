@@ -351,7 +351,7 @@ def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
 
 def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
     """What tells the status of a leg and of the pose."""
-    terms, _ = reach_terms(kernel)
+    terms = [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in reach_terms(kernel)[0]]
     length, sine = judged(leg.block)
     return [
         wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),

@@ -197,6 +197,7 @@ class Written:
         )
         meaning = Template(found.meaning).substitute({key: str(word) for key, word in words.items()})
         found = replace(found, meaning=meaning, apart=apart)
-        self.functions[getattr(written, "__name__", name)] = found
         self.functions[found.name] = found
+        if public:
+            self.functions[written.__name__] = found
         return found

@@ -195,6 +195,23 @@ Expression = (
     | Call
 )
 
+
+def at(array: "Expression | str", *index: "Expression | int | str") -> Element:
+    """An element; of a variable by its name, at constant indices or at variables by their names."""
+    found = (Number(i) if isinstance(i, int) else named(i) for i in index)
+    return Element(named(array), tuple(found))
+
+
+def of(owner: "Expression | str", name: str) -> Member:
+    """A member of a structure, or of a variable by its name."""
+    return Member(named(owner), name)
+
+
+def named(value: "Expression | str") -> "Expression":
+    """A variable by its name."""
+    return Name(value) if isinstance(value, str) else value
+
+
 BUILT_IN: dict[str, Type] = {"sqrt": Real(), "size": Real(), "larger": Real(), "anywhere": Truth()}
 """Functions that every language has: square root, absolute value, the larger of two, and whether a test
 holds for any of the poses side by side."""

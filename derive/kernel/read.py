@@ -11,7 +11,8 @@ value, and ``alone(...)`` around the type of an argument that no other one overl
 
 What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
 ``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
-name that stands alone in a line stands for statements that are given, a string for a comment.
+name that stands alone in a line stands for statements that are given, a string for a comment. An argument
+that is given as ``False`` is left out, in calls as well.
 """
 
 import ast
@@ -207,6 +208,13 @@ class _Reader:
     def body(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
         return tuple(found for node in nodes for found in self.statements(node))
 
+    def inner(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+        """A body whose names end with it."""
+        outside = dict(self.types)
+        found = self.body(nodes)
+        self.types = outside
+        return found
+
     def statements(self, node: ast.stmt) -> Iterable[Statement]:
         """A statement, or what is left of it where it is settled already."""
         match node:
@@ -233,7 +241,8 @@ class _Reader:
         names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
         kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
         parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
-        if not all(isinstance(self.given.get(name), int) for name in names):
+        known = {name for name in names if isinstance(self.given.get(name), int)}
+        if known != names or any(self.given[name] is False for name in names):
             return None
         if not all(isinstance(each, kinds) for each in parts):
             return None
@@ -247,7 +256,7 @@ class _Reader:
         if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
             return self.loop(node, node.target.id)
         if isinstance(node, ast.If):
-            return If(self.expression(node.test), self.body(node.body), self.body(node.orelse))
+            return If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
         if isinstance(node, ast.Break):
             return Break()
         if isinstance(node, ast.Return):
@@ -273,10 +282,12 @@ class _Reader:
         self.types[name] = self.type(found)
         return Let(name, found, self.types[name])
 
-    def made(self, name: str, node: ast.expr) -> Variable | None:
-        """A variable of zeros, or a blank one."""
+    def made(self, name: str, node: ast.expr) -> Variable | Let | None:
+        """A variable of zeros, a blank one, or the address of a table."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
+        if node.func.id == "address":
+            return Let(name, Name(_base(node.args[0])), Pointer(Record(self.structures["Model"].name)))
         if node.func.id == "blank":
             return Variable(name, self.annotated(node.args[0]), blank=True)
         if node.func.id == "array":
@@ -301,7 +312,7 @@ class _Reader:
             first, last = _less_one(last), _less_one(first)
         step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
         step = As(Count(), step) if kind == Count() and step != Number(1) else step
-        return For(index, first, last, self.body(node.body), down, kind, step)
+        return For(index, first, last, self.inner(node.body), down, kind, step)
 
     # ------------------------------------------------------------ expressions
 
@@ -315,9 +326,10 @@ class _Reader:
             case ast.Constant(value=None):
                 return Constant("NULL")
             case ast.Name(id=name):
-                found = self.given.get(name, Constant(name) if name in (*STATUS, *NAMES) else Name(name))
-                assert isinstance(found, Expression)
-                return found
+                found = self.given.get(name)
+                if isinstance(found, Expression):
+                    return found
+                return Constant(name) if name in (*STATUS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
@@ -374,16 +386,20 @@ class _Reader:
     def call(self, node: ast.Call) -> Expression:
         name = _called(node)
         arguments = tuple(
-            self.expression(arg) for arg in node.args if self.given.get(_base(arg)) is not False
+            self.expression(arg)
+            for arg in node.args
+            if self.given.get(_base(arg)) is not False or _base(arg) in self.types
         )
         if name == "where":
             return Select(*arguments)
+        if name == "numbers_of":
+            return As(Pointer(Real()), *arguments)
         if name not in BUILT_IN and name not in self.functions:
             raise self.error(node, "a function of the program")
         changes = name in self.functions and any(each.changed for each in self.functions[name].arguments)
         if changes and node is not self.whole:
             raise self.error(node, "a statement of its own for a call that changes an argument")
-        return Call(name, arguments)
+        return Call(self.functions[name].name if name in self.functions else name, arguments)
 
     def type(self, value: Expression) -> Type:
         match value:

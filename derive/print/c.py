@@ -173,9 +173,10 @@ class C(Printer):
                 return f"&{self.text(array, ATOM)}[{self.text(index)}]", SIGN
             case As(Count(), Number(number)):
                 return f"{number}U", ATOM
+            case As(Pointer() as kind, value):
+                return f"(const {self.declared(kind, '').strip()}){self._address(value)}", SIGN
             case As(kind, value):
-                const = "const " if isinstance(kind, Pointer) else ""
-                return f"({const}{self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
+                return f"({self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
             case Binary("*" | "/" as operator, left, right):
                 return f"{self._operand(left, node)}{operator}{self._operand(right, node, 1)}", PRODUCT
             case Binary(operator, left, right):
@@ -198,7 +199,8 @@ class C(Printer):
             case Compare():
                 level, apart = SUM, isinstance(value, Binary)
             case _:
-                level, apart = COMPARE, True
+                alike = isinstance(value, type(whole))
+                level, apart = (OR if alike else COMPARE), not alike
         return self.text(value, SIGN if self.brackets and apart else level)
 
     def select(self, node: Select) -> str:
@@ -222,6 +224,8 @@ class C(Printer):
         return self.text(value)
 
     def _address(self, value: Expression) -> str:
+        if isinstance(value, Select):
+            return f"{self.text(value.test)} ? {self._address(value.yes)} : {self._address(value.no)}"
         is_address = isinstance(value, From) or (isinstance(value, Name) and value.name in self.pointers)
         return self.text(value) if is_address else f"&{self.text(value, ATOM)}"
 
@@ -242,7 +246,8 @@ class C(Printer):
 
     def let(self, node: Let) -> str:
         if isinstance(node.type, Pointer) and isinstance(node.type.item, Real):
-            return f"{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
+            const = "const " if isinstance(node.value, As) else ""
+            return f"{const}{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
         if isinstance(node.type, Pointer):
             self.pointers.add(node.name)
             value = self._address(node.value)
