@@ -20,9 +20,13 @@ from .emit import regressor as regressor_text
 from .emit import rotation as rotation_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
+from .kernel.constants import STATUS
+from .kernel.nodes import Program
+from .kernel.outputs import FORCES, OUTPUTS, program
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
+from .package.languages import python_arithmetic, python_module
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -89,6 +93,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files = {
         "c/stewart.h": c.common_header(version),
         "assembly.py": numpy.assembly(version),
+        "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
         "__init__.py": _PACKAGE.format(version=version),
     }
     for form in FORMULATIONS:
@@ -104,6 +109,11 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{fast}.c"] = lanes.source(forces, version)
         files[f"{form.kernel_name}.py"] = numpy.module(
             built, counts, force_counts, lanes.model_numbers(forces), version
+        )
+        files[f"{form.kernel_name}_arrays.py"] = python_module(
+            output_program(form, OUTPUTS if form == EXACT else (FORCES,)),
+            f"from .arithmetic import {', '.join(sorted(STATUS))}, Arithmetic",
+            version,
         )
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
@@ -166,6 +176,14 @@ def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
+@cache
+def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "general") -> Program:
+    """Some of ``kernel.outputs.OUTPUTS`` as one program; what is not of the forces is of ``exact`` alone."""
+    built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
+    sums = () if outputs == (FORCES,) else reduced_motion()
+    return program(built, sums, outputs)
+
+
 def motion_files(functions: Collection[str]) -> dict[str, str]:
     """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.motion.FUNCTIONS`` and what those need.
 
@@ -191,6 +209,17 @@ def _closed_form(version: str) -> dict[str, str]:
         **{f"c/{file}": text for file, text in sources.items()},
     }
 
+
+_ARITHMETIC = '''\
+"""What the modules on arrays share: status codes, constants, and the functions of an array namespace.
+
+Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
+"""
+
+from typing import Any
+
+'''
 
 _PACKAGE = '''\
 """Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.

@@ -5,7 +5,7 @@ import importlib.util
 from collections.abc import Iterator
 
 EXTRAS = {
-    "casadi": ("CasADi", "bench"),
+    "casadi": ("CasADi", "casadi"),
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
     "matplotlib": ("Matplotlib", "plot"),

@@ -9,7 +9,7 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import PRECISIONS, STATUS, constants
+from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.nodes import Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -164,6 +164,25 @@ def _assigned(indent: str, owner: str, quantity: Quantity, values: Sequence[floa
     return f"{indent}{owner}.{quantity.name} = {text}{';' if one.endswith('.') else ''}".replace("].;", "];")
 
 
+def python_arithmetic() -> str:
+    """Status codes, constants and the class ``Arithmetic`` of modules on arrays."""
+    found = {name: constants(name) for name in PRECISIONS}
+    return template(
+        "python_arithmetic.py",
+        {
+            "statuses": statuses("{name} = {code}  # {meaning}"),
+            "constants": "\n".join(f"    {name!r}: {values!r}," for name, values in found.items()),
+            "declared": "\n".join(f"    {name}: float" for name in NAMES),
+        },
+    )
+
+
+def python_module(program: Program, arithmetic: str, version: str) -> str:
+    """A program as a module on arrays; ``arithmetic`` defines or imports the names of that text."""
+    text = Python(program).source()
+    return template("python_arrays.py", {"arithmetic": arithmetic, "program": text, "version": version})
+
+
 class PythonKit(Language):
     """One module on arrays."""
 
@@ -186,15 +205,7 @@ class PythonKit(Language):
         fill = self.assignments(kit, "made", "leg[{0}]", "    ", "[{}]")
         calls = "\n".join(f'print("{output}", vars({self.call(kit, output)}))' for output in kit.outputs)
         return {
-            "stewart_arrays.py": template(
-                "python_arrays.py",
-                self.values(
-                    kit,
-                    program=Python(kit.program).source(),
-                    statuses=statuses("{name} = {code}  # {meaning}"),
-                    constants="\n".join(f"    {each!r}: {constants(each)!r}," for each in PRECISIONS),
-                ),
-            ),
+            "stewart_arrays.py": python_module(kit.program, python_arithmetic(), kit.version),
             "robot.py": template("python_robot.py", self.values(kit, numbers=fill)),
             "self_test.py": template("python_test.py", self.values(kit, tests=tests)),
             "example.py": template(

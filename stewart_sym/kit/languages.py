@@ -9,13 +9,12 @@ from ..checks import option, shown
 from ..derive.emit.kit import licence
 from ..derive.emit.kit.robot import robot_toml
 from ..derive.emit.kit.words import robot_symbol
-from ..derive.fidelity import FIDELITIES
-from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import prepared_model, reduced_fidelity, reduced_motion
+from ..derive.formulation import FORMULATIONS
+from ..derive.generate import output_program
 from ..derive.kernel.nodes import Program
-from ..derive.kernel.outputs import program
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
 from ..fidelity import resolved
+from ..kernel import kernel_name
 from ..robot import Robot
 from .choice import Choice, options
 from .parts import generator, robot_numbers
@@ -72,16 +71,9 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
 
 
 def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
-    level = FIDELITIES[resolved(robot, choice.formulation, choice.level)]
-    general = level.name == "general"
-    form = next(
-        each
-        for each in FORMULATIONS
-        if each.name == choice.formulation and each.base_joint == robot.base_joint
-    )
-    kernel = prepared_model(form) if general else reduced_fidelity(level)
-    sums = reduced_motion() if form == EXACT else ()
-    return program(kernel, sums, outputs)
+    level = resolved(robot, choice.formulation, choice.level)
+    name = kernel_name(choice.formulation, robot.base_joint if level == "general" else "universal")
+    return output_program(next(each for each in FORMULATIONS if each.kernel_name == name), outputs, level)
 
 
 def _test(vector: Vector) -> Test:
