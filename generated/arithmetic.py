@@ -6,12 +6,14 @@ SPDX-License-Identifier: 0BSD
 
 from typing import Any
 
-OK = 0  # fine
-NOT_FINITE = 1  # a number of the robot, the motion or the result is not finite
-SHORT_LEG = 2  # a leg is too short beside the vectors that it is the sum of
+OK = 0  # solved
+NOT_FINITE = 1  # an input is not finite, or a result overflows
+SHORT_LEG = 2  # a leg has length zero
 POLE = 3  # a leg lies along the fixed axis of its universal joint
-SINGULAR = 4  # H is singular to rounding
-INDEFINITE = 6  # the inertia is not positive definite
+SINGULAR = 4  # H is singular: no leg forces can hold the platform
+INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
+NOT_CONVERGED = 7  # no pose with these leg lengths was found
+MAX_STEPS = 30  # steps after which the search of a pose ends
 
 CONSTANTS = {
     'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.015625, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
@@ -27,6 +29,8 @@ class Arithmetic:
     """
 
     NAN: float
+    LANES: float
+    BAD_ARGUMENT: float
     EPSILON: float
     MAX: float
     ROUNDING: float
@@ -90,6 +94,24 @@ class Arithmetic:
         whole = all(isinstance(each, int) or "int" in str(getattr(each, "dtype", "")) for each in (yes, no))
         kind = self.xp.int32 if whole else self.type
         return self.xp.where(test, *(self.xp.asarray(each, dtype=kind) for each in (yes, no)))
+
+    def at(self, array: Any, first: Any, *others: Any) -> Any:
+        """An element of an array, in which poses may differ."""
+        if isinstance(first, int):
+            return self.at(array[first], *others) if others else array[first]
+        found, *more = (self.at(each, *others) if others else each for each in array)
+        for i, each in enumerate(more, 1):
+            found = self.where(first == i, each, found)
+        return found
+
+    def put(self, array: Any, value: Any, first: Any, *others: Any) -> None:
+        """Puts a value into an element of an array, in which poses may differ."""
+        for i in [first] if isinstance(first, int) else range(len(array)):
+            here = True if isinstance(first, int) else first == i
+            if others:
+                self.put(array[i], self.where(here, value, self.at(array[i], *others)), *others)
+            else:
+                array[i] = self.where(here, value, array[i])
 
     def anywhere(self, test: Any) -> bool:
         """Whether a test holds for any pose; true where arrays have no values yet, as under ``jit`` and ``vmap``."""

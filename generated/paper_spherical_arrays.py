@@ -9,304 +9,191 @@ square roots and constants. Where a status is not 0, the other numbers of a resu
 
 from typing import Any
 
-from .arithmetic import INDEFINITE, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
 
 
 class Leg:
     """One leg."""
 
     def __init__(self) -> None:
-        # m: base point, base frame
-        self.b: Any = [0.0] * 3
-        # m: platform point, platform frame
-        self.p: Any = [0.0] * 3
-        # 1: unit vector along the fixed axis of the universal joint, base frame
-        self.k: Any = [0.0] * 3
-        # kg: mass of the lower part
-        self.m_d: Any = 0.0
-        # m: centre of mass of the lower part, frame D
-        self.r_d0: Any = [0.0] * 3
-        # kg m^2: inertia of the lower part about its centre of mass, frame D
-        self.I_d0: Any = [0.0] * 6
-        # kg: mass of the upper part
-        self.m_u: Any = 0.0
-        # m: centre of mass of the upper part, frame U
-        self.r_u0: Any = [0.0] * 3
-        # kg m^2: inertia of the upper part about its centre of mass, frame U
-        self.I_u0: Any = [0.0] * 6
-        # N m s: viscous friction of the universal joint
-        self.C_u: Any = 0.0
-        # N s/m: viscous friction of the prismatic joint
-        self.C_p: Any = 0.0
-        # N m s: viscous friction of the spherical joint
-        self.C_s: Any = 0.0
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
 
 
 class Robot:
     """The machine."""
 
     def __init__(self) -> None:
-        # kg: mass of the platform with its payload
-        self.M: Any = 0.0
-        # m: centre of mass of the platform, platform frame
-        self.R_0: Any = [0.0] * 3
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
         # kg m^2: inertia of the platform about its centre of mass, platform frame
         self.I_p: Any = [0.0] * 6
-        # m/s^2: acceleration due to gravity, base frame
-        self.g: Any = [0.0] * 3
-        # the legs
-        self.leg: Any = [Leg() for _ in range(6)]
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = [Leg() for _ in range(6)]  # the legs
 
 
 class Motion:
     """Motion of the platform and its load."""
 
     def __init__(self) -> None:
-        # 1: orientation of the platform, platform frame to base frame
-        self.R: Any = [0.0] * 9
-        # m: position of the platform's reference point, base frame
-        self.t: Any = [0.0] * 3
-        # rad/s: angular velocity of the platform, base frame
-        self.omega: Any = [0.0] * 3
-        # m/s: velocity of the reference point, base frame
-        self.v: Any = [0.0] * 3
-        # rad/s^2: angular acceleration of the platform, base frame
-        self.alpha: Any = [0.0] * 3
-        # m/s^2: acceleration of the reference point, base frame
-        self.a: Any = [0.0] * 3
-        # N: external force at the reference point, platform frame
-        self.F_ext: Any = [0.0] * 3
-        # N m: external moment about the reference point, platform frame
-        self.M_ext: Any = [0.0] * 3
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
 
 
 class LegConstants:
     """Prepared constants of one leg."""
 
     def __init__(self) -> None:
-        # m: base point, base frame
-        self.b: Any = [0.0] * 3
-        # m: platform point, platform frame
-        self.p: Any = [0.0] * 3
-        # kg: mass of the lower part
-        self.m_d: Any = 0.0
-        # m: centre of mass of the lower part, frame D
-        self.r_d0: Any = [0.0] * 3
-        # kg m^2: inertia of the lower part about its centre of mass, frame D
-        self.I_d0: Any = [0.0] * 6
-        # kg: mass of the upper part
-        self.m_u: Any = 0.0
-        # m: centre of mass of the upper part, frame U
-        self.r_u0: Any = [0.0] * 3
-        # kg m^2: inertia of the upper part about its centre of mass, frame U
-        self.I_u0: Any = [0.0] * 6
-        # N m s: viscous friction of the universal joint
-        self.C_u: Any = 0.0
-        # N s/m: viscous friction of the prismatic joint
-        self.C_p: Any = 0.0
-        # N m s: viscous friction of the spherical joint
-        self.C_s: Any = 0.0
-        # kg: mass that rides on the platform
-        self.M_add: Any = 0.0
-        # kg m: its first moment, platform frame
-        self.h_add: Any = [0.0] * 3
-        # kg m^2: its inertia about the reference point, platform frame
-        self.J_add: Any = [0.0] * 6
-        # N m s: friction of the leg's spherical joint
-        self.C_add: Any = 0.0
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
 class Added:
     """What the legs add to the platform's constants."""
 
     def __init__(self) -> None:
-        # kg: mass that rides on the platform
-        self.M_add: Any = 0.0
-        # kg m: its first moment, platform frame
-        self.h_add: Any = [0.0] * 3
-        # kg m^2: its inertia about the reference point, platform frame
-        self.J_add: Any = [0.0] * 6
-        # N m s: friction of the leg's spherical joint
-        self.C_add: Any = 0.0
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
 class Platform:
     """Constants of the platform."""
 
     def __init__(self) -> None:
-        # kg: mass of the platform with the upper parts
-        self.M_P: Any = 0.0
-        # kg m: its first moment, platform frame
-        self.h_P: Any = [0.0] * 3
-        # kg m^2: its inertia about the reference point, platform frame
-        self.J_P: Any = [0.0] * 6
-        # kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx
-        self.dJ_P: Any = [0.0] * 3
-        # m/s^2: acceleration due to gravity, base frame
-        self.g: Any = [0.0] * 3
+        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
+        self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.dJ_P: Any = [0.0] * 3  # kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
 
 
 class Model:
     """A robot's constants, prepared once."""
 
     def __init__(self) -> None:
-        # the legs
-        self.leg: Any = [LegConstants() for _ in range(6)]
-        # the platform
-        self.platform: Any = Platform()
-        # 1/m: one over the length over which moments are taken
-        self.per_length: Any = 0.0
-        # 0, or what is wrong
-        self.status: Any = 0
-
-
-class SharedTerms:
-    """What a pose has for all legs."""
-
-    def __init__(self) -> None:
-        # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
-        self.B: Any = [0.0] * 9
-        # N: part of c, force rows, base frame
-        self.c_force: Any = [0.0] * 3
-        # N m: part of c, moment rows, base frame
-        self.c_moment: Any = [0.0] * 3
-
-
-class LegTerms:
-    """What a leg has."""
-
-    def __init__(self) -> None:
-        # m: platform point from the reference point, base frame
-        self.q: Any = [0.0] * 3
-        # m: length of the leg
-        self.L: Any = 0.0
-        # 1: |k x s|, sine of the angle between the leg and the fixed axis
-        self.k3: Any = 0.0
-        # N: known part of the actuator force
-        self.D: Any = 0.0
-        # 1: the leg's column of H, force rows
-        self.H_force: Any = [0.0] * 3
-        # N: part of c, force rows, base frame
-        self.c_force: Any = [0.0] * 3
-        # N m: part of c, moment rows, base frame
-        self.c_moment: Any = [0.0] * 3
-
-
-class ShiftTerms:
-    """The platform's part of c about platform point 1."""
-
-    def __init__(self) -> None:
-        # N m: the platform's part of c, moment rows, about platform point 1
-        self.c_tip: Any = [0.0] * 3
-
-
-class MomentTerms:
-    """A leg's moments about platform point 1."""
-
-    def __init__(self) -> None:
-        # m: the leg's column of H, moment rows
-        self.H_moment: Any = [0.0] * 3
-        # N m: moment of the leg's part of c, force rows, about platform point 1
-        self.arm_c: Any = [0.0] * 3
-
-
-class Sums:
-    """H, c, and what moments are made with."""
-
-    def __init__(self) -> None:
-        # N: part of c, force rows, base frame
-        self.c_force: Any = [0.0] * 3
-        # N m: part of c, moment rows, base frame
-        self.c_moment: Any = [0.0] * 3
-        # m: platform point 1 from the reference point, base frame
-        self.q_1: Any = [0.0] * 3
-        # 1 and m: from x to the wrench on the platform, (36)
-        self.H: Any = [[0.0] * 6 for _ in range(6)]
-        # m: arms of the moments
-        self.arm: Any = [[0.0] * 3 for _ in range(6)]
+        self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
+        self.platform: Any = Platform()  # the platform
+        self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.status: Any = 0  # 0, or what is wrong
 
 
 class Forces:
     """Actuator forces of one pose."""
 
     def __init__(self) -> None:
-        # N: positive when they extend the leg, (37)
-        self.F: Any = [0.0] * 6
-        # 0, or what is wrong
-        self.status: Any = 0
+        self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class LegTerms:
+    """What a leg has."""
+
+    def __init__(self) -> None:
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+        self.D: Any = 0.0  # N: known part of the actuator force
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class Sums:
+    """H, c, and what moments are made with."""
+
+    def __init__(self) -> None:
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+        self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
+        self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
+        self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
+
+
+class SharedTerms:
+    """What a pose has for all legs."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class ShiftTerms:
+    """The platform's part of c about platform point 1."""
+
+    def __init__(self) -> None:
+        self.c_tip: Any = [0.0] * 3  # N m: the platform's part of c, moment rows, about platform point 1
+
+
+class MomentTerms:
+    """A leg's moments about platform point 1."""
+
+    def __init__(self) -> None:
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        # N m: moment of the leg's part of c, force rows, about platform point 1
+        self.arm_c: Any = [0.0] * 3
 
 
 def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     """Constants of one leg, and what it adds to the platform: 0 (0 mul, 0 add, 0 div, 0 sqrt)."""
-    b_x = leg.b[0]
-    b_y = leg.b[1]
-    b_z = leg.b[2]
-    p_x = leg.p[0]
-    p_y = leg.p[1]
-    p_z = leg.p[2]
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
     m_d = leg.m_d
-    r_d0_x = leg.r_d0[0]
-    r_d0_y = leg.r_d0[1]
-    r_d0_z = leg.r_d0[2]
-    I_d0_xx = leg.I_d0[0]
-    I_d0_xy = leg.I_d0[1]
-    I_d0_xz = leg.I_d0[2]
-    I_d0_yy = leg.I_d0[3]
-    I_d0_yz = leg.I_d0[4]
-    I_d0_zz = leg.I_d0[5]
+    r_d0_x, r_d0_y, r_d0_z = leg.r_d0
+    I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz = leg.I_d0
     m_u = leg.m_u
-    r_u0_x = leg.r_u0[0]
-    r_u0_y = leg.r_u0[1]
-    r_u0_z = leg.r_u0[2]
-    I_u0_xx = leg.I_u0[0]
-    I_u0_xy = leg.I_u0[1]
-    I_u0_xz = leg.I_u0[2]
-    I_u0_yy = leg.I_u0[3]
-    I_u0_yz = leg.I_u0[4]
-    I_u0_zz = leg.I_u0[5]
+    r_u0_x, r_u0_y, r_u0_z = leg.r_u0
+    I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
     C_u = leg.C_u
     C_p = leg.C_p
     C_s = leg.C_s
     out = LegConstants()
-    out.b[0] = b_x
-    out.b[1] = b_y
-    out.b[2] = b_z
-    out.p[0] = p_x
-    out.p[1] = p_y
-    out.p[2] = p_z
+    out.b = [b_x, b_y, b_z]
+    out.p = [p_x, p_y, p_z]
     out.m_d = m_d
-    out.r_d0[0] = r_d0_x
-    out.r_d0[1] = r_d0_y
-    out.r_d0[2] = r_d0_z
-    out.I_d0[0] = I_d0_xx
-    out.I_d0[1] = I_d0_xy
-    out.I_d0[2] = I_d0_xz
-    out.I_d0[3] = I_d0_yy
-    out.I_d0[4] = I_d0_yz
-    out.I_d0[5] = I_d0_zz
+    out.r_d0 = [r_d0_x, r_d0_y, r_d0_z]
+    out.I_d0 = [I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz]
     out.m_u = m_u
-    out.r_u0[0] = r_u0_x
-    out.r_u0[1] = r_u0_y
-    out.r_u0[2] = r_u0_z
-    out.I_u0[0] = I_u0_xx
-    out.I_u0[1] = I_u0_xy
-    out.I_u0[2] = I_u0_xz
-    out.I_u0[3] = I_u0_yy
-    out.I_u0[4] = I_u0_yz
-    out.I_u0[5] = I_u0_zz
+    out.r_u0 = [r_u0_x, r_u0_y, r_u0_z]
+    out.I_u0 = [I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz]
     out.C_u = C_u
     out.C_p = C_p
     out.C_s = C_s
     out.M_add = 0.0
-    out.h_add[0] = 0.0
-    out.h_add[1] = 0.0
-    out.h_add[2] = 0.0
-    out.J_add[0] = 0.0
-    out.J_add[1] = 0.0
-    out.J_add[2] = 0.0
-    out.J_add[3] = 0.0
-    out.J_add[4] = 0.0
-    out.J_add[5] = 0.0
+    out.h_add = [0.0, 0.0, 0.0]
+    out.J_add = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.C_add = 0.0
     return out
 
@@ -314,28 +201,12 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
 def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
     """Constants of the platform: 34 (12 mul, 22 add, 0 div, 0 sqrt)."""
     M = robot.M
-    R_0_x = robot.R_0[0]
-    R_0_y = robot.R_0[1]
-    R_0_z = robot.R_0[2]
-    I_p_xx = robot.I_p[0]
-    I_p_xy = robot.I_p[1]
-    I_p_xz = robot.I_p[2]
-    I_p_yy = robot.I_p[3]
-    I_p_yz = robot.I_p[4]
-    I_p_zz = robot.I_p[5]
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
+    R_0_x, R_0_y, R_0_z = robot.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
+    g_x, g_y, g_z = robot.g
     M_add = total.M_add
-    h_add_x = total.h_add[0]
-    h_add_y = total.h_add[1]
-    h_add_z = total.h_add[2]
-    J_add_xx = total.J_add[0]
-    J_add_xy = total.J_add[1]
-    J_add_xz = total.J_add[2]
-    J_add_yy = total.J_add[3]
-    J_add_yz = total.J_add[4]
-    J_add_zz = total.J_add[5]
+    h_add_x, h_add_y, h_add_z = total.h_add
+    J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
     c1 = R_0_y * R_0_y
     c2 = R_0_z * R_0_z
     J_P_xx = I_p_xx + J_add_xx + M * (c1 + c2)
@@ -349,21 +220,10 @@ def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
     J_P_zz = I_p_zz + J_add_zz + M * (c1 + c4)
     out = Platform()
     out.M_P = M + M_add
-    out.h_P[0] = c3 + h_add_x
-    out.h_P[1] = c5 + h_add_y
-    out.h_P[2] = M * R_0_z + h_add_z
-    out.J_P[0] = J_P_xx
-    out.J_P[1] = J_P_xy
-    out.J_P[2] = J_P_xz
-    out.J_P[3] = J_P_yy
-    out.J_P[4] = J_P_yz
-    out.J_P[5] = J_P_zz
-    out.dJ_P[0] = J_P_zz - J_P_yy
-    out.dJ_P[1] = J_P_xx - J_P_zz
-    out.dJ_P[2] = J_P_yy - J_P_xx
-    out.g[0] = g_x
-    out.g[1] = g_y
-    out.g[2] = g_z
+    out.h_P = [c3 + h_add_x, c5 + h_add_y, M * R_0_z + h_add_z]
+    out.J_P = [J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz]
+    out.dJ_P = [J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx]
+    out.g = [g_x, g_y, g_z]
     return out
 
 
@@ -371,15 +231,10 @@ def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
     """What the legs add to the platform, with one leg more."""
     out = Added()
     out.M_add = total.M_add + more.M_add
-    out.h_add[0] = total.h_add[0] + more.h_add[0]
-    out.h_add[1] = total.h_add[1] + more.h_add[1]
-    out.h_add[2] = total.h_add[2] + more.h_add[2]
-    out.J_add[0] = total.J_add[0] + more.J_add[0]
-    out.J_add[1] = total.J_add[1] + more.J_add[1]
-    out.J_add[2] = total.J_add[2] + more.J_add[2]
-    out.J_add[3] = total.J_add[3] + more.J_add[3]
-    out.J_add[4] = total.J_add[4] + more.J_add[4]
-    out.J_add[5] = total.J_add[5] + more.J_add[5]
+    for i in range(3):
+        out.h_add[i] = total.h_add[i] + more.h_add[i]
+    for i in range(6):
+        out.J_add[i] = total.J_add[i] + more.J_add[i]
     out.C_add = total.C_add + more.C_add
     return out
 
@@ -387,307 +242,86 @@ def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
 def lost_digits(on: Arithmetic, model: Any) -> Any:
     """Zero as long as all constants are finite."""
     lost = 0.0
-    lost = lost + 0.0 * model.leg[0].b[0]
-    lost = lost + 0.0 * model.leg[0].b[1]
-    lost = lost + 0.0 * model.leg[0].b[2]
-    lost = lost + 0.0 * model.leg[0].p[0]
-    lost = lost + 0.0 * model.leg[0].p[1]
-    lost = lost + 0.0 * model.leg[0].p[2]
-    lost = lost + 0.0 * model.leg[0].m_d
-    lost = lost + 0.0 * model.leg[0].r_d0[0]
-    lost = lost + 0.0 * model.leg[0].r_d0[1]
-    lost = lost + 0.0 * model.leg[0].r_d0[2]
-    lost = lost + 0.0 * model.leg[0].I_d0[0]
-    lost = lost + 0.0 * model.leg[0].I_d0[1]
-    lost = lost + 0.0 * model.leg[0].I_d0[2]
-    lost = lost + 0.0 * model.leg[0].I_d0[3]
-    lost = lost + 0.0 * model.leg[0].I_d0[4]
-    lost = lost + 0.0 * model.leg[0].I_d0[5]
-    lost = lost + 0.0 * model.leg[0].m_u
-    lost = lost + 0.0 * model.leg[0].r_u0[0]
-    lost = lost + 0.0 * model.leg[0].r_u0[1]
-    lost = lost + 0.0 * model.leg[0].r_u0[2]
-    lost = lost + 0.0 * model.leg[0].I_u0[0]
-    lost = lost + 0.0 * model.leg[0].I_u0[1]
-    lost = lost + 0.0 * model.leg[0].I_u0[2]
-    lost = lost + 0.0 * model.leg[0].I_u0[3]
-    lost = lost + 0.0 * model.leg[0].I_u0[4]
-    lost = lost + 0.0 * model.leg[0].I_u0[5]
-    lost = lost + 0.0 * model.leg[0].C_u
-    lost = lost + 0.0 * model.leg[0].C_p
-    lost = lost + 0.0 * model.leg[0].C_s
-    lost = lost + 0.0 * model.leg[0].M_add
-    lost = lost + 0.0 * model.leg[0].h_add[0]
-    lost = lost + 0.0 * model.leg[0].h_add[1]
-    lost = lost + 0.0 * model.leg[0].h_add[2]
-    lost = lost + 0.0 * model.leg[0].J_add[0]
-    lost = lost + 0.0 * model.leg[0].J_add[1]
-    lost = lost + 0.0 * model.leg[0].J_add[2]
-    lost = lost + 0.0 * model.leg[0].J_add[3]
-    lost = lost + 0.0 * model.leg[0].J_add[4]
-    lost = lost + 0.0 * model.leg[0].J_add[5]
-    lost = lost + 0.0 * model.leg[0].C_add
-    lost = lost + 0.0 * model.leg[1].b[0]
-    lost = lost + 0.0 * model.leg[1].b[1]
-    lost = lost + 0.0 * model.leg[1].b[2]
-    lost = lost + 0.0 * model.leg[1].p[0]
-    lost = lost + 0.0 * model.leg[1].p[1]
-    lost = lost + 0.0 * model.leg[1].p[2]
-    lost = lost + 0.0 * model.leg[1].m_d
-    lost = lost + 0.0 * model.leg[1].r_d0[0]
-    lost = lost + 0.0 * model.leg[1].r_d0[1]
-    lost = lost + 0.0 * model.leg[1].r_d0[2]
-    lost = lost + 0.0 * model.leg[1].I_d0[0]
-    lost = lost + 0.0 * model.leg[1].I_d0[1]
-    lost = lost + 0.0 * model.leg[1].I_d0[2]
-    lost = lost + 0.0 * model.leg[1].I_d0[3]
-    lost = lost + 0.0 * model.leg[1].I_d0[4]
-    lost = lost + 0.0 * model.leg[1].I_d0[5]
-    lost = lost + 0.0 * model.leg[1].m_u
-    lost = lost + 0.0 * model.leg[1].r_u0[0]
-    lost = lost + 0.0 * model.leg[1].r_u0[1]
-    lost = lost + 0.0 * model.leg[1].r_u0[2]
-    lost = lost + 0.0 * model.leg[1].I_u0[0]
-    lost = lost + 0.0 * model.leg[1].I_u0[1]
-    lost = lost + 0.0 * model.leg[1].I_u0[2]
-    lost = lost + 0.0 * model.leg[1].I_u0[3]
-    lost = lost + 0.0 * model.leg[1].I_u0[4]
-    lost = lost + 0.0 * model.leg[1].I_u0[5]
-    lost = lost + 0.0 * model.leg[1].C_u
-    lost = lost + 0.0 * model.leg[1].C_p
-    lost = lost + 0.0 * model.leg[1].C_s
-    lost = lost + 0.0 * model.leg[1].M_add
-    lost = lost + 0.0 * model.leg[1].h_add[0]
-    lost = lost + 0.0 * model.leg[1].h_add[1]
-    lost = lost + 0.0 * model.leg[1].h_add[2]
-    lost = lost + 0.0 * model.leg[1].J_add[0]
-    lost = lost + 0.0 * model.leg[1].J_add[1]
-    lost = lost + 0.0 * model.leg[1].J_add[2]
-    lost = lost + 0.0 * model.leg[1].J_add[3]
-    lost = lost + 0.0 * model.leg[1].J_add[4]
-    lost = lost + 0.0 * model.leg[1].J_add[5]
-    lost = lost + 0.0 * model.leg[1].C_add
-    lost = lost + 0.0 * model.leg[2].b[0]
-    lost = lost + 0.0 * model.leg[2].b[1]
-    lost = lost + 0.0 * model.leg[2].b[2]
-    lost = lost + 0.0 * model.leg[2].p[0]
-    lost = lost + 0.0 * model.leg[2].p[1]
-    lost = lost + 0.0 * model.leg[2].p[2]
-    lost = lost + 0.0 * model.leg[2].m_d
-    lost = lost + 0.0 * model.leg[2].r_d0[0]
-    lost = lost + 0.0 * model.leg[2].r_d0[1]
-    lost = lost + 0.0 * model.leg[2].r_d0[2]
-    lost = lost + 0.0 * model.leg[2].I_d0[0]
-    lost = lost + 0.0 * model.leg[2].I_d0[1]
-    lost = lost + 0.0 * model.leg[2].I_d0[2]
-    lost = lost + 0.0 * model.leg[2].I_d0[3]
-    lost = lost + 0.0 * model.leg[2].I_d0[4]
-    lost = lost + 0.0 * model.leg[2].I_d0[5]
-    lost = lost + 0.0 * model.leg[2].m_u
-    lost = lost + 0.0 * model.leg[2].r_u0[0]
-    lost = lost + 0.0 * model.leg[2].r_u0[1]
-    lost = lost + 0.0 * model.leg[2].r_u0[2]
-    lost = lost + 0.0 * model.leg[2].I_u0[0]
-    lost = lost + 0.0 * model.leg[2].I_u0[1]
-    lost = lost + 0.0 * model.leg[2].I_u0[2]
-    lost = lost + 0.0 * model.leg[2].I_u0[3]
-    lost = lost + 0.0 * model.leg[2].I_u0[4]
-    lost = lost + 0.0 * model.leg[2].I_u0[5]
-    lost = lost + 0.0 * model.leg[2].C_u
-    lost = lost + 0.0 * model.leg[2].C_p
-    lost = lost + 0.0 * model.leg[2].C_s
-    lost = lost + 0.0 * model.leg[2].M_add
-    lost = lost + 0.0 * model.leg[2].h_add[0]
-    lost = lost + 0.0 * model.leg[2].h_add[1]
-    lost = lost + 0.0 * model.leg[2].h_add[2]
-    lost = lost + 0.0 * model.leg[2].J_add[0]
-    lost = lost + 0.0 * model.leg[2].J_add[1]
-    lost = lost + 0.0 * model.leg[2].J_add[2]
-    lost = lost + 0.0 * model.leg[2].J_add[3]
-    lost = lost + 0.0 * model.leg[2].J_add[4]
-    lost = lost + 0.0 * model.leg[2].J_add[5]
-    lost = lost + 0.0 * model.leg[2].C_add
-    lost = lost + 0.0 * model.leg[3].b[0]
-    lost = lost + 0.0 * model.leg[3].b[1]
-    lost = lost + 0.0 * model.leg[3].b[2]
-    lost = lost + 0.0 * model.leg[3].p[0]
-    lost = lost + 0.0 * model.leg[3].p[1]
-    lost = lost + 0.0 * model.leg[3].p[2]
-    lost = lost + 0.0 * model.leg[3].m_d
-    lost = lost + 0.0 * model.leg[3].r_d0[0]
-    lost = lost + 0.0 * model.leg[3].r_d0[1]
-    lost = lost + 0.0 * model.leg[3].r_d0[2]
-    lost = lost + 0.0 * model.leg[3].I_d0[0]
-    lost = lost + 0.0 * model.leg[3].I_d0[1]
-    lost = lost + 0.0 * model.leg[3].I_d0[2]
-    lost = lost + 0.0 * model.leg[3].I_d0[3]
-    lost = lost + 0.0 * model.leg[3].I_d0[4]
-    lost = lost + 0.0 * model.leg[3].I_d0[5]
-    lost = lost + 0.0 * model.leg[3].m_u
-    lost = lost + 0.0 * model.leg[3].r_u0[0]
-    lost = lost + 0.0 * model.leg[3].r_u0[1]
-    lost = lost + 0.0 * model.leg[3].r_u0[2]
-    lost = lost + 0.0 * model.leg[3].I_u0[0]
-    lost = lost + 0.0 * model.leg[3].I_u0[1]
-    lost = lost + 0.0 * model.leg[3].I_u0[2]
-    lost = lost + 0.0 * model.leg[3].I_u0[3]
-    lost = lost + 0.0 * model.leg[3].I_u0[4]
-    lost = lost + 0.0 * model.leg[3].I_u0[5]
-    lost = lost + 0.0 * model.leg[3].C_u
-    lost = lost + 0.0 * model.leg[3].C_p
-    lost = lost + 0.0 * model.leg[3].C_s
-    lost = lost + 0.0 * model.leg[3].M_add
-    lost = lost + 0.0 * model.leg[3].h_add[0]
-    lost = lost + 0.0 * model.leg[3].h_add[1]
-    lost = lost + 0.0 * model.leg[3].h_add[2]
-    lost = lost + 0.0 * model.leg[3].J_add[0]
-    lost = lost + 0.0 * model.leg[3].J_add[1]
-    lost = lost + 0.0 * model.leg[3].J_add[2]
-    lost = lost + 0.0 * model.leg[3].J_add[3]
-    lost = lost + 0.0 * model.leg[3].J_add[4]
-    lost = lost + 0.0 * model.leg[3].J_add[5]
-    lost = lost + 0.0 * model.leg[3].C_add
-    lost = lost + 0.0 * model.leg[4].b[0]
-    lost = lost + 0.0 * model.leg[4].b[1]
-    lost = lost + 0.0 * model.leg[4].b[2]
-    lost = lost + 0.0 * model.leg[4].p[0]
-    lost = lost + 0.0 * model.leg[4].p[1]
-    lost = lost + 0.0 * model.leg[4].p[2]
-    lost = lost + 0.0 * model.leg[4].m_d
-    lost = lost + 0.0 * model.leg[4].r_d0[0]
-    lost = lost + 0.0 * model.leg[4].r_d0[1]
-    lost = lost + 0.0 * model.leg[4].r_d0[2]
-    lost = lost + 0.0 * model.leg[4].I_d0[0]
-    lost = lost + 0.0 * model.leg[4].I_d0[1]
-    lost = lost + 0.0 * model.leg[4].I_d0[2]
-    lost = lost + 0.0 * model.leg[4].I_d0[3]
-    lost = lost + 0.0 * model.leg[4].I_d0[4]
-    lost = lost + 0.0 * model.leg[4].I_d0[5]
-    lost = lost + 0.0 * model.leg[4].m_u
-    lost = lost + 0.0 * model.leg[4].r_u0[0]
-    lost = lost + 0.0 * model.leg[4].r_u0[1]
-    lost = lost + 0.0 * model.leg[4].r_u0[2]
-    lost = lost + 0.0 * model.leg[4].I_u0[0]
-    lost = lost + 0.0 * model.leg[4].I_u0[1]
-    lost = lost + 0.0 * model.leg[4].I_u0[2]
-    lost = lost + 0.0 * model.leg[4].I_u0[3]
-    lost = lost + 0.0 * model.leg[4].I_u0[4]
-    lost = lost + 0.0 * model.leg[4].I_u0[5]
-    lost = lost + 0.0 * model.leg[4].C_u
-    lost = lost + 0.0 * model.leg[4].C_p
-    lost = lost + 0.0 * model.leg[4].C_s
-    lost = lost + 0.0 * model.leg[4].M_add
-    lost = lost + 0.0 * model.leg[4].h_add[0]
-    lost = lost + 0.0 * model.leg[4].h_add[1]
-    lost = lost + 0.0 * model.leg[4].h_add[2]
-    lost = lost + 0.0 * model.leg[4].J_add[0]
-    lost = lost + 0.0 * model.leg[4].J_add[1]
-    lost = lost + 0.0 * model.leg[4].J_add[2]
-    lost = lost + 0.0 * model.leg[4].J_add[3]
-    lost = lost + 0.0 * model.leg[4].J_add[4]
-    lost = lost + 0.0 * model.leg[4].J_add[5]
-    lost = lost + 0.0 * model.leg[4].C_add
-    lost = lost + 0.0 * model.leg[5].b[0]
-    lost = lost + 0.0 * model.leg[5].b[1]
-    lost = lost + 0.0 * model.leg[5].b[2]
-    lost = lost + 0.0 * model.leg[5].p[0]
-    lost = lost + 0.0 * model.leg[5].p[1]
-    lost = lost + 0.0 * model.leg[5].p[2]
-    lost = lost + 0.0 * model.leg[5].m_d
-    lost = lost + 0.0 * model.leg[5].r_d0[0]
-    lost = lost + 0.0 * model.leg[5].r_d0[1]
-    lost = lost + 0.0 * model.leg[5].r_d0[2]
-    lost = lost + 0.0 * model.leg[5].I_d0[0]
-    lost = lost + 0.0 * model.leg[5].I_d0[1]
-    lost = lost + 0.0 * model.leg[5].I_d0[2]
-    lost = lost + 0.0 * model.leg[5].I_d0[3]
-    lost = lost + 0.0 * model.leg[5].I_d0[4]
-    lost = lost + 0.0 * model.leg[5].I_d0[5]
-    lost = lost + 0.0 * model.leg[5].m_u
-    lost = lost + 0.0 * model.leg[5].r_u0[0]
-    lost = lost + 0.0 * model.leg[5].r_u0[1]
-    lost = lost + 0.0 * model.leg[5].r_u0[2]
-    lost = lost + 0.0 * model.leg[5].I_u0[0]
-    lost = lost + 0.0 * model.leg[5].I_u0[1]
-    lost = lost + 0.0 * model.leg[5].I_u0[2]
-    lost = lost + 0.0 * model.leg[5].I_u0[3]
-    lost = lost + 0.0 * model.leg[5].I_u0[4]
-    lost = lost + 0.0 * model.leg[5].I_u0[5]
-    lost = lost + 0.0 * model.leg[5].C_u
-    lost = lost + 0.0 * model.leg[5].C_p
-    lost = lost + 0.0 * model.leg[5].C_s
-    lost = lost + 0.0 * model.leg[5].M_add
-    lost = lost + 0.0 * model.leg[5].h_add[0]
-    lost = lost + 0.0 * model.leg[5].h_add[1]
-    lost = lost + 0.0 * model.leg[5].h_add[2]
-    lost = lost + 0.0 * model.leg[5].J_add[0]
-    lost = lost + 0.0 * model.leg[5].J_add[1]
-    lost = lost + 0.0 * model.leg[5].J_add[2]
-    lost = lost + 0.0 * model.leg[5].J_add[3]
-    lost = lost + 0.0 * model.leg[5].J_add[4]
-    lost = lost + 0.0 * model.leg[5].J_add[5]
-    lost = lost + 0.0 * model.leg[5].C_add
+    for leg in range(6):
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].b[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].p[i]
+        lost = lost + 0.0 * model.leg[leg].m_d
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].r_d0[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].I_d0[i]
+        lost = lost + 0.0 * model.leg[leg].m_u
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].r_u0[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].I_u0[i]
+        lost = lost + 0.0 * model.leg[leg].C_u
+        lost = lost + 0.0 * model.leg[leg].C_p
+        lost = lost + 0.0 * model.leg[leg].C_s
+        lost = lost + 0.0 * model.leg[leg].M_add
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h_add[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J_add[i]
+        lost = lost + 0.0 * model.leg[leg].C_add
     lost = lost + 0.0 * model.platform.M_P
-    lost = lost + 0.0 * model.platform.h_P[0]
-    lost = lost + 0.0 * model.platform.h_P[1]
-    lost = lost + 0.0 * model.platform.h_P[2]
-    lost = lost + 0.0 * model.platform.J_P[0]
-    lost = lost + 0.0 * model.platform.J_P[1]
-    lost = lost + 0.0 * model.platform.J_P[2]
-    lost = lost + 0.0 * model.platform.J_P[3]
-    lost = lost + 0.0 * model.platform.J_P[4]
-    lost = lost + 0.0 * model.platform.J_P[5]
-    lost = lost + 0.0 * model.platform.dJ_P[0]
-    lost = lost + 0.0 * model.platform.dJ_P[1]
-    lost = lost + 0.0 * model.platform.dJ_P[2]
-    lost = lost + 0.0 * model.platform.g[0]
-    lost = lost + 0.0 * model.platform.g[1]
-    lost = lost + 0.0 * model.platform.g[2]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.h_P[i]
+    for i in range(6):
+        lost = lost + 0.0 * model.platform.J_P[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.dJ_P[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.g[i]
     return lost
+
+
+def per_length_of(on: Arithmetic, extent: Any) -> Any:
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
+    unit = 1.0
+    for turn in range(100):
+        unit = on.where(unit < extent, 2.0 * unit, unit)
+    for turn in range(100):
+        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
+    return on.where((extent >= on.SMALLEST) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+
+
+def prepare(on: Arithmetic, robot: Any) -> Any:
+    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    robot = on.arrays(robot)
+    model = Model()
+    total = Added()
+    for i in range(6):
+        found = prepare_leg(on, robot, robot.leg[i])
+        model.leg[i] = found
+        total = add_up(on, total, found)
+    model.platform = prepare_platform(on, robot, total)
+    extent = 0.0
+    for i in range(6):
+        for j in range(3):
+            extent = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
+    model.per_length = per_length_of(on, extent)
+    model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
+    return model
 
 
 def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     """B and the platform's part of c, (7), (30)-(35): 174 (90 mul, 84 add, 0 div, 0 sqrt)."""
-    R_xx = motion.R[0]
-    R_xy = motion.R[1]
-    R_xz = motion.R[2]
-    R_yx = motion.R[3]
-    R_yy = motion.R[4]
-    R_yz = motion.R[5]
-    R_zx = motion.R[6]
-    R_zy = motion.R[7]
-    R_zz = motion.R[8]
-    omega_x = motion.omega[0]
-    omega_y = motion.omega[1]
-    omega_z = motion.omega[2]
-    alpha_x = motion.alpha[0]
-    alpha_y = motion.alpha[1]
-    alpha_z = motion.alpha[2]
-    a_x = motion.a[0]
-    a_y = motion.a[1]
-    a_z = motion.a[2]
-    F_ext_x = motion.F_ext[0]
-    F_ext_y = motion.F_ext[1]
-    F_ext_z = motion.F_ext[2]
-    M_ext_x = motion.M_ext[0]
-    M_ext_y = motion.M_ext[1]
-    M_ext_z = motion.M_ext[2]
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
     M_P = platform.M_P
-    h_P_x = platform.h_P[0]
-    h_P_y = platform.h_P[1]
-    h_P_z = platform.h_P[2]
-    J_P_xx = platform.J_P[0]
-    J_P_xy = platform.J_P[1]
-    J_P_xz = platform.J_P[2]
-    J_P_yy = platform.J_P[3]
-    J_P_yz = platform.J_P[4]
-    J_P_zz = platform.J_P[5]
-    dJ_P_x = platform.dJ_P[0]
-    dJ_P_y = platform.dJ_P[1]
-    dJ_P_z = platform.dJ_P[2]
-    g_x = platform.g[0]
-    g_y = platform.g[1]
-    g_z = platform.g[2]
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    dJ_P_x, dJ_P_y, dJ_P_z = platform.dJ_P
+    g_x, g_y, g_z = platform.g
     # products of omega
     omega_xx = omega_x * omega_x
     omega_xy = omega_x * omega_y
@@ -728,102 +362,44 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     P_yy = omega_P_y * omega_P_y
     P_zz = omega_P_z * omega_P_z
     # (34) external moment less I alpha + omega x I omega, platform frame
-    M_P_load_x = (
-        J_P_xy * (P_xz - alpha_P_y) + M_ext_x - J_P_xx * alpha_P_x - J_P_xz * (P_xy + alpha_P_z) - J_P_yz * (P_yy
-            - P_zz) - P_yz * dJ_P_x
-    )
-    M_P_load_y = (
-        J_P_yz * (P_xy - alpha_P_z) + M_ext_y - J_P_xy * (P_yz + alpha_P_x) - J_P_xz * (P_zz - P_xx) - J_P_yy
-            * alpha_P_y - P_xz * dJ_P_y
-    )
-    M_P_load_z = (
-        J_P_xz * (P_yz - alpha_P_x) + M_ext_z - J_P_xy * (P_xx - P_yy) - J_P_yz * (P_xz + alpha_P_y) - J_P_zz
-            * alpha_P_z - P_xy * dJ_P_z
-    )
+    M_P_load_x = (J_P_xy * (P_xz - alpha_P_y) + M_ext_x - J_P_xx * alpha_P_x - J_P_xz * (P_xy + alpha_P_z) - J_P_yz
+        * (P_yy - P_zz) - P_yz * dJ_P_x)
+    M_P_load_y = (J_P_yz * (P_xy - alpha_P_z) + M_ext_y - J_P_xy * (P_yz + alpha_P_x) - J_P_xz * (P_zz - P_xx)
+        - J_P_yy * alpha_P_y - P_xz * dJ_P_y)
+    M_P_load_z = (J_P_xz * (P_yz - alpha_P_x) + M_ext_z - J_P_xy * (P_xx - P_yy) - J_P_yz * (P_xz + alpha_P_y)
+        - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
     out = SharedTerms()
-    out.B[0] = B_xx
-    out.B[1] = B_xy
-    out.B[2] = B_xz
-    out.B[3] = B_yx
-    out.B[4] = B_yy
-    out.B[5] = B_yz
-    out.B[6] = B_zx
-    out.B[7] = B_zy
-    out.B[8] = B_zz
-    out.c_force[0] = (
-        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy * h_base_y
-            - B_xz * h_base_z
-    )
-    out.c_force[1] = (
-        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx * h_base_x - B_yy * h_base_y
-            - B_yz * h_base_z
-    )
-    out.c_force[2] = (
-        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * fall_z - B_zx * h_base_x - B_zy * h_base_y
-            - B_zz * h_base_z
-    )
-    out.c_moment[0] = (
-        M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - fall_y * h_base_z
-    )
-    out.c_moment[1] = (
-        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - fall_z * h_base_x
-    )
-    out.c_moment[2] = (
-        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x - fall_x * h_base_y
-    )
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
+        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
+        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
+        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
+    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - fall_y * h_base_z,
+        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - fall_z * h_base_x,
+        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x - fall_x * h_base_y]
     return out
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 222 (129 mul, 91 add, 1 div, 1 sqrt)."""
-    b_x = leg.b[0]
-    b_y = leg.b[1]
-    b_z = leg.b[2]
-    p_x = leg.p[0]
-    p_y = leg.p[1]
-    p_z = leg.p[2]
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 222 (129 mul, 91 add, 1 div, 1
+    sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
     m_d = leg.m_d
     r_d0_x = leg.r_d0[0]
     I_d0_yy = leg.I_d0[3]
     m_u = leg.m_u
     r_u0_x = leg.r_u0[0]
     I_u0_yy = leg.I_u0[3]
-    C_u = leg.C_u
-    C_p = leg.C_p
-    C_s = leg.C_s
-    g_x = platform.g[0]
-    g_y = platform.g[1]
-    g_z = platform.g[2]
-    R_xx = motion.R[0]
-    R_xy = motion.R[1]
-    R_xz = motion.R[2]
-    R_yx = motion.R[3]
-    R_yy = motion.R[4]
-    R_yz = motion.R[5]
-    R_zx = motion.R[6]
-    R_zy = motion.R[7]
-    R_zz = motion.R[8]
-    t_x = motion.t[0]
-    t_y = motion.t[1]
-    t_z = motion.t[2]
-    omega_x = motion.omega[0]
-    omega_y = motion.omega[1]
-    omega_z = motion.omega[2]
-    v_x = motion.v[0]
-    v_y = motion.v[1]
-    v_z = motion.v[2]
-    a_x = motion.a[0]
-    a_y = motion.a[1]
-    a_z = motion.a[2]
-    B_xx = shared.B[0]
-    B_xy = shared.B[1]
-    B_xz = shared.B[2]
-    B_yx = shared.B[3]
-    B_yy = shared.B[4]
-    B_yz = shared.B[5]
-    B_zx = shared.B[6]
-    B_zy = shared.B[7]
-    B_zz = shared.B[8]
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    g_x, g_y, g_z = platform.g
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = shared.B
     # (1) platform point from the reference point
     q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
@@ -895,162 +471,38 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     K_e = c4 * (I_d0_yy + I_u0_yy + c6 + c7 + 2.0 * c8 * r_u0_x + 2.0 * c9)
     c10 = 2.0 * inv_L * u_x
     c11 = 4.0 * inv_L * u_x
-    K_u = (
-        c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10 - c10
-            * c6 - c10 * c7 - c11 * c8 * r_u0_x - c11 * c9)
-    )
+    K_u = (c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10
+        - c10 * c6 - c10 * c7 - c11 * c8 * r_u0_x - c11 * c9))
     K_gamma = -inv_L * (c5 + c8 + m_d * r_d0_x)
     c12 = C_s * inv_L
     K_s_w = c12
     # K, base frame
-    K_x = (
-        K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u * u_across_x
-    )
-    K_y = (
-        K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u * u_across_y
-    )
-    K_z = (
-        K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u * u_across_z
-    )
+    K_x = (K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
+        * u_across_x)
+    K_y = (K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
+        * u_across_y)
+    K_z = (K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
+        * u_across_z)
     f_s_u = c12
     # f, base frame
     f_x = f_s_u * (s_y * u_across_z - s_z * u_across_y) - C_s * c1 - C_s * w_across_x
     f_y = f_s_u * (s_z * u_across_x - s_x * u_across_z) - C_s * c2 - C_s * w_across_y
     f_z = f_s_u * (s_x * u_across_y - s_y * u_across_x) - C_s * c3 - C_s * w_across_z
     out = LegTerms()
-    out.q[0] = q_x
-    out.q[1] = q_y
-    out.q[2] = q_z
+    out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = 1.0
     out.D = D
-    out.H_force[0] = s_x
-    out.H_force[1] = s_y
-    out.H_force[2] = s_z
-    out.c_force[0] = -K_x
-    out.c_force[1] = -K_y
-    out.c_force[2] = -K_z
-    out.c_moment[0] = f_x
-    out.c_moment[1] = f_y
-    out.c_moment[2] = f_z
+    out.H_force = [s_x, s_y, s_z]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [f_x, f_y, f_z]
     return out
 
 
-def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
-    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
-    q_1_x = sums.q_1[0]
-    q_1_y = sums.q_1[1]
-    q_1_z = sums.q_1[2]
-    c_force_x = shared.c_force[0]
-    c_force_y = shared.c_force[1]
-    c_force_z = shared.c_force[2]
-    c_moment_x = shared.c_moment[0]
-    c_moment_y = shared.c_moment[1]
-    c_moment_z = shared.c_moment[2]
-    out = ShiftTerms()
-    out.c_tip[0] = c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y
-    out.c_tip[1] = c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z
-    out.c_tip[2] = c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x
-    return out
-
-
-def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
-    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
-    q_x = leg.q[0]
-    q_y = leg.q[1]
-    q_z = leg.q[2]
-    q_1_x = sums.q_1[0]
-    q_1_y = sums.q_1[1]
-    q_1_z = sums.q_1[2]
-    H_force_x = leg.H_force[0]
-    H_force_y = leg.H_force[1]
-    H_force_z = leg.H_force[2]
-    c_force_x = leg.c_force[0]
-    c_force_y = leg.c_force[1]
-    c_force_z = leg.c_force[2]
-    # platform point from platform point 1
-    arm_x = q_x - q_1_x
-    arm_y = q_y - q_1_y
-    arm_z = q_z - q_1_z
-    out = MomentTerms()
-    out.H_moment[0] = H_force_z * arm_y - H_force_y * arm_z
-    out.H_moment[1] = H_force_x * arm_z - H_force_z * arm_x
-    out.H_moment[2] = H_force_y * arm_x - H_force_x * arm_y
-    out.arm_c[0] = arm_y * c_force_z - arm_z * c_force_y
-    out.arm_c[1] = arm_z * c_force_x - arm_x * c_force_z
-    out.arm_c[2] = arm_x * c_force_y - arm_y * c_force_x
-    return out
-
-
-def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them."""
-    unit = 1.0
-    for turn in range(100):
-        unit = on.where(unit < extent, 2.0 * unit, unit)
-    for turn in range(100):
-        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
-    return on.where((extent >= on.SMALLEST) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
-
-
-def prepare(on: Arithmetic, robot: Any) -> Any:
-    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.arrays(robot)
-    model = Model()
-    total = Added()
+def find_legs(on: Arithmetic, model: Any, motion: Any, shared: Any, sums: Any) -> None:
+    """The legs."""
     for i in range(6):
-        found = prepare_leg(on, robot, robot.leg[i])
-        model.leg[i] = found
-        total = add_up(on, total, found)
-    model.platform = prepare_platform(on, robot, total)
-    extent = 0.0
-    for i in range(6):
-        for j in range(3):
-            extent = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
-    model.per_length = per_length_of(on, extent)
-    model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
-    return model
-
-
-def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = on.where(k3 > on.POLE_SINE, OK, POLE)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
-    return on.where(L <= on.MAX, fault, NOT_FINITE)
-
-
-def reach_of(on: Arithmetic, leg: Any, motion: Any, q: Any) -> Any:
-    """Size of the vectors that a leg is the sum of, m."""
-    reach = 0.0
-    for j in range(3):
-        reach = (
-            on.larger(on.larger(on.size(q[j]), on.larger(on.size(motion.t[j]), on.size(leg.b[j]))), reach)
-        )
-    return reach
-
-
-def leg_of(on: Arithmetic, model: Any, i: Any, motion: Any, shared: Any) -> Any:
-    """One leg."""
-    return leg_terms(on, model.leg[i], model.platform, motion, shared)
-
-
-def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
-    """Adds a leg's column of H and its part of c, moments about platform point 1."""
-    if i == 0:
-        for j in range(3):
-            sums.q_1[j] = leg.q[j]
-        tip = shift(on, sums, shared)
-        for j in range(3):
-            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
-            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
-    if i != 0:
-        turned = moments_of(on, leg, sums)
-        for j in range(3):
-            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
-            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
-            sums.H[j + 3][i] = turned.H_moment[j]
-            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
-    for j in range(3):
-        sums.H[j][i] = leg.H_force[j]
+        sums.leg[i] = leg_terms(on, model.leg[i], model.platform, motion, shared)
 
 
 def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
@@ -1078,8 +530,83 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
     return suspect
 
 
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    reach = 0.0
+    for j in range(3):
+        reach = on.larger(on.size(q[j]), reach)
+        reach = on.larger(on.size(t[j]), reach)
+        reach = on.larger(on.size(b[j]), reach)
+    return reach
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    fault = OK
+    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    return on.where(L <= on.MAX, fault, NOT_FINITE)
+
+
+def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
+    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    c_force_x, c_force_y, c_force_z = shared.c_force
+    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
+    out = ShiftTerms()
+    out.c_tip = [c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y, c_force_z * q_1_x + c_moment_y - c_force_x
+        * q_1_z, c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x]
+    return out
+
+
+def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
+    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
+    q_x, q_y, q_z = leg.q
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    H_force_x, H_force_y, H_force_z = leg.H_force
+    c_force_x, c_force_y, c_force_z = leg.c_force
+    # platform point from platform point 1
+    arm_x = q_x - q_1_x
+    arm_y = q_y - q_1_y
+    arm_z = q_z - q_1_z
+    out = MomentTerms()
+    out.H_moment = [H_force_z * arm_y - H_force_y * arm_z, H_force_x * arm_z - H_force_z * arm_x, H_force_y
+        * arm_x - H_force_x * arm_y]
+    out.arm_c = [arm_y * c_force_z - arm_z * c_force_y, arm_z * c_force_x - arm_x * c_force_z, arm_x * c_force_y
+        - arm_y * c_force_x]
+    return out
+
+
+def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
+    """Adds a leg's column of H and its part of c, moments about platform point 1."""
+    if i == 0:
+        for j in range(3):
+            sums.q_1[j] = leg.q[j]
+        tip = shift(on, sums, shared)
+        for j in range(3):
+            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
+    if i != 0:
+        turned = moments_of(on, leg, sums)
+        for j in range(3):
+            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
+    for j in range(3):
+        sums.H[j][i] = leg.H_force[j]
+
+
 def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced. arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s), by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself."""
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6
@@ -1150,9 +677,10 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     status = model.status
     suspect = 0
     shared = shared_terms(on, model.platform, motion)
+    find_legs(on, model, motion, shared, sums)
     for i in range(6):
-        leg = leg_of(on, model, i, motion, shared)
-        reach[i] = reach_of(on, model.leg[i], motion, leg.q)
+        leg = sums.leg[i]
+        reach[i] = reach_of(on, model.leg[i].b, motion.t, leg.q)
         fault = fault_of(on, leg.L, leg.k3, reach[i])
         status = on.where(status == OK, fault, status)
         suspect = on.where(leg.L > on.SHORT_SHARE * reach[i], suspect, 1)

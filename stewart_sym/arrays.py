@@ -183,4 +183,4 @@ def _stacked(xp: Any, value: Any, shape: tuple[int, ...]) -> Any:
         dims = (*dims, len(parts[0]))
         parts = [each for row in parts for each in row]
     parts = [xp.broadcast_to(xp.asarray(each), shape) for each in parts]
-    return xp.reshape(xp.moveaxis(xp.stack(parts), 0, -1), (*shape, *dims)) if dims else parts[0]
+    return xp.reshape(xp.stack(parts, axis=-1), (*shape, *dims)) if dims else parts[0]

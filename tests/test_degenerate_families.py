@@ -387,7 +387,7 @@ def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
 
 # --- helpers ----------------------------------------------------------------------------------------
 
-BLOCK_H = slice(judge.BLOCKS["H"][1], judge.BLOCKS["H"][1] + 36)
+BLOCK_H = slice(judge.BLOCKS["H of equations"][1], judge.BLOCKS["H of equations"][1] + 36)
 
 
 def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:

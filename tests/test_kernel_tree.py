@@ -15,12 +15,11 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.derive import notation as n
-from stewart_sym.derive.emit.c import STATUS as OF_C
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel import read
-from stewart_sym.derive.kernel.constants import STATUS, constants
+from stewart_sym.derive.kernel.constants import constants
 from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.nodes import Program
 from stewart_sym.derive.kernel.outputs import OUTPUTS, program
@@ -110,7 +109,7 @@ def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c(
         F, status = forces_of(tree, robot, motion)
         expected, codes = ss.prepare(robot).forces_and_status(motion)
         np.testing.assert_array_equal(status, codes)
-        np.testing.assert_allclose(F, expected, rtol=1e-12, equal_nan=True)
+        np.testing.assert_array_equal(F, expected)
         seen.add(int(codes))
     assert seen == {0, 3}
 
@@ -250,7 +249,7 @@ def test_a_motion_of_other_fields_or_shapes_is_rejected(fields: Any, line: str, 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("language", RUN)
-@pytest.mark.parametrize("functions", [("forces",), ("forces", "motion")], ids="+".join)
+@pytest.mark.parametrize("functions", [("forces",), ("forces", "motion"), ("derivatives",)], ids="+".join)
 def test_a_kit_proves_itself_in_its_language(
     language: str, functions: tuple[str, ...], tmp_path: Path
 ) -> None:
@@ -278,7 +277,7 @@ def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
     [
         (
             Choice(("kinematics",), language="rust"),
-            "functions: rust: expected some of forces, motion, got 'kinematics'",
+            "functions: rust: expected some of forces, motion, derivatives, got 'kinematics'",
         ),
         (Choice(language="matlab", precision="float"), "precision: matlab: expected double, got float"),
         (Choice(language="rust", bake=True), "bake: expected language c, got rust"),
@@ -293,11 +292,6 @@ def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Pat
     with pytest.raises(ValueError, match=f"^{line}"):
         write_kit(dasgupta(), tmp_path, choice)
     assert not list(tmp_path.iterdir())
-
-
-def test_status_codes_are_those_of_the_c() -> None:
-    of_c = {name: code for name, code, _ in OF_C}
-    assert {name: code for name, (code, _) in STATUS.items()}.items() <= of_c.items()
 
 
 def with_while(x: "array(6)") -> "Real":  # noqa: F821

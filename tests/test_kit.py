@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from stewart_sym import fidelity, inverse_kinematics, kernel, native
 from stewart_sym.derive import notation
-from stewart_sym.derive.emit.kit.robot import robot_files
-from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.derive.package.robot import robot_files
+from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, kit_names, put, write_kit
 from stewart_sym.kit.choice import DEFAULT, check
 from stewart_sym.kit.poses import sample

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from stewart_sym import native
-from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN

@@ -117,12 +117,6 @@ def model_numbers(kernel: ForceKernel) -> int:
     return 6 * leg + _numbers(blocks.prepare_platform, blocks.kernel.platform_constants()) + 2
 
 
-def python_module(kernel: ForceKernel, version: str) -> str:
-    """``<kernel>_bounds.py``: what Python must know of the C's layout."""
-    name = kernel.formulation.kernel_name
-    return _PYTHON.format(name=name, version=version, numbers=model_numbers(kernel))
-
-
 # ---------------------------------------------------------------- the blocks
 
 
@@ -351,7 +345,7 @@ def _values(block: RoundedBlock, owner: Callable[[Quantity], str]) -> list[str]:
 
 def _status(kernel: ForceKernel, leg: RoundedBlock) -> list[str]:
     """What tells the status of a leg and of the pose."""
-    terms, _ = reach_terms(kernel)
+    terms = [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in reach_terms(kernel)[0]]
     length, sine = judged(leg.block)
     return [
         wrap_list(f"    const stewart_real terms[{len(terms)}] = {{{', '.join(terms)}}};"),
@@ -1143,14 +1137,3 @@ int stewart_@NAME@_forces_bounded_batch(
     return result;
 }
 """
-
-_PYTHON = '''\
-"""Layout of the C that bounds the rounding error of the forces, formulation and joint `{name}`.
-
-Written by stewart-sym {version}; do not edit.
-SPDX-License-Identifier: 0BSD
-"""
-
-# Numbers of ``stewart_{name}_bounds_model``.
-MODEL_NUMBERS = {numbers}
-'''

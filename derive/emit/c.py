@@ -7,37 +7,12 @@ elimination, batches, status) is text in this file; all dynamics come from the b
 from .. import notation as n
 from ..block import Block, Output, Quantity, Step
 from ..formulation import UNIVERSAL
+from ..kernel.interface import STRUCTS
 from ..kernels import Kernel
 from ..operations import KernelOperations
-from ..thresholds import comment
 from . import singular
 from .infix import infix, wrap
 from .lane_scale import ABOUT_REFERENCE, per_length_function
-
-STATUS = (
-    ("OK", 0, "solved"),
-    ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
-    ("SHORT_LEG", 2, "a leg has length zero"),
-    ("POLE", 3, "a leg lies along the fixed axis of its universal joint"),
-    ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
-    ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
-    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
-    ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
-)
-FORCES = (
-    (Quantity("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)"), "[6]"),
-    (Quantity("D", (6,), "N", "known part of the actuator forces, (24)"), "[6]"),
-    (Quantity("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"), "[6]"),
-    (
-        Quantity(
-            "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
-        ),
-        "[6][3]",
-    ),
-    (Quantity("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"), "[6][6]"),
-    (Quantity("c", (6,), "N and N m", "wrench that x must balance, base frame, (36)"), "[6]"),
-)
-REACTIONS = (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
 
 
 def size(quantity: Quantity) -> int:
@@ -45,39 +20,8 @@ def size(quantity: Quantity) -> int:
     return len(quantity.keys)
 
 
-def common_header(version: str) -> str:
-    """``stewart.h``: arithmetic, status codes and data types, the same for every kernel."""
-    return _COMMON.format(
-        version=version,
-        release=version.partition(" ")[0],
-        thresholds=comment(),
-        status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
-        leg="\n".join(_member(quantity) for quantity in n.LEG),
-        platform="\n".join(_member(quantity) for quantity in n.PLATFORM),
-        motion="\n".join(_member(quantity) for quantity in n.MOTION),
-        motion_arrays="\n".join(_pointer(q, f"[count][{size(q)}]", "const ") for q in n.MOTION),
-        forces="\n".join(_comment(f"    stewart_real {q.name}{dims};", q) for q, dims in FORCES),
-        force_arrays="\n".join(_pointer(q, f"[count]{dims}") for q, dims in FORCES),
-        reactions="\n".join(
-            _comment(f"    stewart_real {q.name}[6]{'[3]' if q.shape else ''};", q) for q in REACTIONS
-        ),
-        reaction_arrays="\n".join(_pointer(q, f"[count][6]{'[3]' if q.shape else ''}") for q in REACTIONS),
-    )
-
-
 def _comment(declaration: str, quantity: Quantity) -> str:
     return f"{declaration} /* {quantity.unit}: {quantity.meaning} */"
-
-
-def _member(quantity: Quantity) -> str:
-    dims = f"[{size(quantity)}]" if quantity.shape else ""
-    order = ", order xx xy xz yy yz zz" if quantity.symmetric else ", row-major"
-    order = order if len(quantity.shape) == 2 else ""
-    return f"    stewart_real {quantity.name}{dims}; /* {quantity.unit}: {quantity.meaning}{order} */"
-
-
-def _pointer(quantity: Quantity, dims: str, const: str = "") -> str:
-    return f"    {const}stewart_real *{quantity.name}; /* {dims} */"
 
 
 def header(
@@ -115,8 +59,10 @@ def _interface(kernel: Kernel) -> str:
         ("Reads of each leg", [_typed(q) for q in n.LEG if q in used]),
         ("Reads of the machine", [_typed(q) for q in n.PLATFORM if q in used]),
         ("Reads of the motion", [_typed(q) for q in n.MOTION if q in used]),
-        ("Writes forces", [f"{q.name}{dims} {q.unit}" for q, dims in FORCES]),
-        ("Writes reactions", [f"{q.name}[6]{'[3]' if q.shape else ''} {q.unit}" for q in REACTIONS]),
+        *(
+            (f"Writes {name}", [f"{each.name}{each.dims} {each.unit}" for each in STRUCTS[name]])
+            for name in ("forces", "reactions")
+        ),
     ]
     return "\n".join(wrap_list(f" * {title}: {', '.join(names)}.", " *     ") for title, names in rows)
 
@@ -254,113 +200,6 @@ def _store(out: Output) -> list[str]:
         for i, expr in enumerate(out.exprs)
     ]
 
-
-_COMMON = """\
-/* stewart.h: arithmetic, status codes and data types of the stewart-sym kernels.
- *
- * Written by stewart-sym {version}; do not edit.
- * SPDX-License-Identifier: 0BSD
- *
- * Lengths in m, masses in kg, inertias in kg m^2, angles in rad, times in s. Vectors are in the base frame
- * unless said otherwise. Equation numbers are those of Dasgupta and Mruthyunjaya, Mechanism and Machine
- * Theory 33 (1998) 1135-1152.
- */
-#ifndef STEWART_H
-#define STEWART_H
-
-#include <stddef.h>
-
-#define STEWART_SYM_VERSION "{release}" /* of the generator */
-
-/* Compilers that take every number for finite remove the checks of inputs and results, and a bad input then
- * gives STEWART_OK. -DSTEWART_ALLOW_FAST_MATH: the caller checks all inputs and results. */
-#if (defined(__FAST_MATH__) || defined(_M_FP_FAST) || \\
-     (defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ != 0))) && !defined(STEWART_ALLOW_FAST_MATH)
-#error "compile without -ffast-math and -ffinite-math-only, or define STEWART_ALLOW_FAST_MATH (see stewart.h)"
-#endif
-
-/* Before functions that return a status: compilers that can warn where it is ignored. */
-#if !defined(STEWART_NODISCARD)
-#if (defined(__cplusplus) && (__cplusplus >= 201703L)) || \\
-    (defined(__STDC_VERSION__) && (__STDC_VERSION__ >= 202311L))
-#define STEWART_NODISCARD [[nodiscard]]
-#elif defined(__GNUC__)
-#define STEWART_NODISCARD __attribute__((warn_unused_result))
-#else
-#define STEWART_NODISCARD
-#endif
-#endif
-
-/* Arithmetic: double; float with -DSTEWART_FLOAT. For another type define STEWART_REAL and, with it,
- * STEWART_SQRT(x), STEWART_FABS(x), STEWART_EPSILON and STEWART_MAX. */
-#if defined(STEWART_REAL)
-typedef STEWART_REAL stewart_real;
-#elif defined(STEWART_FLOAT)
-typedef float stewart_real;
-#else
-typedef double stewart_real;
-#endif
-
-/* Status codes. On a status other than STEWART_OK the outputs of that pose are left as they were.
- *
- * Functions of one pose write their outputs last: an output may overlap the motion and every other input but
- * robot and model, and no other output. Batches: no output may overlap an input or another output. */
-{status}
-
-{thresholds}
-
-/* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
- * leg and y along the rotating axis of the universal joint. */
-typedef struct {{
-{leg}
-}} stewart_leg;
-
-/* The machine. */
-typedef struct {{
-    stewart_leg leg[6];
-{platform}
-}} stewart_robot;
-
-/* Limits of the robot file, which no function checks; 0 and the largest number where it states none. */
-typedef struct {{
-    stewart_real shortest[6]; /* m: shortest leg */
-    stewart_real longest[6]; /* m: longest leg */
-    stewart_real force[6]; /* N: largest magnitude of the actuator force */
-    stewart_real speed[6]; /* m/s: largest magnitude of the sliding velocity */
-}} stewart_limits;
-
-/* Motion of the platform and its load at one instant. */
-typedef struct {{
-{motion}
-}} stewart_motion;
-
-/* Motions of `count` poses. F_ext and M_ext may be null: no load. */
-typedef struct {{
-{motion_arrays}
-}} stewart_motions;
-
-/* Inverse dynamics of one pose. */
-typedef struct {{
-{forces}
-}} stewart_forces;
-
-/* Inverse dynamics of `count` poses. Any pointer may be null: not wanted. */
-typedef struct {{
-{force_arrays}
-}} stewart_forces_arrays;
-
-/* Joint reactions of one pose. */
-typedef struct {{
-{reactions}
-}} stewart_reactions;
-
-/* Joint reactions of `count` poses. Any pointer may be null: not wanted. */
-typedef struct {{
-{reaction_arrays}
-}} stewart_reactions_arrays;
-
-#endif
-"""
 
 _HEADER = """\
 /* stewart_{name}.h: inverse dynamics and joint reactions of the Stewart platform.

@@ -2,44 +2,98 @@
 
 One pose puts its six legs into lanes of eight; a batch puts eight poses into them. Either way a block is the
 body of a loop over lanes, which compilers turn into vector instructions by themselves, and which is plain
-portable C where they don't. Knows layout and solving, no dynamics.
+portable C where they don't.
 """
 
-import re
+from collections.abc import Iterable
+from functools import reduce
 
 import sympy as sp
 
 from .. import notation as n
 from ..block import Block, Quantity
+from ..kernel import prepare as p
+from ..kernel.layouts import (
+    LANE,
+    Layout,
+    Place,
+    Written,
+    added,
+    described,
+    exprs_of,
+    loaded,
+    loads,
+    member,
+    names_used,
+    parted,
+    reach,
+    set_in_order,
+    stored,
+    stores,
+    suspicion,
+)
+from ..kernel.lower import expression, steps_of
+from ..kernel.nodes import (
+    Argument,
+    Array,
+    As,
+    Assign,
+    Binary,
+    Call,
+    Compare,
+    Constant,
+    Count,
+    Do,
+    Either,
+    Expression,
+    Field,
+    Function,
+    If,
+    Let,
+    Name,
+    Number,
+    Pointer,
+    Real,
+    Select,
+    Statement,
+    Structure,
+    Table,
+    Type,
+    at,
+    of,
+)
+from ..kernel.read import LANES, Given
+from ..kernel.written import lanes as written
 from ..operations import force_operations
 from ..prepared import ADDED, arm_c, q_1
+from ..print.c import C
+from ..print.template import filled
 from ..regroup import ForceKernel
-from . import singular
-from .c import ARITHMETIC, operations_table, size, step_lines, wrap_list
-from .infix import infix, wrap
-from .lane_scale import IS_SCALED, MEMBER, PREPARED, SIZE, per_length
-from .lane_text import (
-    EMPTY,
-    JUDGED,
-    LANES,
-    MACROS,
-    SCALED_AXIS,
-    assigned,
-    dims,
-    entries,
-    fault_lines,
-    filled,
-    judged,
-    literal_macro,
-    literal_macros,
-    loads,
-    names_used,
-    reach_lines,
-    stores,
-    with_scaled_axis,
-)
+from .c import operations_table
 
-_RIGHT_SIDE = (n.c_force, n.c_moment)
+RIGHT_SIDE = (n.c_force, n.c_moment)
+CHECKED = (n.q, n.L, n.k3)
+"""Outputs of a leg by which it is checked; they are not stored as they are."""
+LOADS = (n.F_ext, n.M_ext)
+SIZES = {LANES: "LANES"}
+_NUMBERS = Pointer(Real())
+_VECTORS = Array(Real(), (3, LANES))
+
+
+def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
+    """A function of the template ``blocks.c``; ``to`` and ``padded`` are changed."""
+    given = (Argument(each, kind, each in ("to", "padded")) for each, kind in arguments.items())
+    return Function(name, "", tuple(given), result, ())
+
+
+_BLOCKS = (
+    _signature(
+        "whole", _NUMBERS, source=_NUMBERS, width=Count(), first=Count(), count=Count(), padded=_NUMBERS
+    ),
+    _signature("spread_vector", None, source=_NUMBERS, to=_VECTORS),
+    _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
+    _signature("clear", None, to=_VECTORS),
+)
 
 
 def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) -> str:
@@ -47,1223 +101,429 @@ def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) 
 
     frictionless: the same kernel without friction, for its count of operations.
     """
-    name = kernel.name
     plain = None if frictionless is None else force_operations(frictionless)
-    counts = operations_table(force_operations(kernel), plain, " * ")
-    return _HEADER.format(
-        name=name,
-        guard=f"STEWART_{name.upper()}_FORCES_H",
-        version=version,
-        model=_MODEL[kernel.fidelity == "general"].format(meaning=kernel.meaning),
-        operations=counts,
-        legs="\n".join(_member(q, f"[{LANES}]") for q in kernel.leg_constants()),
-        platform="\n".join(_member(q, "") for q in kernel.platform_constants()),
-        scale=MEMBER,
-    )
+    says = "" if kernel.fidelity == "general" else f" * Fidelity: {kernel.meaning}.\n *\n"
+    operations = operations_table(force_operations(kernel), plain, " * ")
+    return _header(kernel, "alone, from prepared constants, as fast as we can.", says, operations, version)
 
 
 def baked_header(kernel: ForceKernel, before: ForceKernel, version: str) -> str:
     """The header of a kernel with a robot's numbers folded in; ``before`` is the kernel without them."""
-    return _BAKED_HEADER.format(
+    says = (
+        f" * Fidelity: {kernel.meaning}. Before the numbers were folded in a pose took "
+        f"{force_operations(before).total.total} operations.\n *\n"
+    )
+    operations = operations_table(force_operations(kernel), None, " * ")
+    return _header(kernel, "of one machine, its numbers folded in.", says, operations, version)
+
+
+def _header(kernel: ForceKernel, title: str, says: str, operations: str, version: str) -> str:
+    made = _Source(kernel)
+    printer = C(made.functions)
+    parts = [] if made.baked else [printer.structure(made.structures["Model"])]
+    parts += [printer.declaration(each) for each in made.functions if each.public]
+    return filled(
+        "forces.h",
         name=kernel.name,
-        guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
+        title=title,
         version=version,
-        meaning=kernel.meaning,
-        before=force_operations(before).total.total,
-        operations=operations_table(force_operations(kernel), None, " * "),
+        says=says,
+        operations=operations,
+        guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
+        declarations="\n".join("\n".join([*lines, ""]) for lines in parts),
     )
 
 
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
-    name = kernel.name
-    parts = [
-        _TOP.format(name=name, version=version) + ARITHMETIC + MACROS + singular.MACROS,
-        _only(_structs(kernel), kernel),
-        *_model(kernel),
-        _scalar_shared(kernel),
-        *_legs(kernel),
-        *_moments_of_pose(kernel),
-        *([_SCALE_POSE] if is_scaled(kernel) else []),
-        solve_pose(kernel.about_tip),
-        singular.FUNCTION,
-        _pose(kernel),
-        _only(_BLOCK, kernel),
-        _block_shared(kernel),
-        _leg_of_block(kernel),
-        *_moments_of_block(kernel),
-        *([_only(_SCALE_BLOCK, kernel)] if is_scaled(kernel) else []),
-        _solve_block(kernel),
-        _batch(kernel),
-    ]
-    return "\n".join(parts).replace("@NAME@", name)
-
-
-def _only(text: str, kernel: ForceKernel) -> str:
-    """The text, with what stands in <D: :D> if legs have a D, in <C: :C> if they add to c.
-
-    What stands in <K: :K> is of legs with a universal joint, in <J: :J> of others; in <P: :P> of kernels with
-    a code path of its own near the joint singularity, in <Q: :Q> of others; in <M: :M> of kernels with a
-    prepared model, in <B: :B> of baked ones; in <A: :A> of kernels with moments about platform point 1, in
-    <O: :O> of others; in <F: :F> of legs with moments of their own in c, in <G: :G> of those about platform
-    point 1 that add to c; in <S: :S> of prepared models, which may have a length to take moments over, in <Z:
-    :Z> of baked kernels that have one.
-    """
-    given = {out.quantity for out in kernel.leg.outputs}
-    bare = kernel.constants is not None
-    marks = {
-        "D": n.D in given,
-        "C": n.c_force in given,
-        "K": n.k3 in given,
-        "J": n.k3 not in given,
-        "P": kernel.leg_near_pole is not None,
-        "Q": kernel.leg_near_pole is None,
-        "M": not bare,
-        "B": bare,
-        "A": kernel.about_tip,
-        "O": not kernel.about_tip,
-        "F": n.c_moment in given,
-        "G": kernel.about_tip and n.c_force in given,
-        "S": not bare,
-        "Z": bare and is_scaled(kernel),
-    }
-    for mark, kept in marks.items():
-        if not kept:
-            text = re.sub(rf"\n *<{mark}:[^\n]*:{mark}>(?=\n)|<{mark}:.*?:{mark}>", "", text)
-        text = re.sub(rf"<{mark}:|:{mark}>", "", text)
-    length = f"REAL({per_length(kernel.size)!r})" if bare else "model->per_length"
-    return text.replace("@IS_SCALED@", IS_SCALED).replace("@PER_LENGTH@", length)
+    top = filled("top.c", file=f"stewart_{kernel.name}_forces", version=version)
+    macros = "".join(filled(each) for each in ("arithmetic.c", "lanes.c", "suspect.c"))
+    return C(sizes=SIZES).source(top + macros, *_Source(kernel).parts)
 
 
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
-    numbers = LANES * sum(map(size, kernel.leg_constants())) + sum(map(size, kernel.platform_constants()))
-    return numbers + 1
-
-
-def _member(quantity: Quantity, lanes: str) -> str:
-    return (
-        f"    stewart_real {quantity.name}{dims(quantity)}{lanes}; /* {quantity.unit}: {quantity.meaning} */"
-    )
-
-
-def _structs(kernel: ForceKernel) -> str:
-    parts = {
-        "@MOTION@": [f"    stewart_real {q.name}[{size(q)}][{LANES}];" for q in kernel.used_motion()],
-        "@SHARED@": [
-            f"    stewart_real {q.name}[{size(q)}];"
-            for q in (*_from_pose(kernel), *(out.quantity for out in kernel.shift.outputs))
-        ],
-        "@SHARED_LANES@": [
-            f"    stewart_real {q.name}[{size(q)}][{LANES}];"
-            for q in _from_pose(kernel)
-            if q not in _RIGHT_SIDE
-        ]
-        or [EMPTY],
-        "@TERMS@": [f"    stewart_real {q.name}{dims(q)}[{LANES}];" for q in _terms(kernel)],
-    }
-    return filled(_STRUCTS, parts)
-
-
-def _from_pose(kernel: ForceKernel) -> list[Quantity]:
-    return [out.quantity for out in kernel.shared.outputs]
-
-
-def _terms(kernel: ForceKernel) -> list[Quantity]:
-    """What the legs of a pose keep; q is what moments are taken with, or what bounds them."""
-    blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
-    found = [out.quantity for block in blocks for out in block.outputs if out.quantity not in JUDGED]
-    return [n.q, *found]
-
-
-# ---------------------------------------------------------------- preparation
-
-
-def _legs(kernel: ForceKernel) -> list[str]:
-    """The legs of a pose, and the road near a pole where the kernel has one."""
-    parts = [_legs_of_pose(kernel, kernel.leg, "legs_of_pose", _least_sine(kernel))]
-    if kernel.leg_near_pole is not None:
-        near = _legs_of_pose(kernel, kernel.leg_near_pole, "legs_near_pole", "STEWART_POLE_SINE")
-        parts.append(
-            near.replace(
-                "The legs of one pose side by side", "The same for a pose in which a leg is near its pole"
-            )
-        )
-    return parts
-
-
-def _model(kernel: ForceKernel) -> list[str]:
-    """What prepares the constants, or the constants themselves."""
-    if kernel.constants is None:
-        return [
-            prepare_function(kernel.prepare_leg, "prepared_leg"),
-            prepare_function(kernel.prepare_platform, "prepared_platform"),
-            SIZE.replace("@MODEL@", "stewart_@NAME@_model"),
-            _prepare(kernel),
-        ]
-    tables = {q: kernel.constants[q] for q in kernel.leg_constants()}
-    # The last two lanes repeat leg 6.
-    rows = [
-        (*(f"REAL({value!r})" for value in values), *(f"REAL({values[-1]!r})",) * 2)
-        for values in tables.values()
-    ]
-    parts = {
-        "@MEMBERS@": [_member(q, f"[{LANES}]") for q in tables],
-        "@ROWS@": [
-            f"    /* {q.name} */\n" + wrap_list(f"    {{{', '.join(row)}}},", " " * 5)
-            for q, row in zip(tables, rows, strict=True)
-        ],
-    }
-    return [literal_macros(kernel.literals()), filled(_NUMBERS, parts)]
-
-
-def prepare_function(block: Block, struct: str) -> str:
-    """A block of preparation as a function that fills a struct of its own."""
-    members = "\n".join(f"    stewart_real {o.quantity.name}{dims(o.quantity)};" for o in block.outputs)
-    used = names_used(block)
-    lines = [line for q in block.inputs for line in loads(q, _owner_of_raw(q), "", used, "    ")]
-    arguments = [
-        ("robot", "const stewart_robot *robot"),
-        ("leg", "const stewart_leg *leg") if struct == "prepared_leg" else ("sum", "const prepared_leg *sum"),
-    ]
-    unused = [f"    (void){name};" for name, _ in arguments if not any(f"= {name}->" in t for t in lines)]
-    axis = [SCALED_AXIS] if n.k in block.inputs else []
-    body = [
-        *unused,
-        *with_scaled_axis(lines),
-        *step_lines(block.steps, "    "),
-        *stores(block.outputs, "", "    "),
-    ]
-    return "\n".join(
-        [
-            *axis,
-            f"typedef struct {{\n{members}\n}} {struct};\n",
-            f"/* {block.meaning[0].upper()}{block.meaning[1:]}. */",
-            f"static void {block.name}({', '.join(text for _, text in arguments)}, {struct} *out)",
-            "{",
-            *body,
-            "}",
-            "",
-        ]
-    )
-
-
-def _owner_of_raw(quantity: Quantity) -> str:
-    if quantity in n.LEG:
-        return "leg"
-    return "sum" if quantity in ADDED else "robot"
-
-
-def _prepare(kernel: ForceKernel) -> str:
-    parts = {
-        "@COPIES@": [f"        made.{name}[i] = found.{name};" for name in entries(kernel.leg_constants())],
-        "@ZERO@": [f"    sum.{name} = REAL(0);" for name in entries(ADDED)],
-        "@ADD@": [f"        sum.{name} = sum.{name} + found.{name};" for name in entries(ADDED)],
-        "@PLATFORM@": [
-            f"    made.{name} = platform.{name};" for name in entries(kernel.platform_constants())
-        ],
-        "@SCALE@": [PREPARED.format(model="made.", address="&made")],
-    }
-    return filled(_PREPARE, parts)
-
-
-# ---------------------------------------------------------------- blocks
-
-
-def _scalar_shared(kernel: ForceKernel) -> str:
-    block = kernel.shared
-    used = names_used(block)
-    found = [
-        line
-        for q in block.inputs
-        for line in _loads(kernel, q, "at" if q in n.MOTION else "model", "", used, "    ")
-    ]
-    lines = [*found, *step_lines(block.steps, "    "), *stores(block.outputs, "", "    ")]
-    text = _SHARED_POSE.replace("@COUNT@", str(block.operations()))
-    return _used(text, found, "model").replace("@BODY@", "\n".join(lines))
-
-
-def _block_shared(kernel: ForceKernel) -> str:
-    block = kernel.shared
-    used = names_used(block)
-    outside = [
-        line
-        for q in block.inputs
-        if q not in n.MOTION
-        for line in _loads(kernel, q, "model", "", used, "    ")
-    ]
-    inside = [line for q in block.inputs if q in n.MOTION for line in loads(q, "in", "[l]", used, " " * 8)]
-    kept = tuple(out for out in block.outputs if out.quantity not in _RIGHT_SIDE)
-    right = [e for out in block.outputs if out.quantity in _RIGHT_SIDE for e in out.exprs]
-    body = [
-        *inside,
-        *step_lines(block.steps, " " * 8),
-        *stores(kept, "[l]", " " * 8),
-        *(assigned(f"c[{i}][l]", infix(expr, "STEWART_SQRT")) for i, expr in enumerate(right)),
-    ]
-    text = _used(_SHARED_BLOCK, outside, "model")
-    outside += [] if kept else ["    (void)out;"]
-    return filled(text, {"@OUTSIDE@": outside, "@BODY@": body})
-
-
-def _loads(kernel: ForceKernel, q: Quantity, owner: str, lane: str, used: set[str], indent: str) -> list[str]:
-    """Loads of one input, or the literal that it is."""
-    if q in kernel.literals():
-        return [f"{indent}const stewart_real {q.name} = {literal_macro(q)};"]
-    return loads(q, owner, lane, used, indent)
-
-
-def _legs_of_pose(kernel: ForceKernel, leg: Block, name: str, least_sine: str) -> str:
-    """A leg's block as the body of a loop over the legs of a pose."""
-    kept = tuple(out for out in leg.outputs if out.quantity not in JUDGED)
-    terms, more = reach_terms(kernel)
-    length, sine = judged(leg)
-    outside, inside = _lane_loads(kernel, leg, more, over_legs=True)
-    body = [
-        *inside,
-        *step_lines(leg.steps, " " * 8),
-        *stores(kept, "[l]", " " * 8),
-        *stores(tuple(out for out in leg.outputs if out.quantity == n.q), "[l]", " " * 8),
-        *reach_lines(terms),
-        "        out->reach[l] = reach;",
-        f"        out->L[l] = {length};",
-        *([] if sine is None else [f"        out->k3[l] = {sine};"]),
-        *fault_lines(length, sine, "0", "out->bad[l]", least_sine, "STEWART_SHORT_SHARE"),
-    ]
-    text = _LEGS_OF_POSE.replace("@COUNT@", str(leg.operations())).replace("@FUNCTION@", name)
-    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
-
-
-def _least_sine(kernel: ForceKernel) -> str:
-    """Below this sine the leg's block is not the one to compute with."""
-    return "STEWART_POLE_SINE" if kernel.leg_near_pole is None else "STEWART_NEAR_POLE"
-
-
-def _leg_of_block(kernel: ForceKernel) -> str:
-    """The leg's block as the body of a loop over the poses of a block."""
-    exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    terms, more = reach_terms(kernel)
-    length, sine = judged(kernel.leg)
-    outside, inside = _lane_loads(kernel, kernel.leg, more, over_legs=False)
-    column = [infix(expr, "STEWART_SQRT") for q in (n.H_force, n.H_moment) for expr in exprs.get(q, ())]
-    known = [assigned("known[l]", infix(e, "STEWART_SQRT")) for e in exprs.get(n.D, ())]
-    own = tuple(out for out in kernel.leg.outputs if out.quantity in (n.q, *_RIGHT_SIDE))
-    right = [*exprs.get(n.c_force, ()), *exprs.get(n.c_moment, ())]
-    added = [assigned(f"c[{i}][l]", f"c[{i}][l]{_added(expr)}") for i, expr in enumerate(right)]
-    body = [
-        *inside,
-        *step_lines(kernel.leg.steps, " " * 8),
-        *(assigned(f"column[{i}][l]", text) for i, text in enumerate(column)),
-        *(stores(own, "[l]", " " * 8) if kernel.about_tip else added),
-        *known,
-        *reach_lines(terms),
-        *fault_lines(length, sine, "bad[l]", "bad[l]", _least_sine(kernel), "STEWART_SHORT_SHARE"),
-    ]
-    text = _only(_LEG_OF_BLOCK, kernel).replace("@COUNT@", str(kernel.leg.operations()))
-    return filled(_used(text, outside + inside, "shared"), {"@OUTSIDE@": outside, "@BODY@": body})
-
-
-def _used(text: str, lines: list[str], argument: str) -> str:
-    """The text without its mark for an unused argument where the lines read it."""
-    used = any(f"{argument}->" in line for line in lines)
-    return text.replace(f"@UNUSED {argument}@\n", "" if used else f"    (void){argument};\n")
-
-
-def _added(expr: sp.Expr) -> str:
-    """`` + (expr)``, with the sign drawn out of a product."""
-    if not expr.is_Add and expr.could_extract_minus_sign():
-        return f" - {infix(-expr, 'STEWART_SQRT')}"
-    return f" + ({infix(expr, 'STEWART_SQRT')})"
-
-
-def _lane_loads(
-    kernel: ForceKernel, leg: Block, more: tuple[Quantity, ...], over_legs: bool
-) -> tuple[list[str], list[str]]:
-    """Loads of what all lanes share, and of what differs from lane to lane."""
-    used = names_used(leg) | {name for q in more for name in q.names}
-    shared_by_legs = {*kernel.platform_constants(), *kernel.literals()}
-    outside, inside = [], []
-    for q in dict.fromkeys((*leg.inputs, *more)):
-        if q in n.MOTION or q in _from_pose(kernel):
-            owner = ("at" if over_legs else "in") if q in n.MOTION else "shared"
-            varies = not over_legs
-        else:
-            owner, varies = "model", over_legs and q not in shared_by_legs
-        if varies:
-            inside += _loads(kernel, q, owner, "[l]", used, " " * 8)
-        else:
-            lane = "[leg]" if owner == "model" and q not in shared_by_legs else ""
-            outside += _loads(kernel, q, owner, lane, used, "    ")
-    return outside, inside
-
-
-def reach_terms(kernel: ForceKernel) -> tuple[list[str], tuple[Quantity, ...]]:
-    """Sizes of the vectors whose sum is S, and the inputs among them."""
-    exprs = {out.quantity: out.exprs for out in kernel.leg.outputs}
-    inputs: tuple[Quantity, ...] = (n.t, n.b)
-    if kernel.constants is not None:
-        inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
-    terms = (*exprs[n.q], *(symbol for quantity in inputs for symbol in quantity.symbols))
-    return [f"STEWART_FABS({infix(expr, 'STEWART_SQRT')})" for expr in terms], inputs
-
-
-# ---------------------------------------------------------------- moments about platform point 1
-
-
-def _moments_of_pose(kernel: ForceKernel) -> list[str]:
-    """The moments of a pose, legs in lanes; nothing where legs have their own."""
-    if not kernel.about_tip:
-        return []
-    shift, leg = kernel.shift, kernel.moments
-    first = [f"{name} = legs->q[{i}][0]" for i, name in enumerate(q_1.names)]
-    parts = {
-        "@OUTSIDE@": [wrap_list(f"    const stewart_real {', '.join(first)};")],
-        "@SHIFT@": [
-            wrap_list(f"    const stewart_real {', '.join(first)};"),
-            *(line for q in _RIGHT_SIDE for line in loads(q, "shared", "", names_used(shift), "    ")),
-            *step_lines(shift.steps, "    "),
-            *(line.replace("out->", "shared->") for line in stores(shift.outputs, "", "    ")),
-        ],
-        "@BODY@": _moment_lines(kernel, "legs", "legs"),
-    }
-    text = _MOMENTS_OF_POSE.replace("@COUNT@", str(leg.operations()))
-    return [filled(text, parts)]
-
-
-def _moment_lines(kernel: ForceKernel, column: str, own: str) -> list[str]:
-    """The body of a loop over lanes that makes the moments of one leg."""
-    leg, used = kernel.moments, names_used(kernel.moments)
-    owners = {n.q: own, n.c_force: own, n.H_force: column}
-    return [
-        *(
-            line
-            for q, owner in owners.items()
-            if q in leg.inputs
-            for line in loads(q, owner, "[l]", used, " " * 8)
-        ),
-        *step_lines(leg.steps, " " * 8),
-        *(line.replace("out->", f"{column}->") for line in stores(leg.outputs, "[l]", " " * 8)),
-    ]
-
-
-def _read(quantity: Quantity, lanes: str) -> str:
-    return ", ".join(f"{name} = {lanes}[{i}][l]" for i, name in enumerate(quantity.names))
-
-
-def _moments_of_block(kernel: ForceKernel) -> list[str]:
-    """The moments of one leg of eight poses, and what leg 1 has instead."""
-    if not kernel.about_tip:
-        return []
-    given = [(n.c_force, 0), (n.c_moment, 3)]
-    has = {out.quantity for out in kernel.leg.outputs}
-    shift, leg = kernel.shift, kernel.moments
-    first = [f"{name} = own->q[{i}][l]" for i, name in enumerate(q_1.names)]
-    c = [f"{name} = c[{i + j}][l]" for q, i in given for j, name in enumerate(q.names)]
-    sums = [
-        assigned(f"c[{i + j}][l]", f"c[{i + j}][l] + own->{q.name}[{j}][l]")
-        for q, i in given
-        if q in has
-        for j in range(3)
-    ]
-    used, exprs = names_used(leg), {out.quantity: out.exprs for out in leg.outputs}
-    parts = {
-        "@FIRST@": [
-            wrap_list(f"        const stewart_real {', '.join(first)};", " " * 12),
-            wrap_list(f"        const stewart_real {', '.join(c)};", " " * 12),
-            *(
-                assigned(f"c[{i + 3}][l]", infix(e, "STEWART_SQRT"))
-                for i, e in enumerate(shift.outputs[0].exprs)
-            ),
-            *sums,
-        ],
-        "@OTHER@": [
-            wrap_list(
-                f"        const stewart_real {_read(q_1, 'q_1')};",
-                " " * 12,
-            ),
-            *(
-                line
-                for q in (n.q, n.c_force)
-                if q in leg.inputs
-                for line in loads(q, "own", "[l]", used, " " * 8)
-            ),
-            wrap_list(
-                f"        const stewart_real {_read(n.H_force, 'column')};",
-                " " * 12,
-            ),
-            *step_lines(leg.steps, " " * 8),
-            *(
-                assigned(f"column[{i + 3}][l]", infix(e, "STEWART_SQRT"))
-                for i, e in enumerate(exprs[n.H_moment])
-            ),
-            *sums,
-            *(
-                assigned(f"c[{i + 3}][l]", f"c[{i + 3}][l]{_added(e)}")
-                for i, e in enumerate(exprs.get(arm_c, ()))
-            ),
-        ],
-    }
-    text = _MOMENTS_OF_BLOCK.replace("@COUNT@", str(leg.operations()))
-    if not sums:
-        text = text.replace(" @UNUSED@", "\n    (void)c;")
-    return [filled(text.replace(" @UNUSED@", ""), parts)]
-
-
-# ---------------------------------------------------------------- solving
-
-
-def is_scaled(kernel: ForceKernel) -> bool:
-    """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
-    return kernel.constants is None or per_length(kernel.size) != 1.0
+    of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
+    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 1
 
 
 def solve_pose(about_tip: bool) -> str:
-    """Elimination of one pose, unrolled: the next column is known before the rows that hold it are stored."""
-    rows = range(6)
-    body = [f"a{i} = A[{i}][0];" for i in rows if i < 3 or not about_tip]
-    for k in rows:
-        below = [i for i in rows[k + 1 :] if i < 3 or k > 0 or not about_tip]
-        body += [f"/* Column {k + 1}. */"]
-        for i in below:
-            body += _exchange(k, i)
-        if below:
-            body += _eliminate(k, below)
-    body.append("x[5] = A[5][6] / a5;")
-    for i in reversed(rows[:-1]):
-        known = "".join(f" - A[{i}][{j}] * x[{j}]" for j in rows[i + 1 :])
-        body.append(f"x[{i}] = (A[{i}][6]{known}) * inverse{i};")
-    why = "\n * The first column has no moment rows." if about_tip else ""
-    large = " && ".join(f"STEWART_FABS(a{k}) > STEWART_SUSPECT" for k in rows)
-    body.append(wrap(f"return ({large}) ? 0 : 1;", " " * 8, before="&&"))
-    return _filled_body(_SOLVE_POSE.replace("@WHY@", why), body)
+    """The elimination of one pose with the functions that it calls, as text."""
+    return C(sizes=SIZES).source(*_solve_pose(Written({}, {"ABOUT_TIP": int(about_tip)})))
 
 
-def _exchange(k: int, i: int) -> list[str]:
-    """Rows k and i exchanged where i has the larger entry in column k: in the order of a block's lanes.
-
-    Rows of equal entries then stand alike in both, and round alike.
-    """
+def _solve_pose(texts: Written) -> list[Function]:
     return [
-        f"if (STEWART_FABS(a{i}) > STEWART_FABS(a{k})) {{",
-        f"    const stewart_real moved = a{k};",
-        f"    exchange_rows(A[{k}], A[{i}]);",
-        f"    a{k} = a{i};",
-        f"    a{i} = moved;",
-        "}",
+        texts.function(each) for each in (written.exchange_rows, written.subtract_row, written.solve_pose)
     ]
 
 
-def _eliminate(k: int, below: list[int]) -> list[str]:
-    """Column k eliminated below row k; a1 to a5 become the entries of the next column."""
-    return [
-        f"inverse{k} = REAL(1) / a{k};",
-        *(f"factor{i} = a{i} * inverse{k};" for i in below),
-        *(
-            f"a{i} = A[{i}][{k + 1}]{f' - factor{i} * A[{k}][{k + 1}]' if i in below else ''};"
-            for i in range(k + 1, 6)
-        ),
-        *(f"subtract_row(A[{i}], factor{i}, A[{k}]);" for i in below),
-    ]
+def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
+    """The vectors whose sum is S, component by component, and the inputs among them."""
+    exprs = exprs_of(kernel.leg)
+    inputs: tuple[Quantity, ...] = (n.t, n.b)
+    if kernel.constants is not None:
+        inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
+    return [*exprs[n.q], *(symbol for q in inputs for symbol in q.symbols)], inputs
 
 
-def _filled_body(text: str, body: list[str]) -> str:
-    return text.replace("@BODY@", "\n".join(wrap_list(f"    {line}", " " * 8) for line in body))
+class _Source:
+    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
 
+    def __init__(self, kernel: ForceKernel) -> None:
+        self.kernel, self.baked = kernel, kernel.constants is not None
+        self.of_pose = [out.quantity for out in kernel.shared.outputs]
+        self.given = exprs_of(kernel.leg)
+        self.structures = p.structures(kernel) | self._structures()
+        self.structures |= {each.name: each for each in self.structures.values()}
+        self.flags: dict[str, Given] = {
+            "BAKED": int(self.baked),
+            "ABOUT_TIP": int(kernel.about_tip),
+            "HAS_D": int(n.D in self.given),
+            "HAS_C": int(n.c_force in self.given),
+            "HAS_C_MOMENT": int(n.c_moment in self.given),
+            "HAS_SINE": int(n.k3 in self.given),
+            "HAS_NEAR": int(kernel.leg_near_pole is not None),
+            "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
+            "PER_LENGTH": Number(p.per_length(kernel.size)),
+        }
+        known = {each.name: each for each in (p.SINGULAR_STATUS, *_BLOCKS)}
+        self.texts = Written(self.structures, self.flags, known)
+        self.parts = list(self._parts())
+        self.functions = [each for each in self.parts if isinstance(each, Function)]
 
-def _solve_block(kernel: ForceKernel) -> str:
-    """Elimination with partial pivoting, unrolled: one loop over lanes that never branches.
+    # ------------------------------------------------------------ structures
 
-    The row with the largest entry sinks to place k by exchanges that a lane makes or leaves.
-    """
-    rows, columns = range(6), range(7)
-    entries = [[(i, j) for j in columns if not (kernel.about_tip and i > 2 and j == 0)] for i in rows]
-    body = [
-        "stewart_real " + ", ".join(f"a{i}{j} = column[{j}][{i}][l]" for i, j in row) + ";" for row in entries
-    ]
-    body.append("stewart_real fault = bad[l];")
-    for k in rows:
-        below = [i for i in rows[k + 1 :] if (i, k) in entries[i]]
-        for i in below:
-            body += _sink(k, i)
-        body.append(f"fault = STEWART_FABS(a{k}{k}) > STEWART_SUSPECT ? fault : REAL(1);")
-        if k < rows[-1]:
-            body.append(f"const stewart_real inverse{k} = REAL(1) / a{k}{k};")
-        for i in below:
-            body.append(f"const stewart_real factor{i}{k} = a{i}{k} * inverse{k};")
-            body += [f"a{i}{j} = a{i}{j} - factor{i}{k} * a{k}{j};" for j in columns[k + 1 :]]
-    for i in reversed(rows):
-        body += [f"a{i}6 = a{i}6 - a{i}{j} * a{j}6;" for j in rows[i + 1 :]]
-        body.append(f"a{i}6 = a{i}6 {f'* inverse{i}' if i < rows[-1] else f'/ a{i}{i}'};")
-    for i in rows:
-        body += [
-            f"const stewart_real F{i} = {_force(kernel, f'D[{i}][l]', f'a{i}6')};",
-            f"fault = STEWART_FABS(F{i}) <= STEWART_MAX ? fault : REAL(1);",
-            f"F[{i}][l] = F{i};",
-        ]
-    body.append("bad[l] = fault;")
-    lines = "\n".join(wrap_list(" " * 8 + line, " " * 12) for line in body)
-    text = _only(_SOLVE_BLOCK, kernel).replace("@FORCE@", _force(kernel, "D", "x"))
-    return text.replace("@BODY@", lines)
+    def _structures(self) -> dict[str, Structure]:
+        kernel = self.kernel
+        lanes, motion = Array(Real(), (LANES,)), kernel.used_motion()
+        moved = [out.quantity for out in kernel.shift.outputs]
+        blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
+        terms = [out.quantity for block in blocks for out in block.outputs if out.quantity not in CHECKED]
+        kept = [q for q in (n.q, *RIGHT_SIDE) if q in self.given]
+        sine = [Field("k3", lanes)] if n.k3 in self.given else []
+        known = [Field("D", Array(Real(), (6, LANES)))] if n.D in self.given else []
+        bad = "1 where a leg, a pivot or a force needs a closer look, else 0"
+        model = Structure(
+            f"stewart_{kernel.name}_model",
+            "What differs from leg to leg; the last two lanes repeat leg 6."
+            if self.baked
+            else "A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6.",
+            (
+                *(described(q, LANES) for q in kernel.leg_constants()),
+                *(described(q) for q in kernel.platform_constants()),
+                *([] if self.baked else [p.PER_LENGTH]),
+            ),
+        )
+        return {
+            "Model": model,
+            "Motions": Structure("stewart_motions", "", tuple(Field(q.name, _NUMBERS) for q in n.MOTION)),
+            "MotionLanes": Structure(
+                "motion_lanes",
+                "Motions of eight poses, component by component.",
+                tuple(stored(q, LANES) for q in motion),
+            ),
+            "SharedTerms": Structure(
+                "shared_terms",
+                "What a pose has for all legs.",
+                tuple(stored(q) for q in (*self.of_pose, *moved)),
+            ),
+            "SharedLanes": Structure(
+                "shared_lanes", "", tuple(stored(q, LANES) for q in self.of_pose if q not in RIGHT_SIDE)
+            ),
+            "LegLanes": Structure(
+                "leg_lanes",
+                "The legs of one pose.",
+                (
+                    *(stored(q, LANES, always=False) for q in (n.q, *terms)),
+                    Field("L", lanes),
+                    Field("reach", lanes),
+                    *sine,
+                    Field("bad", lanes, "1 where the leg needs a closer look, else 0"),
+                ),
+            ),
+            "Block": Structure(
+                "block",
+                "Eight poses on their way.",
+                (
+                    Field("column", Array(Real(), (7, 6, LANES)), "[H | c], column by column"),
+                    *known,
+                    Field("F", Array(Real(), (6, LANES))),
+                    Field("bad", lanes, bad),
+                ),
+            ),
+            "LegBlock": Structure(
+                "leg_block",
+                "What a leg of eight poses hands to the moments.",
+                tuple(stored(q, LANES) for q in kept),
+            ),
+        }
 
+    # ------------------------------------------------------------ functions
 
-def _sink(k: int, i: int) -> list[str]:
-    """Rows k and i exchanged where row i has the larger entry in column k."""
-    mask = f"below{i}{k}"
-    lines = [
-        f"const stewart_real {mask} = STEWART_FABS(a{i}{k}) > STEWART_FABS(a{k}{k})",
-        "    ? REAL(1) : REAL(0);",
-    ]
-    for upper, lower in ((f"a{k}{j}", f"a{i}{j}") for j in range(k, 7)):
-        lines += [
-            f"const stewart_real {upper}_{i} = {mask} > REAL(0) ? {lower} : {upper};",
-            f"{lower} = {mask} > REAL(0) ? {upper} : {lower};",
-            f"{upper} = {upper}_{i};",
-        ]
-    return lines
-
-
-def _pose(kernel: ForceKernel) -> str:
-    """One pose; without legs that add to c, the platform's part is all of it."""
-    adds = n.c_force in {out.quantity for out in kernel.leg.outputs}
-    text = _only(_POSE, kernel).replace("@FORCE@", _force(kernel, "legs.D[i]", "x[i]"))
-    return text.replace("@QUALIFIED@", "" if adds else "const ")
-
-
-def _force(kernel: ForceKernel, known: str, solved: str) -> str:
-    """F = D - x, (37), as text."""
-    return f"{known} - {solved}" if n.D in {out.quantity for out in kernel.leg.outputs} else f"-{solved}"
-
-
-def _batch(kernel: ForceKernel) -> str:
-    given = kernel.used_motion()
-    missing = ["motions", "F", *(f"motions->{q.name}" for q in given if q not in (n.F_ext, n.M_ext))]
-    if kernel.constants is None:
-        missing.insert(0, "model")
-    parts = {
-        "@LOADS@": _transposed(given),
-        "@ONE@": _copied(given),
-        "@MISSING@": wrap(
-            f"    if ({' || '.join(f'{name} == NULL' for name in missing)}) {{", " " * 8, before=r"\|\|"
-        ),
-    }
-    text = _only(_BATCH, kernel)
-    for mark, lines in parts.items():
-        text = text.replace(mark, lines)
-    return text
-
-
-def _transposed(motion: tuple[Quantity, ...]) -> str:
-    lines = []
-    for q in motion:
-        call = f"spread_{'matrix' if q == n.R else 'vector'}"
-        line = f"{call}(whole(motions->{q.name}, {size(q)}, first, count, padded), in->{q.name});"
-        if q in (n.F_ext, n.M_ext):
-            lines += [
-                f"    if (motions->{q.name} != NULL) {{",
-                f"        {line}",
-                "    } else {",
-                f"        clear(in->{q.name});",
-                "    }",
-            ]
+    def _parts(self) -> Iterable[str | Structure | Table | Function]:
+        kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}"
+        made = self.structures
+        yield from (made[each] for each in ("MotionLanes", "SharedTerms", "SharedLanes", "LegLanes"))
+        yield read(written.leg_status)
+        if self.baked:
+            yield p.literals(kernel)
+            yield self._table()
         else:
-            lines.append(f"    {line}")
-    return "\n".join(lines)
+            yield from p.preparation(self.texts, kernel)
+            yield p.per_length_of(self.texts)
+            yield p.size_of(self.texts, by_legs=False)
+            yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
+        shared = (*_lines(kernel.shared, self._place("at")), *stores(kernel.shared.outputs, _out()))
+        yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
+        yield from self._legs_of_pose()
+        if kernel.about_tip:
+            yield from self._moments_of_pose()
+        if p.is_scaled(kernel):
+            yield read(written.scale_pose)
+        yield from _solve_pose(self.texts)
+        yield filled("singular_status.c")
+        yield read(written.pose_status, apart=True)
+        yield read(written.forces, f"{name}_forces", public=True, given=self._public("motion", "F"))
+        yield made["Block"]
+        if kernel.about_tip:
+            yield made["LegBlock"]
+        yield self._shared_of_block()
+        yield self._leg_of_block()
+        if kernel.about_tip:
+            yield from self._moments_of_block()
+        if p.is_scaled(kernel):
+            yield read(written.scale_block)
+        yield from self._batch(name)
 
-
-def _copied(motion: tuple[Quantity, ...]) -> str:
-    lines = []
-    for q in motion[1:]:
-        value = f"motions->{q.name}[at]"
-        if q in (n.F_ext, n.M_ext):
-            value = f"motions->{q.name} != NULL ? {value} : REAL(0)"
-        lines.append(f"        one.{q.name}[i] = {value};")
-    return "\n".join(lines)
-
-
-_HEADER = """\
-/* stewart_{name}_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
- *
- * Written by stewart-sym {version}; do not edit.
- * SPDX-License-Identifier: 0BSD
- *
- * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
- * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
- * -ffp-contract=off one pose and a batch agree to the last bit).
- *
-{model}{operations}
- */
-#ifndef {guard}
-#define {guard}
-
-#include "stewart.h"
-
-#ifdef __cplusplus
-extern "C" {{
-#endif
-
-/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
-typedef struct {{
-{legs}
-{platform}
-{scale}
-}} stewart_{name}_model;
-
-/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
- * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
- * STEWART_OK. */
-STEWART_NODISCARD int stewart_{name}_prepare(const stewart_robot *robot, stewart_{name}_model *model);
-
-/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-STEWART_NODISCARD int stewart_{name}_forces(
-    const stewart_{name}_model *model, const stewart_motion *motion, stewart_real F[6]);
-
-/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
- * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
-STEWART_NODISCARD int stewart_{name}_forces_batch(
-    const stewart_{name}_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
-    int *status);
-
-#ifdef __cplusplus
-}}
-#endif
-
-#endif
-"""
-
-_MODEL = {True: "", False: " * Fidelity: {meaning}.\n *\n"}
-
-_TOP = """\
-/* stewart_{name}_forces.c: see stewart_{name}_forces.h.
- *
- * Written by stewart-sym {version}; do not edit.
- * SPDX-License-Identifier: 0BSD
- */
-#include "stewart_{name}_forces.h"
-
-"""
-
-_STRUCTS = """\
-/* Motions of eight poses, component by component. */
-typedef struct {
-@MOTION@
-} motion_lanes;
-
-/* What a pose has for all legs. */
-typedef struct {
-@SHARED@
-} shared_terms;
-
-typedef struct {
-@SHARED_LANES@
-} shared_lanes;
-
-/* The legs of one pose. */
-typedef struct {
-@TERMS@
-    stewart_real L[LANES], reach[LANES]<K:, k3[LANES]:K>;
-    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
-} leg_lanes;
-
-/* Status of the leg in one lane. */
-static int leg_status(const leg_lanes *leg, int l)
-{
-    if (!(leg->L[l] <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
-        return STEWART_SHORT_LEG;
-    }
-    <K:return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;:K>
-    <J:return STEWART_OK;:J>
-}
-"""
-
-_NUMBERS = """\
-/* What differs from leg to leg; the last two lanes repeat leg 6. */
-typedef struct {
-@MEMBERS@
-} stewart_@NAME@_model;
-
-static const stewart_@NAME@_model numbers = {
-@ROWS@
-};
-"""
-
-_BAKED_HEADER = """\
-/* stewart_{name}_forces.h: the actuator forces of one machine, its numbers folded in.
- *
- * Written by stewart-sym {version}; do not edit.
- * SPDX-License-Identifier: 0BSD
- *
- * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
- * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
- * -ffp-contract=off one pose and a batch agree to the last bit).
- *
- * Fidelity: {meaning}. Before the numbers were folded in a pose took {before} operations.
- *
-{operations}
- */
-#ifndef {guard}
-#define {guard}
-
-#include "stewart.h"
-
-#ifdef __cplusplus
-extern "C" {{
-#endif
-
-/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
-STEWART_NODISCARD int stewart_{name}_forces(const stewart_motion *motion, stewart_real F[6]);
-
-/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
- * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
-STEWART_NODISCARD int stewart_{name}_forces_batch(
-    size_t count, const stewart_motions *motions, stewart_real *F, int *status);
-
-#ifdef __cplusplus
-}}
-#endif
-
-#endif
-"""
-
-_PREPARE = """\
-int stewart_@NAME@_prepare(const stewart_robot *robot, stewart_@NAME@_model *model)
-{
-    stewart_@NAME@_model made;
-    prepared_leg found, sum;
-    prepared_platform platform;
-    const stewart_real *numbers = (const stewart_real *)&made;
-    const size_t count = sizeof made / sizeof *numbers;
-    size_t number;
-    int i;
-    if (robot == NULL || model == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-@ZERO@
-    for (i = 0; i < LANES; ++i) {
-        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
-@COPIES@
-        if (i >= 6) {
-            continue;
+    def _prepared(self) -> dict[str, Given]:
+        of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
+        found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
+        return p.sums(ADDED) | {
+            "COPIED": p.copied(p.numbers("made", of_leg, Name("i")), found),
+            "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
+            "COUNT": model_numbers(self.kernel),
         }
-@ADD@
-    }
-    prepare_platform(robot, &sum, &platform);
-@PLATFORM@
-@SCALE@
-    for (number = 0; number < count; ++number) {
-        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
+
+    def _table(self) -> Table:
+        """The constants of a baked kernel; the last two lanes repeat leg 6."""
+        assert self.kernel.constants is not None
+        columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
+        row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
+        return Table("numbers", self.structures["Model"], (row,))
+
+    def _public(self, *pointers: str | Expression) -> dict[str, Given]:
+        """What the interface's functions reject, and that baked ones have no model."""
+        missing = [*([] if self.baked else ["model"]), *pointers]
+        tests = (
+            Compare("==", Name(each) if isinstance(each, str) else each, Constant("NULL")) for each in missing
+        )
+        absent: Expression = reduce(Either, list[Expression](tests))
+        given: dict[str, Given] = {"MISSING": absent}
+        return given | ({"model": False} if self.baked else {})
+
+    def _place(self, motion: str, *lane: Expression, leg: Expression | None = None) -> Layout:
+        """Where blocks find what they read.
+
+        motion: the argument that holds it; lane: of motion and pose; leg: of the legs' constants.
+        """
+        of_legs = () if leg is None else (leg,)
+        literals = self.kernel.literals()
+
+        def place(q: Quantity) -> Place | Name:
+            if q in n.MOTION:
+                return member(motion, q, *lane)
+            if q in self.of_pose:
+                return member("shared", q, *lane)
+            if q in literals:
+                return Name(p.literal(q))
+            return member("model", q, *(() if q in self.kernel.platform_constants() else of_legs))
+
+        return place
+
+    # ------------------------------------------------------------ one pose
+
+    def _legs_of_pose(self) -> Iterable[Function]:
+        """The legs of a pose, and the code path near the joint singularity where the kernel has one."""
+        kernel, near = self.kernel, self.kernel.leg_near_pole
+        least = "POLE_SINE" if near is None else "NEAR_POLE"
+        yield self._legs(kernel.leg, "legs_of_pose", least, "The legs of one pose side by side")
+        if near is not None:
+            says = "The same for a pose in which a leg is near its joint singularity"
+            yield self._legs(near, "legs_near_pole", "POLE_SINE", says)
+
+    def _legs(self, leg: Block, name: str, least: str, says: str) -> Function:
+        """A leg's block as the body of a loop over the legs of a pose."""
+        terms, more = reach_terms(self.kernel)
+        exprs = exprs_of(leg)
+        outside, inside = parted(loaded(leg, self._place("at", leg=LANE), *more))
+        kept = [out for out in leg.outputs if out.quantity not in CHECKED]
+        kept += [out for out in leg.outputs if out.quantity == n.q]
+        checked = [q for q in (n.L, n.k3) if q in exprs]
+        body = (
+            *inside,
+            *steps_of(leg.steps),
+            *stores(kept, _out(LANE)),
+            *reach(terms),
+            Assign(at(of("out", "reach"), "l"), Name("reach")),
+            *(Assign(at(of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
+            *suspicion(leg, Number(0.0), at(of("out", "bad"), "l"), least),
+        )
+        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body}
+        return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
+
+    def _moments_of_pose(self) -> Iterable[Function]:
+        """The moments of a pose, legs in lanes."""
+        shift, leg = self.kernel.shift, self.kernel.moments
+        first = tuple(Let(name, at(of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
+        moved = (
+            *first,
+            *_lines(shift, lambda q: member("shared", q), without=(q_1,)),
+            *stores(shift.outputs, lambda q: member("shared", q)),
+        )
+        legs: Layout = lambda q: member("legs", q, LANE)  # noqa: E731
+        body = (*_lines(leg, legs, without=(q_1,)), *stores(leg.outputs, legs))
+        read = self.texts.function
+        yield read(written.shift_of_pose, given={"SHIFT": moved})
+        yield read(written.moments_of_pose, given={"FIRST": first, "MOMENTS": body}, count=leg.operations())
+
+    # ------------------------------------------------------------ eight poses
+
+    def _shared_of_block(self) -> Function:
+        block = self.kernel.shared
+        outside, inside = parted(loaded(block, self._place("at", LANE)))
+        kept = [out for out in block.outputs if out.quantity not in RIGHT_SIDE]
+        right = [e for out in block.outputs if out.quantity in RIGHT_SIDE for e in out.exprs]
+        body = (
+            *inside,
+            *steps_of(block.steps),
+            *stores(kept, _out(LANE)),
+            *set_in_order(Name("c"), right, LANE),
+        )
+        return self.texts.function(written.shared_of_block, given={"OUTSIDE": outside, "INSIDE": body})
+
+    def _leg_of_block(self) -> Function:
+        """The leg's block as the body of a loop over the poses of a block."""
+        kernel, exprs = self.kernel, self.given
+        leg, about_tip = kernel.leg, kernel.about_tip
+        terms, more = reach_terms(kernel)
+        outside, inside = parted(loaded(leg, self._place("at", LANE, leg=Name("leg")), *more))
+        column = [e for q in (n.H_force, n.H_moment) for e in exprs.get(q, ())]
+        own = [out for out in leg.outputs if out.quantity in (n.q, *RIGHT_SIDE)]
+        right = [e for q in RIGHT_SIDE for e in exprs.get(q, ())]
+        sums = tuple(added(at("c", i, "l"), e) for i, e in enumerate(right))
+        body = (
+            *inside,
+            *steps_of(leg.steps),
+            *set_in_order(Name("column"), column, LANE),
+            *(stores(own, lambda q: member("own", q, LANE)) if about_tip else sums),
+            *(Assign(at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
+            *reach(terms),
+            *suspicion(
+                leg,
+                at("bad", "l"),
+                at("bad", "l"),
+                "POLE_SINE" if kernel.leg_near_pole is None else "NEAR_POLE",
+            ),
+        )
+        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "c" if about_tip else "own": False}
+        given |= {} if n.D in exprs else {"known": False}
+        return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
+
+    def _moments_of_block(self) -> Iterable[Function]:
+        """The moments of one leg of eight poses, and what leg 1 has instead."""
+        shift, leg = self.kernel.shift, self.kernel.moments
+        c: dict[Quantity, Place] = {
+            n.c_force: Place(Name("c"), (LANE,)),
+            n.c_moment: Place(Name("c"), (LANE,), 3),
         }
-    }
-    *model = made;
-    return STEWART_OK;
-}
-"""
+        own: Layout = lambda q: member("own", q, LANE)  # noqa: E731
+        sums = tuple(
+            Assign(to, Binary("+", to, member("own", q, LANE).part(q, i)))
+            for q, place in c.items()
+            if q in self.given
+            for i in range(3)
+            for to in [place.part(q, i)]
+        )
+        exprs = exprs_of(leg)
+        first = (
+            *(Let(name, at(of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
+            *(Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
+            *(Assign(at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
+            *sums,
+        )
+        arrays = {q_1: "q_1", n.H_force: "column"}
+        moments: tuple[Statement, ...] = (
+            *_lines(leg, lambda q: Place(Name(arrays[q]), (LANE,)) if q in arrays else own(q)),
+            *(Assign(at("column", i + 3, "l"), expression(e)) for i, e in enumerate(exprs[n.H_moment])),
+            *sums,
+            *(added(at("c", i + 3, "l"), e) for i, e in enumerate(exprs.get(arm_c, ()))),
+        )
+        read = self.texts.function
+        yield read(written.moments_of_first, given={"FIRST": first})
+        yield read(written.moments_of_block, given={"MOMENTS": moments}, count=leg.operations())
 
-_SHARED_POSE = """\
-/* What one pose has for all legs: @COUNT@ operations. */
-static void shared_of_pose(const stewart_@NAME@_model *model, const stewart_motion *at, shared_terms *out)
-{
-@UNUSED model@
-@BODY@
-}
-"""
-
-_BLOCK = """\
-/* Eight poses on their way. */
-typedef struct {
-    stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real <D:D[6][LANES], :D>F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
-} block;
-<A:
-/* What a leg of eight poses hands to the moments. */
-typedef struct {
-    stewart_real q[3][LANES]<C:, c_force[3][LANES]:C><F:, c_moment[3][LANES]:F>;
-} leg_block;
-:A>"""
-
-_SHARED_BLOCK = """\
-/* What each of eight poses has for all legs, and the platform's part of c. */
-static void shared_of_block(
-    const stewart_@NAME@_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
-    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
-{
-    int l;
-@OUTSIDE@
-@UNUSED model@
-    for (l = 0; l < LANES; ++l) {
-@BODY@
-    }
-}
-"""
-
-_LEGS_OF_POSE = """\
-/* The legs of one pose side by side: @COUNT@ operations each. */
-static void @FUNCTION@(
-    const stewart_@NAME@_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
-{
-    int l;
-@OUTSIDE@
-@UNUSED shared@
-    for (l = 0; l < LANES; ++l) {
-@BODY@
-    }
-}
-"""
-
-_LEG_OF_BLOCK = """\
-/* One leg of eight poses side by side, @COUNT@ operations each:
- * its column of H<A:, forces alone:A><D:, its D:D><C:, its part of c:C>. */
-static void leg_of_block(
-    const stewart_@NAME@_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
-    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    <A:leg_block *STEWART_RESTRICT out, :A><O:stewart_real (*STEWART_RESTRICT c)[LANES], :O>
-    <D:stewart_real *STEWART_RESTRICT known, :D>stewart_real *STEWART_RESTRICT bad)
-{
-    int l;
-@OUTSIDE@
-@UNUSED shared@
-    for (l = 0; l < LANES; ++l) {
-@BODY@
-    }
-}
-"""
-
-_SOLVE_POSE = """\
-static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
-{
-    int j;
-    for (j = 0; j < LANES; ++j) {
-        const stewart_real moved = upper[j];
-        upper[j] = lower[j];
-        lower[j] = moved;
-    }
-}
-
-static void subtract_row(
-    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
-{
-    int j;
-    for (j = 0; j < LANES; ++j) {
-        to[j] = to[j] - factor * from[j];
-    }
-}
-
-/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.@WHY@ */
-static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
-{
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
-    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-@BODY@
-}
-"""
-
-_MOMENTS_OF_POSE = """\
-/* The platform's part of c with moments about platform point 1. */
-static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
-{
-@SHIFT@
-}
-
-/* Moments about platform point 1, @COUNT@ operations of each leg but the first, which has none. */
-static void moments_of_pose(leg_lanes *legs)
-{
-    int l;
-@OUTSIDE@
-    for (l = 0; l < LANES; ++l) {
-@BODY@
-    }
-}
-"""
-
-_MOMENTS_OF_BLOCK = """\
-/* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
-static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-@FIRST@
-    }
-}
-
-/* Another leg: its moments about platform point 1, @COUNT@ operations each, and its part of c. */
-static void moments_of_block(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
-    stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
-{
-    int l; @UNUSED@
-    for (l = 0; l < LANES; ++l) {
-@OTHER@
-    }
-}
-"""
-
-_POSE = """\
-/* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
-{
-    stewart_real H[6][6], arm[6][3];
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            arm[i][j] = legs->q[j][i]<A: - legs->q[j][0]:A>;
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+    def _batch(self, name: str) -> Iterable[str | Function]:
+        """The solve of eight poses, and poses eight by eight."""
+        kernel, read = self.kernel, self.texts.function
+        about_tip, has_d = kernel.about_tip, n.D in self.given
+        given = kernel.used_motion()
+        needed = [of("motions", q.name) for q in given if q not in LOADS]
+        first = Compare("==", Name("i"), Number(0))
+        of_block: dict[str, Given] = {
+            "OWN": Select(first, Name("first"), Name("other")) if about_tip else False,
+            "C": False if about_tip else at(of("out", "column"), 6),
+            "KNOWN": at(of("out", "D"), "i") if has_d else False,
+            "D": of("out", "D") if has_d else False,
         }
-    }
-    return singular_status(H, arm, legs->L, legs->reach);
-}
+        yield read(
+            written.solve_block,
+            apart=True,
+            given={} if has_d else {"D": False},
+            force="D - x" if has_d else "-x",
+        )
+        yield filled("blocks.c")
+        yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
+        yield read(written.forces_of_block, given=of_block)
+        yield read(written.forces_of, given=self._without() | {"ONE": tuple(map(_copied, given[1:]))})
+        yield read(
+            written.forces_batch,
+            f"{name}_forces_batch",
+            public=True,
+            given=self._public("motions", "F", *needed),
+        )
 
-int stewart_@NAME@_forces(
-    <M:const stewart_@NAME@_model *model, :M>const stewart_motion *motion, stewart_real F[6])
-{
-    <B:const stewart_@NAME@_model *const model = &numbers;:B>
-    shared_terms shared;
-    leg_lanes legs;
-    stewart_real A[6][LANES];
-    stewart_real x[6], found[6];
-    int i, j, status, suspect;
-    int close = 0;
-    <P:int near_pole = 0;:P>
-    if (<M:model == NULL || :M>motion == NULL || F == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    shared_of_pose(model, motion, &shared);
-    legs_of_pose(model, motion, &shared, &legs);
-    for (i = 0; i < 6; ++i) {
-        if (legs.bad[i] > REAL(0)) {
-            status = leg_status(&legs, i);
-            if (status != STEWART_OK) {
-                return status;
-            }
-            close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
-            <P:near_pole = legs.k3[i] > STEWART_NEAR_POLE ? near_pole : 1;:P>
-        }
-    }
-    <P:if (near_pole != 0) {:P>
-    <P:    legs_near_pole(model, motion, &shared, &legs);:P>
-    <P:}:P>
-    <A:shift_of_pose(&legs, &shared);:A>
-    <A:moments_of_pose(&legs);:A>
-    for (j = 0; j < 3; ++j) {
-        @QUALIFIED@stewart_real force = shared.c_force[j];
-        @QUALIFIED@stewart_real turn = shared.<A:c_tip:A><O:c_moment:O>[j];
-        <C:for (i = 0; i < 6; ++i) {:C>
-        <C:    force = force + legs.c_force[j][i];:C>
-        <F:    turn = turn + legs.c_moment[j][i];:F>
-        <G:    turn = turn + legs.arm_c[j][i];:G>
-        <C:}:C>
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
-    }
-    <S:if (@IS_SCALED@) {:S>
-    <S:    scale_pose(A, @PER_LENGTH@);:S>
-    <S:}:S>
-    <Z:scale_pose(A, @PER_LENGTH@);:Z>
-    suspect = solve_pose(A, x);
-    if (close != 0 || suspect != 0) {
-        status = pose_status(&legs);
-        if (status != STEWART_OK) {
-            return status;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        found[i] = @FORCE@;
-        if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        F[i] = found[i];
-    }
-    return STEWART_OK;
-}
-"""
+    def _without(self) -> dict[str, Given]:
+        """Of baked kernels no model is handed on."""
+        return {"model": False} if self.baked else {}
 
-_SCALE_POSE = """\
-/* Takes the moments of the rows [H | c] over a length. */
-static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
-{
-    int i, j;
-    for (i = 3; i < 6; ++i) {
-        for (j = 0; j < LANES; ++j) {
-            A[i][j] = A[i][j] * per_length;
-        }
-    }
-}
-"""
 
-_SCALE_BLOCK = """\
-/* The same for eight poses. */
-static void scale_block(block *out, stewart_real per_length)
-{
-    int i, j, l;
-    for (i = <A:1:A><O:0:O>; i < 7; ++i) {
-        for (j = 3; j < 6; ++j) {
-            for (l = 0; l < LANES; ++l) {
-                out->column[i][j][l] = out->column[i][j][l] * per_length;
-            }
-        }
-    }
-}
-"""
+def _out(*lane: Expression) -> Layout:
+    return lambda q: member("out", q, *lane)
 
-_SOLVE_BLOCK = """\
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = @FORCE@, (37). Marks as bad where a pivot is small or a force is not finite. */
-STEWART_APART static void solve_block(
-    stewart_real (*STEWART_RESTRICT column)[6][LANES],<D: stewart_real (*STEWART_RESTRICT D)[LANES],:D>
-    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-@BODY@
-    }
-}
-"""
 
-_BATCH = """\
-/* `width` numbers of each of eight poses; past the end, the last pose again. */
-static const stewart_real *whole(
-    const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
-{
-    size_t l, i;
-    if (first + (size_t)LANES <= count) {
-        return &from[first * width];
-    }
-    for (l = 0; l < (size_t)LANES; ++l) {
-        const size_t pose = first + l < count ? first + l : count - 1U;
-        for (i = 0; i < width; ++i) {
-            padded[l * width + i] = from[pose * width + i];
-        }
-    }
-    return padded;
-}
+def _lines(block: Block, layout: Layout, without: tuple[Quantity, ...] = ()) -> tuple[Statement, ...]:
+    """Loads and steps of a block; without: what is loaded already."""
+    given = set(without)
+    inputs = [q for q in block.inputs if q not in given]
+    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
 
-/* Eight vectors, eight matrices, eight zeros: component by component. */
-static void spread_vector(
-    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
-{
-    int l;
-    for (l = 0; l < LANES; ++l) {
-        to[0][l] = from[3 * l];
-        to[1][l] = from[3 * l + 1];
-        to[2][l] = from[3 * l + 2];
-    }
-}
 
-static void spread_matrix(
-    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
-{
-    int i, l;
-    for (i = 0; i < 9; ++i) {
-        for (l = 0; l < LANES; ++l) {
-            to[i][l] = from[9 * l + i];
-        }
-    }
-}
+def _transposed(q: Quantity) -> Statement:
+    """One quantity of eight poses, component by component; zeros of loads that are not given."""
+    pointer, to = of("motions", q.name), of("at", q.name)
+    width = As(Count(), Number(len(q.keys)))
+    whole = Call("whole", (pointer, width, Name("first"), Name("count"), Name("padded")))
+    spread = Do(Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
+    if q not in LOADS:
+        return spread
+    return If(Compare("!=", pointer, Constant("NULL")), (spread,), (Do(Call("clear", (to,))),))
 
-static void clear(stewart_real (*to)[LANES])
-{
-    int i, l;
-    for (i = 0; i < 3; ++i) {
-        for (l = 0; l < LANES; ++l) {
-            to[i][l] = REAL(0);
-        }
-    }
-}
 
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
-{
-    stewart_real padded[9 * LANES];
-@LOADS@
-}
-
-static void forces_of_block(const stewart_@NAME@_model *model, const motion_lanes *in, block *out)
-{
-    shared_lanes shared;
-    <A:leg_block first, other;:A>
-    int i, l;
-    for (l = 0; l < LANES; ++l) {
-        out->bad[l] = REAL(0);
-    }
-    shared_of_block(model, in, &shared, out->column[6]);
-    for (i = 0; i < 6; ++i) {
-        leg_of_block(
-            model, i, in, &shared, out->column[i],
-            <A:i == 0 ? &first : &other, :A><O:out->column[6], :O><D:out->D[i], :D>out->bad);
-        <A:if (i == 0) {:A>
-        <A:    moments_of_first(&first, out->column[6]);:A>
-        <A:} else {:A>
-        <A:    moments_of_block(&other, first.q, out->column[i], out->column[6]);:A>
-        <A:}:A>
-    }
-    <S:if (@IS_SCALED@) {:S>
-    <S:    scale_block(out, @PER_LENGTH@);:S>
-    <S:}:S>
-    <Z:scale_block(out, @PER_LENGTH@);:Z>
-    solve_block(out->column, <D:out->D, :D>out->F, out->bad);
-}
-
-/* Forces and status of one pose of a batch. */
-static int forces_of(
-    <M:const stewart_@NAME@_model *model, :M>const stewart_motions *motions, size_t pose, stewart_real *F)
-{
-    stewart_motion one;
-    int i;
-    for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose * 9U + (size_t)i];
-    }
-    for (i = 0; i < 3; ++i) {
-        const size_t at = pose * 3U + (size_t)i;
-@ONE@
-    }
-    return stewart_@NAME@_forces(<M:model, :M>&one, F);
-}
-
-int stewart_@NAME@_forces_batch(
-    <M:const stewart_@NAME@_model *model, :M>size_t count, const stewart_motions *motions, stewart_real *F,
-    int *status)
-{
-    <B:const stewart_@NAME@_model *const model = &numbers;:B>
-    motion_lanes in;
-    block done;
-    size_t first;
-    int result = STEWART_OK;
-    int i, l;
-@MISSING@
-        return STEWART_BAD_ARGUMENT;
-    }
-    for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &in);
-        forces_of_block(model, &in, &done);
-        for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
-            const size_t pose = first + (size_t)l;
-            int code = STEWART_OK;
-            if (done.bad[l] > REAL(0)) {
-                code = forces_of(<M:model, :M>motions, pose, &F[pose * 6U]);
-            } else {
-                for (i = 0; i < 6; ++i) {
-                    F[pose * 6U + (size_t)i] = done.F[i][l];
-                }
-            }
-            if (status != NULL) {
-                status[pose] = code;
-            }
-            result = result == STEWART_OK ? code : result;
-        }
-    }
-    return result;
-}
-"""
+def _copied(q: Quantity) -> Statement:
+    """One component of one pose of a batch."""
+    pointer = of("motions", q.name)
+    value: Expression = at(pointer, "at")
+    if q in LOADS:
+        value = Select(Compare("!=", pointer, Constant("NULL")), value, Number(0.0))
+    return Assign(at(of("one", q.name), "i"), value)

@@ -3,16 +3,14 @@
 from math import sqrt
 
 from ..emit.lane_scale import LARGEST, SMALLEST
+from .interface import STATUS as OF_INTERFACE
 
-STATUS = {
-    "OK": (0, "fine"),
-    "NOT_FINITE": (1, "a number of the robot, the motion or the result is not finite"),
-    "SHORT_LEG": (2, "a leg is too short beside the vectors that it is the sum of"),
-    "POLE": (3, "a leg lies along the fixed axis of its universal joint"),
-    "SINGULAR": (4, "H is singular to rounding"),
-    "INDEFINITE": (6, "the inertia is not positive definite"),
-}
-"""Code and meaning by name, as in ``stewart.h``."""
+STATUS = {name: (code, meaning) for name, code, meaning in OF_INTERFACE if name != "BAD_ARGUMENT"}
+"""Code and meaning by name, of what kernels without pointers and searches return."""
+
+LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
+INTEGERS = STATUS | LIMITS
+"""Whole numbers that written functions may use."""
 
 PRECISIONS = {
     "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),
@@ -41,5 +39,5 @@ def constants(precision: str) -> dict[str, float]:
     }
 
 
-NAMES = ("NAN", *constants("double"))
+NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))
 """Names of the constants that written functions may use."""

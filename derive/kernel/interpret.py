@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from .constants import STATUS
+from .constants import INTEGERS
 from .nodes import (
     Array,
     Assign,
     Binary,
     Both,
+    Break,
     Call,
     Comment,
     Compare,
@@ -27,6 +28,7 @@ from .nodes import (
     Member,
     Name,
     Negative,
+    Not,
     Number,
     Program,
     Record,
@@ -55,6 +57,10 @@ class Arithmetic:
     anywhere: Callable[[Any], bool] = bool
     both: Callable[[Any, Any], Any] = operator.and_
     either: Callable[[Any, Any], Any] = operator.or_
+
+
+class _Left(Exception):  # noqa: N818
+    """A loop has ended early."""
 
 
 class _Finished(Exception):  # noqa: N818
@@ -124,13 +130,15 @@ class Interpreter:
                     self._store(target, self._kept(each, self._value(value, known), known), known)
                 case For():
                     self._loop(each, known)
-                case If(test, inner):
-                    if self.arithmetic.anywhere(self._value(test, known)):
-                        self._run(inner, known)
+                case If(test, inner, otherwise):
+                    holds = self.arithmetic.anywhere(self._value(test, known))
+                    self._run(inner if holds else otherwise, known)
                 case Do(call):
                     self._value(call, known)
                 case Return(value):
-                    raise _Finished(self._value(value, known))
+                    raise _Finished(None if value is None else self._value(value, known))
+                case Break():
+                    raise _Left
                 case Comment():
                     pass
 
@@ -142,7 +150,10 @@ class Interpreter:
         first, last = self._value(loop.first, known), self._value(loop.last, known)
         for index in range(first, last, -1 if loop.down else 1):
             known[loop.index] = index
-            self._run(loop.body, known)
+            try:
+                self._run(loop.body, known)
+            except _Left:
+                return
 
     def _store(self, target: Expression, value: Any, known: dict[str, Any]) -> None:
         match target:
@@ -150,11 +161,8 @@ class Interpreter:
                 known[name] = value
             case Member(owner, name):
                 setattr(self._value(owner, known), name, value)
-            case Element(array, (*before, last)):
-                found = self._value(array, known)
-                for index in before:
-                    found = found[self._value(index, known)]
-                found[self._value(last, known)] = value
+            case Element(array, index):
+                self._put(self._value(array, known), [self._value(each, known) for each in index], value)
 
     def _value(self, value: Expression, known: dict[str, Any]) -> Any:
         of = self._value
@@ -162,16 +170,15 @@ class Interpreter:
             case Number(number):
                 return number if isinstance(number, int) else self.arithmetic.number(number)
             case Constant(name):
-                return STATUS[name][0] if name in STATUS else self.arithmetic.constants[name]
+                return INTEGERS[name][0] if name in INTEGERS else self.arithmetic.constants[name]
             case Name(name):
                 return known[name]
             case Member(owner, name):
                 return getattr(of(owner, known), name)
             case Element(array, index):
-                found = of(array, known)
-                for each in index:
-                    found = found[of(each, known)]
-                return found
+                return self._at(of(array, known), [of(each, known) for each in index])
+            case Not(inner):
+                return self.arithmetic.where(of(inner, known), False, True)
             case Negative(inner):
                 return -of(inner, known)
             case Binary(operator, left, right):
@@ -188,6 +195,28 @@ class Interpreter:
                 found = [of(each, known) for each in arguments]
                 built_in = getattr(self.arithmetic, name, None)
                 return self.run(name, *found) if built_in is None else built_in(*found)
+
+    def _at(self, array: Any, index: list[Any]) -> Any:
+        """An element; where poses side by side differ in it, a selection."""
+        if not index:
+            return array
+        first, *others = index
+        if isinstance(first, int):
+            return self._at(array[first], others)
+        found, *more = (self._at(each, others) for each in array)
+        for i, each in enumerate(more, 1):
+            found = self._select(first == i, each, found)
+        return found
+
+    def _put(self, array: Any, index: list[Any], value: Any) -> None:
+        first, *others = index
+        if others and isinstance(first, int):
+            self._put(array[first], others, value)
+        elif isinstance(first, int):
+            array[first] = value
+        else:
+            for i, each in enumerate(array):
+                self._put(array, [i, *others], self._select(first == i, value, self._at(each, others)))
 
     def _select(self, test: Any, yes: Any, no: Any) -> Any:
         if isinstance(yes, SimpleNamespace):

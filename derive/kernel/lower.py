@@ -1,8 +1,7 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import reduce
-from math import prod
 
 import sympy as sp
 
@@ -17,7 +16,9 @@ from .nodes import (
     Element,
     Expression,
     Field,
+    For,
     Function,
+    Integer,
     Let,
     Member,
     Name,
@@ -33,6 +34,9 @@ from .nodes import (
 )
 
 OUT = "out"
+
+Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
+"""Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 
 def expression(expr: sp.Expr) -> Expression:
@@ -114,33 +118,56 @@ def component(owner: Expression, quantity: Quantity, index: int) -> Expression:
     return Element(member, (Number(index),)) if quantity.shape else member
 
 
-def elements(owner: Expression, kind: Structure) -> list[Expression]:
-    """Every number of a structure, in the order in which they are stored."""
-    found: list[Expression] = []
+Place = Callable[[Expression], Expression]
+"""From a structure to one of its numbers."""
+
+
+def each_number(kind: Structure, statement: Callable[[Place], Statement]) -> list[Statement]:
+    """A statement for each real number of a structure, in loops over arrays."""
+    found = []
     for field in kind.members:
-        member = Member(owner, field.name)
-        if isinstance(field.type, Array):
-            found += [Element(member, (Number(i),)) for i in range(prod(field.type.dims))]
-        else:
-            found.append(member)
+        if field.type == Integer():
+            continue
+        dims = field.type.dims if isinstance(field.type, Array) else ()
+        body = statement(_place(field.name, len(dims)))
+        for index, count in reversed(list(zip(_INDICES, dims, strict=False))):
+            body = For(index, Number(0), Number(count), (body,))
+        found.append(body)
     return found
 
 
-def block_function(
-    block: Block, name: str, result: str, arguments: Mapping[str, tuple[str, Iterable[Quantity]]]
-) -> Function:
+_INDICES = "ij"
+
+
+def _place(member: str, count: int) -> Place:
+    def place(owner: Expression) -> Expression:
+        found = Member(owner, member)
+        return Element(found, tuple(map(Name, _INDICES[:count]))) if count else found
+
+    return place
+
+
+def block_function(block: Block, name: str, result: str, arguments: Arguments) -> Function:
     """A block as a function that returns a structure of its outputs.
 
     result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
-    name of the argument; without a structure's name the argument is a number.
+    name of the argument; without a structure's name the argument is a number, or an array of all components.
     """
     owners = {q: argument for argument, (_, held) in arguments.items() for q in held}
     used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    kinds = {name: _argument_type(kind, held) for name, (kind, held) in arguments.items()}
     loads = [
         Let(part, component(Name(owners[q]), q, i))
         for q in block.inputs
         if arguments[owners[q]][0]
         for i, part in enumerate(q.names)
+        if part in used
+    ]
+    loads += [
+        Let(part, Element(Name(argument), (Number(i),)))
+        for argument, (_, held) in arguments.items()
+        if isinstance(kinds[argument], Array)
+        for i, part in enumerate(part for q in held for part in q.names)
         if part in used
     ]
     out = Name(OUT)
@@ -152,13 +179,19 @@ def block_function(
     return Function(
         name,
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
-        tuple(Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()),
+        tuple(Argument(name, kind) for name, kind in kinds.items()),
         Record(result),
-        (*loads, *_steps(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
+        (*loads, *steps_of(block.steps), Variable(OUT, Record(result), blank=True), *stores, Return(out)),
     )
 
 
-def _steps(steps: Iterable[Step]) -> list[Statement]:
+def _argument_type(kind: str, held: tuple[Quantity, ...]) -> Type:
+    if kind:
+        return Record(kind)
+    return Array(Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else Real()
+
+
+def steps_of(steps: Iterable[Step]) -> list[Statement]:
     """Each step, with its equation and meaning before the first of a run that shares them."""
     found: list[Statement] = []
     before = None

@@ -5,7 +5,8 @@ pass through it an interpreter's; neither changes the order of an operation.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
 
 # ---------------------------------------------------------------- types
 
@@ -21,6 +22,11 @@ class Integer:
 
 
 @dataclass(frozen=True)
+class Count:
+    """How many, or which of many: never negative, and as large as the machine's memory."""
+
+
+@dataclass(frozen=True)
 class Truth:
     """The result of a comparison."""
 
@@ -29,8 +35,15 @@ class Truth:
 class Array:
     """``dims`` of ``item``, row-major."""
 
-    item: "Real | Integer | Record"
+    item: "Real | Integer | Record | Pointer"
     dims: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Pointer:
+    """The first of a number of ``item`` that the type does not say; may be ``NULL``."""
+
+    item: "Real | Integer | Record | Pointer"
 
 
 @dataclass(frozen=True)
@@ -40,7 +53,7 @@ class Record:
     name: str
 
 
-Type = Real | Integer | Truth | Array | Record
+Type = Real | Integer | Count | Truth | Array | Pointer | Record
 
 
 # ---------------------------------------------------------------- expressions
@@ -81,6 +94,29 @@ class Element:
 
     array: "Expression"
     index: tuple["Expression", ...]
+
+
+@dataclass(frozen=True)
+class From:
+    """The part of an array that begins with one element."""
+
+    array: "Expression"
+    index: "Expression"
+
+
+@dataclass(frozen=True)
+class As:
+    """A number as another kind of number."""
+
+    type: Type
+    value: "Expression"
+
+
+@dataclass(frozen=True)
+class Not:
+    """True where ``value`` does not hold."""
+
+    value: "Expression"
 
 
 @dataclass(frozen=True)
@@ -142,8 +178,39 @@ class Call:
 
 
 Expression = (
-    Number | Constant | Name | Member | Element | Negative | Binary | Compare | Both | Either | Select | Call
+    Number
+    | Constant
+    | Name
+    | Member
+    | Element
+    | From
+    | As
+    | Not
+    | Negative
+    | Binary
+    | Compare
+    | Both
+    | Either
+    | Select
+    | Call
 )
+
+
+def at(array: "Expression | str", *index: "Expression | int | str") -> Element:
+    """An element; of a variable by its name, at constant indices or at variables by their names."""
+    found = (Number(i) if isinstance(i, int) else named(i) for i in index)
+    return Element(named(array), tuple(found))
+
+
+def of(owner: "Expression | str", name: str) -> Member:
+    """A member of a structure, or of a variable by its name."""
+    return Member(named(owner), name)
+
+
+def named(value: "Expression | str") -> "Expression":
+    """A variable by its name."""
+    return Name(value) if isinstance(value, str) else value
+
 
 BUILT_IN: dict[str, Type] = {"sqrt": Real(), "size": Real(), "larger": Real(), "anywhere": Truth()}
 """Functions that every language has: square root, absolute value, the larger of two, and whether a test
@@ -155,19 +222,24 @@ holds for any of the poses side by side."""
 
 @dataclass(frozen=True)
 class Let:
-    """A constant."""
+    """A constant; ``type`` of its value."""
 
     name: str
     value: Expression
+    type: Type = Real()
 
 
 @dataclass(frozen=True)
 class Variable:
-    """A variable and its first value; of arrays and structures every number is zero."""
+    """A variable and its first value; of arrays and structures every number is zero.
+
+    blank: without a first value, as it is assigned to before it is read.
+    """
 
     name: str
     type: Type
     value: Expression | None = None
+    blank: bool = False
 
 
 @dataclass(frozen=True)
@@ -180,21 +252,41 @@ class Assign:
 
 @dataclass(frozen=True)
 class For:
-    """``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1."""
+    """``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1.
+
+    type: of the index; step: from one index to the next.
+    """
 
     index: str
     first: Expression
     last: Expression
     body: tuple["Statement", ...]
     down: bool = False
+    type: Integer | Count = Integer()
+    step: Expression = Number(1)
+
+
+@dataclass(frozen=True)
+class Break:
+    """Ends the loop."""
 
 
 @dataclass(frozen=True)
 class If:
-    """``body`` where ``test`` holds."""
+    """``body`` where ``test`` holds, else ``otherwise``."""
 
     test: Expression
     body: tuple["Statement", ...]
+    otherwise: tuple["Statement", ...] = ()
+
+
+@dataclass(frozen=True)
+class Switch:
+    """``body`` where a macro is defined when the program is compiled, else ``otherwise``."""
+
+    macro: str
+    body: tuple["Statement", ...]
+    otherwise: tuple["Statement", ...] = ()
 
 
 @dataclass(frozen=True)
@@ -213,12 +305,12 @@ class Comment:
 
 @dataclass(frozen=True)
 class Return:
-    """The function's result."""
+    """The function's result; None: it has none, and ends here."""
 
-    value: Expression
+    value: Expression | None
 
 
-Statement = Let | Variable | Assign | For | If | Do | Comment | Return
+Statement = Let | Variable | Assign | For | Break | If | Switch | Do | Comment | Return
 
 
 # ---------------------------------------------------------------- functions and programs
@@ -244,16 +336,23 @@ class Structure:
 
 @dataclass(frozen=True)
 class Argument:
-    """An argument of a function; ``changed``: the function writes to it."""
+    """An argument of a function; ``changed``: the function writes to it.
+
+    alone: no other argument overlaps it.
+    """
 
     name: str
     type: Type
     changed: bool = False
+    alone: bool = False
 
 
 @dataclass(frozen=True)
 class Function:
-    """A function; ``public``: part of the program's interface. result: None where it changes an argument."""
+    """A function; ``public``: part of the program's interface. result: None where it changes an argument.
+
+    apart: never merged into the functions that call it.
+    """
 
     name: str
     meaning: str
@@ -261,6 +360,17 @@ class Function:
     result: Type | None
     body: tuple[Statement, ...]
     public: bool = False
+    apart: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """A constant structure, or as many as there are rows: the numbers of its members, one after the other."""
+
+    name: str
+    structure: Structure
+    rows: tuple[tuple[float, ...], ...]
+    meaning: str = ""
 
 
 @dataclass(frozen=True)
@@ -281,8 +391,31 @@ class Program:
 
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
-    """Every statement of a body, those of loops and conditions as well."""
+    """Every statement of a body, those of loops, conditions and switches as well."""
     for each in body:
         yield each
-        if isinstance(each, For | If):
+        if isinstance(each, For | If | Switch):
             yield from statements(each.body)
+        if isinstance(each, If | Switch):
+            yield from statements(each.otherwise)
+
+
+def names_in(node: Any) -> Iterator[Name]:
+    """Names that a node reads or writes, those of its parts as well."""
+    return (each for each in parts_of(node) if isinstance(each, Name))
+
+
+def calls_in(node: Any) -> Iterator[Call]:
+    """Calls in a node and its parts."""
+    return (each for each in parts_of(node) if isinstance(each, Call))
+
+
+def parts_of(node: Any) -> Iterator[Any]:
+    """A node and its parts, their parts as well."""
+    if isinstance(node, tuple):
+        for each in node:
+            yield from parts_of(each)
+    elif is_dataclass(node):
+        yield node
+        for field in fields(node):
+            yield from parts_of(getattr(node, field.name))

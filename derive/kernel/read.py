@@ -1,33 +1,51 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if`` without ``else``, ``return``,
-``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``else``, ``break``,
+``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
+selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
+the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
+``"Real"``.
+
+For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
+``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
+value, and ``alone(...)`` around the type of an argument that no other one overlaps.
+
+What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
+``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
+name that stands alone in a line stands for statements that are given, a string for a comment. An argument
+that is given as ``False`` is left out, in calls as well.
 """
 
 import ast
 import inspect
 import textwrap
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import reduce
+from types import MappingProxyType
+from typing import Any, cast
 
-from .constants import NAMES, STATUS
+from .constants import INTEGERS, NAMES
 from .nodes import (
     BUILT_IN,
     Argument,
     Array,
+    As,
     Assign,
     Binary,
     Both,
+    Break,
     Call,
+    Comment,
     Compare,
     Constant,
+    Count,
     Do,
     Either,
     Element,
     Expression,
     For,
+    From,
     Function,
     If,
     Integer,
@@ -35,7 +53,9 @@ from .nodes import (
     Member,
     Name,
     Negative,
+    Not,
     Number,
+    Pointer,
     Real,
     Record,
     Return,
@@ -45,10 +65,20 @@ from .nodes import (
     Truth,
     Type,
     Variable,
+    calls_in,
+    statements,
 )
+
+Names = Mapping[str, str | int]
+"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
 
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
+_COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
+
+LANES = 8
+Given = int | Expression | tuple[Statement, ...]
+"""A constant, or an expression or statements that are read where their name stands."""
 
 
 def function(
@@ -57,47 +87,118 @@ def function(
     functions: Mapping[str, Function],
     name: str = "",
     public: bool = False,
+    given: Mapping[str, Given] | None = None,
+    names: Names = MappingProxyType({}),
 ) -> Function:
     """A Python function as a tree.
 
-    structures, functions: those it may name, by name. name: of the tree, if another. Raises ValueError for
-    what is not allowed.
+    structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
+    statements by the names that stand for them. names: what other names of the text stand for. Raises
+    ValueError for what is not allowed.
     """
+    tree = _parsed(written, names)
+    return _Reader(structures, functions, tree, given or {}).function(name or tree.name, public)
+
+
+def used(written: Callable[..., Any], names: Names = MappingProxyType({})) -> list[str]:
+    """Names of the structures and functions that a text uses, in its order."""
+    tree = _parsed(written, names)
+    typed = [each.annotation for each in tree.args.args] + [tree.returns]
+    quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    called = [_called(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    return list(dict.fromkeys([*quoted, *called]))
+
+
+def _parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
     tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
     assert isinstance(tree, ast.FunctionDef)
-    return _Reader(structures, functions, tree).function(name or tree.name, public)
+    for each in tree.args.args:
+        each.annotation = _quoted(each.annotation, names)
+    tree.returns = _quoted(tree.returns, names)
+    made = _Renamed(names).visit(tree)
+    assert isinstance(made, ast.FunctionDef)
+    return made
+
+
+def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        made = _Renamed(names).visit(ast.parse(node.value, mode="eval").body)
+        return ast.Constant(ast.unparse(made))
+    return node
+
+
+class _Renamed(ast.NodeTransformer):
+    """Puts what names stand for in their place and at the end of others: ``solve_WIDTH`` is ``solve_24``."""
+
+    def __init__(self, names: Names) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """A name or a number in its place."""
+        if isinstance(value := self.names.get(node.id), int):
+            return ast.Constant(value)
+        name = node.id if value is None else value
+        for key, number in self.names.items():
+            if isinstance(number, int) and name.endswith(f"_{key}"):
+                name = f"{name.removesuffix(key)}{number}"
+        return ast.Name(name, node.ctx)
 
 
 class _Reader:
     def __init__(
-        self, structures: Mapping[str, Structure], functions: Mapping[str, Function], tree: ast.FunctionDef
+        self,
+        structures: Mapping[str, Structure],
+        functions: Mapping[str, Function],
+        tree: ast.FunctionDef,
+        given: Mapping[str, Given],
     ) -> None:
-        self.structures, self.functions, self.tree = structures, functions, tree
+        self.structures, self.functions, self.tree, self.given = structures, functions, tree, dict(given)
         self.types: dict[str, Type] = {}
         self.whole: ast.expr | None = None
-        self.changed = _changed(tree, functions)
 
     def function(self, name: str, public: bool) -> Function:
         tree = self.tree
-        arguments = tuple(
-            Argument(each.arg, self.annotated(each.annotation), each.arg in self.changed)
-            for each in tree.args.args
-        )
-        self.types = {each.name: each.type for each in arguments}
-        body = self.body(tree.body[1:])
+        typed = [(each.arg, *self.argument(each.annotation)) for each in tree.args.args]
+        typed = [each for each in typed if self.given.get(each[0]) is not False]
+        self.types = {name: kind for name, kind, _ in typed}
+        read = self.body(tree.body[1:])
+        changed = _changed(read, self.functions)
+        arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
         result = None if _is_none(tree.returns) else self.annotated(tree.returns)
-        meaning = " ".join((ast.get_docstring(tree) or "").split())
-        return Function(name, meaning, arguments, result, body, public)
+        paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
+        meaning = "\n\n".join(" ".join(each.split()) for each in paragraphs)
+        return Function(name, meaning, arguments, result, _with_variables(read, changed), public)
+
+    def argument(self, node: ast.expr | None) -> tuple[Type, bool]:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            node = ast.parse(node.value, mode="eval").body
+        if node is not None and _called(node) == "alone":
+            assert isinstance(node, ast.Call)
+            return self.annotated(node.args[0]), True
+        return self.annotated(node), False
 
     def annotated(self, node: ast.expr | None) -> Type:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             node = ast.parse(node.value, mode="eval").body
         if isinstance(node, ast.Name):
-            plain: dict[str, Type] = {"Real": Real(), "Integer": Integer()}
-            return plain.get(node.id, Record(node.id))
-        if isinstance(node, ast.Call):
-            return Array(Real(), tuple(_whole(arg) for arg in node.args))
-        raise self.error(node, "a structure's name, array(...), Real or Integer")
+            plain: dict[str, Type] = {"Real": Real(), "Integer": Integer(), "Count": Count()}
+            named = self.structures.get(node.id)
+            return plain.get(node.id, Record(named.name if named else node.id))
+        if isinstance(node, ast.Call) and _called(node) == "Pointer":
+            item = self.annotated(node.args[0])
+            assert isinstance(item, Real | Integer | Record)
+            return Pointer(item)
+        if isinstance(node, ast.Call) and _called(node) == "array":
+            return Array(Real(), tuple(self.dimension(arg) for arg in node.args))
+        if isinstance(node, ast.Call) and _called(node) == "pointers":
+            return Array(Pointer(Real()), tuple(self.dimension(arg) for arg in node.args))
+        raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
+
+    def dimension(self, node: ast.expr) -> int:
+        found = LANES if isinstance(node, ast.Name) and node.id == "LANES" else self.settled(node)
+        if not isinstance(found, int):
+            raise self.error(node, "a whole number")
+        return found
 
     def error(self, node: ast.AST | None, expected: str) -> ValueError:
         got = "nothing" if node is None else ast.unparse(node)
@@ -106,7 +207,48 @@ class _Reader:
     # ------------------------------------------------------------ statements
 
     def body(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
-        return tuple(self.statement(node) for node in nodes)
+        return tuple(found for node in nodes for found in self.statements(node))
+
+    def inner(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+        """A body whose names end with it."""
+        outside = dict(self.types)
+        found = self.body(nodes)
+        self.types = outside
+        return found
+
+    def statements(self, node: ast.stmt) -> Iterable[Statement]:
+        """A statement, or what is left of it where it is settled already."""
+        match node:
+            case ast.If() if (holds := self.settled(node.test)) is not None:
+                return self.body(node.body if holds else node.orelse)
+            case ast.For(target=ast.Name(id=index)) if _called(node.iter) == "each":
+                return self.repeated(node, index)
+            case ast.Expr(value=ast.Name(id=name)) if isinstance(self.given.get(name), tuple):
+                return cast("tuple[Statement, ...]", self.given[name])
+            case ast.Expr(value=ast.Constant(value=str(text))):
+                return [Comment(text)]
+        return [self.statement(node)]
+
+    def repeated(self, node: ast.For, index: str) -> list[Statement]:
+        assert isinstance(node.iter, ast.Call)
+        found: list[Statement] = []
+        for i in range(*(self.dimension(arg) for arg in node.iter.args)):
+            self.given[index] = i
+            found += self.body(node.body)
+        return found
+
+    def settled(self, node: ast.expr) -> int | None:
+        """A value that is known now, None where it is not."""
+        names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+        kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
+        parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
+        known = {name for name in names if isinstance(self.given.get(name), int)}
+        if known != names or any(self.given[name] is False for name in names):
+            return None
+        if not all(isinstance(each, kinds) for each in parts):
+            return None
+        value = eval(ast.unparse(node), {"__builtins__": {}}, dict(self.given))
+        return value if isinstance(value, int) else None
 
     def statement(self, node: ast.stmt) -> Statement:
         self.whole = getattr(node, "value", None)
@@ -114,36 +256,46 @@ class _Reader:
             return self.assigned(node.targets[0], node.value)
         if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
             return self.loop(node, node.target.id)
-        if isinstance(node, ast.If) and not node.orelse:
-            return If(self.expression(node.test), self.body(node.body))
-        if isinstance(node, ast.Return) and node.value is not None:
-            return Return(self.expression(node.value))
+        if isinstance(node, ast.If):
+            return If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
+        if isinstance(node, ast.Break):
+            return Break()
+        if isinstance(node, ast.Return):
+            return Return(None if node.value is None else self.expression(node.value))
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
             call = self.expression(node.value)
             assert isinstance(call, Call)
             return Do(call)
         raise self.error(node, "a statement that every language has")
 
-    def assigned(self, target: ast.expr, value: ast.expr) -> Statement:
-        if not isinstance(target, ast.Name):
-            return Assign(self.expression(target), self.expression(value))
-        name = target.id
-        made = self.zeros(value)
+    def assigned(self, to: ast.expr, value: ast.expr) -> Statement:
+        target = self.expression(to)
+        if not isinstance(target, Name):
+            return Assign(target, self.expression(value))
+        name = target.name
+        made = self.made(name, value)
         if made is not None:
-            self.types[name] = made
-            return Variable(name, made)
+            self.types[name] = made.type
+            return made
         found = self.expression(value)
-        if name in self.types and name in self.changed:
-            return Assign(Name(name), found)
+        if name in self.types:
+            return Assign(target, found)
         self.types[name] = self.type(found)
-        return Variable(name, self.types[name], found) if name in self.changed else Let(name, found)
+        return Let(name, found, self.types[name])
 
-    def zeros(self, node: ast.expr) -> Type | None:
+    def made(self, name: str, node: ast.expr) -> Variable | Let | None:
+        """A variable of zeros, a blank one, or the address of a table."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
+        if node.func.id == "address":
+            return Let(name, Name(_base(node.args[0])), Pointer(Record(self.structures["Model"].name)))
+        if node.func.id == "blank":
+            return Variable(name, self.annotated(node.args[0]), blank=True)
         if node.func.id == "array":
-            return Array(Real(), tuple(_whole(arg) for arg in node.args))
-        return Record(node.func.id) if node.func.id in self.structures else None
+            return Variable(name, self.annotated(node))
+        if node.func.id in self.structures:
+            return Variable(name, Record(self.structures[node.func.id].name))
+        return None
 
     def loop(self, node: ast.For, index: str) -> For:
         call = node.iter
@@ -151,39 +303,69 @@ class _Reader:
         if down:
             assert isinstance(call, ast.Call)
             call = call.args[0]
-        if not isinstance(call, ast.Call) or _called(call) != "range" or len(call.args) > 2:
+        if not isinstance(call, ast.Call) or _called(call) != "range":
             raise self.error(node.iter, "range(...) or reversed(range(...))")
-        self.types[index] = Integer()
-        ends = [self.expression(arg) for arg in call.args]
+        ends = [self.expression(arg) for arg in call.args[:2]]
         first, last = (Number(0), *ends)[-2:]
+        kind = Count() if self.type(last) == Count() else Integer()
+        self.types[index] = kind
         if down:
             first, last = _less_one(last), _less_one(first)
-        return For(index, first, last, self.body(node.body), down)
+        step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
+        step = As(Count(), step) if kind == Count() and step != Number(1) else step
+        return For(index, first, last, self.inner(node.body), down, kind, step)
 
     # ------------------------------------------------------------ expressions
 
     def expression(self, node: ast.expr) -> Expression:
+        settled = self.settled(node)
+        if settled is not None:
+            return Number(int(settled))
         match node:
-            case ast.Constant(value=bool()):
-                raise self.error(node, "a number")
-            case ast.Constant(value=int() | float() as number):
+            case ast.Constant(value=float() as number):
                 return Number(number)
+            case ast.Constant(value=None):
+                return Constant("NULL")
             case ast.Name(id=name):
-                return Constant(name) if name in (*STATUS, *NAMES) else Name(name)
+                found = self.given.get(name)
+                if isinstance(found, Expression):
+                    return found
+                return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
+            case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
+                return Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
+            case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
+                return From(self.expression(node.value), self.expression(lower))
             case ast.Subscript():
                 return self.element(node)
             case ast.UnaryOp(op=ast.USub()):
                 return Negative(self.expression(node.operand))
+            case ast.UnaryOp(op=ast.Not()):
+                return Not(self.expression(node.operand))
+            case ast.BoolOp():
+                joined = Both if isinstance(node.op, ast.And) else Either
+                return reduce(joined, map(self.expression, node.values))
             case ast.BinOp():
                 return self.binary(node)
             case ast.Compare() if len(node.ops) == 1:
                 operator = _COMPARISONS[type(node.ops[0])]
-                return Compare(operator, self.expression(node.left), self.expression(node.comparators[0]))
+                return Compare(operator, *self.alike(node.left, node.comparators[0]))
+            case ast.IfExp() if (holds := self.settled(node.test)) is not None:
+                return self.expression(node.body if holds else node.orelse)
             case ast.Call():
                 return self.call(node)
         raise self.error(node, "an expression that every language has")
+
+    def alike(self, *nodes: ast.expr) -> tuple[Expression, ...]:
+        """Operands; where one is a count, so are all."""
+        found = tuple(map(self.expression, nodes))
+        kinds = [self.type(each) for each in found]
+        if Count() not in kinds:
+            return found
+        return tuple(
+            As(Count(), each) if kind == Integer() else each for each, kind in zip(found, kinds, strict=True)
+        )
 
     def element(self, node: ast.Subscript) -> Element:
         index = self.expression(node.slice)
@@ -193,7 +375,7 @@ class _Reader:
         return Element(owner, (index,))
 
     def binary(self, node: ast.BinOp) -> Expression:
-        left, right = self.expression(node.left), self.expression(node.right)
+        left, right = self.alike(node.left, node.right)
         if isinstance(node.op, ast.BitAnd):
             return Both(left, right)
         if isinstance(node.op, ast.BitOr):
@@ -204,37 +386,51 @@ class _Reader:
 
     def call(self, node: ast.Call) -> Expression:
         name = _called(node)
-        arguments = tuple(self.expression(arg) for arg in node.args)
+        arguments = tuple(
+            self.expression(arg)
+            for arg in node.args
+            if self.given.get(_base(arg)) is not False or _base(arg) in self.types
+        )
         if name == "where":
             return Select(*arguments)
+        if name == "numbers_of":
+            return As(Pointer(Real()), *arguments)
         if name not in BUILT_IN and name not in self.functions:
             raise self.error(node, "a function of the program")
         changes = name in self.functions and any(each.changed for each in self.functions[name].arguments)
         if changes and node is not self.whole:
             raise self.error(node, "a statement of its own for a call that changes an argument")
-        return Call(name, arguments)
+        return Call(self.functions[name].name if name in self.functions else name, arguments)
 
     def type(self, value: Expression) -> Type:
         match value:
             case Number(number):
                 return Real() if isinstance(number, float) else Integer()
             case Constant(name):
-                return Integer() if name in STATUS else Real()
+                return Integer() if name in INTEGERS else Real()
             case Name(name):
-                return self.types[name]
+                return self.types.get(name, Real())
             case Member(owner, name):
-                record = self.type(owner)
-                assert isinstance(record, Record)
-                return next(f.type for f in self.structures[record.name].members if f.name == name)
-            case Element(array):
+                return self.member(self.type(owner), name)
+            case Element(array, index):
                 found = self.type(array)
-                assert isinstance(found, Array)
-                return found.item
+                assert isinstance(found, Array | Pointer)
+                dims = found.dims if isinstance(found, Array) else (0,)
+                if len(index) > len(dims) and isinstance(found.item, Pointer):
+                    return found.item.item
+                return Array(found.item, dims[len(index) :]) if len(index) < len(dims) else found.item
+            case From(array):
+                found = self.type(array)
+                assert isinstance(found, Array | Pointer)
+                return Pointer(found.item)
+            case As(kind):
+                return kind
             case Negative(inner):
                 return self.type(inner)
             case Binary(_, left, right):
-                return Real() if Real() in (self.type(left), self.type(right)) else Integer()
-            case Compare() | Both() | Either():
+                kinds = (self.type(left), self.type(right))
+                return Real() if Real() in kinds else kinds[0]
+            case Compare() | Both() | Either() | Not():
                 return Truth()
             case Select(_, yes):
                 return self.type(yes)
@@ -244,29 +440,55 @@ class _Reader:
                 return result
         raise AssertionError(value)
 
+    def member(self, owner: Type, name: str) -> Type:
+        """The type of a structure's member."""
+        record = owner.item if isinstance(owner, Pointer) else owner
+        assert isinstance(record, Record)
+        named = next(each for each in self.structures.values() if each.name == record.name)
+        return next(each.type for each in named.members if each.name == name)
 
-def _changed(tree: ast.FunctionDef, functions: Mapping[str, Function]) -> set[str]:
-    """Names that are assigned to more than once, in part, or by a function that changes them."""
-    seen: set[str] = set()
+
+def _changed(body: tuple[Statement, ...], functions: Mapping[str, Function]) -> set[str]:
+    """Names that are assigned to after their first value, in part, or by a function that changes them."""
     found: set[str] = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Assign):
-            target = node.targets[0]
-            name = _root(target)
-            if not isinstance(target, ast.Name) or name in seen:
-                found.add(name)
-            seen.add(name)
-        if isinstance(node, ast.Call) and _called(node) in functions:
-            arguments = functions[_called(node)].arguments
-            found |= {_root(arg) for arg, to in zip(node.args, arguments, strict=True) if to.changed}
+    for each in statements(body):
+        if isinstance(each, Assign):
+            found.add(_root(each.target))
+        for call in calls_in(each):
+            arguments = functions[call.function].arguments if call.function in functions else ()
+            pairs = zip(call.arguments, arguments, strict=False)
+            found |= {_root(value) for value, to in pairs if to.changed}
     return found
+
+
+def _with_variables(body: tuple[Statement, ...], changed: set[str]) -> tuple[Statement, ...]:
+    """The body with variables for what was read as a constant, and is changed later."""
+    found: list[Statement] = []
+    for each in body:
+        match each:
+            case Let(name, value, kind) if name in changed:
+                found.append(Variable(name, kind, value))
+            case For():
+                found.append(replace(each, body=_with_variables(each.body, changed)))
+            case If():
+                parts = (_with_variables(part, changed) for part in (each.body, each.otherwise))
+                found.append(If(each.test, *parts))
+            case _:
+                found.append(each)
+    return tuple(found)
 
 
 def _is_none(node: ast.expr | None) -> bool:
     return node is None or (isinstance(node, ast.Constant) and node.value is None)
 
 
-def _root(node: ast.expr) -> str:
+def _root(node: Expression) -> str:
+    while isinstance(node, Member | Element | From):
+        node = node.owner if isinstance(node, Member) else node.array
+    return node.name if isinstance(node, Name) else ""
+
+
+def _base(node: ast.expr) -> str:
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
@@ -274,12 +496,6 @@ def _root(node: ast.expr) -> str:
 
 def _called(node: ast.expr) -> str:
     return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-
-
-def _whole(node: ast.expr) -> int:
-    assert isinstance(node, ast.Constant)
-    assert isinstance(node.value, int)
-    return node.value
 
 
 def _less_one(value: Expression) -> Expression:

@@ -12,11 +12,12 @@ from typing import Any
 
 import sympy as sp
 
+from .. import motion, prepared
 from .. import notation as n
-from ..block import AXES
+from ..block import AXES, Quantity
 from .constants import constants
 from .interpret import Arithmetic, Interpreter
-from .nodes import Assign, Element, Expression, Let, Member, Name, Number, Program, Variable
+from .nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 from .outputs import FORWARD
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
@@ -105,8 +106,10 @@ class Tracer(Interpreter):
 
     def _label(self, target: Expression, known: dict[str, Any]) -> list[str]:
         match target:
-            case Element(Member(_, name) as array, (Number(index),)):
-                return [name, _axes(len(self._value(array, known)), int(index))]
+            case Element(Member(_, name) as array, (index,)):
+                count, at = len(self._value(array, known)), self._value(index, known)
+                axes = count != 6 or name in _SYMMETRIC
+                return [name, _axes(count, at) if axes else str(at + 1)]
             case Element(array, index):
                 return [*self._label(array, known), "".join(str(self._value(i, known) + 1) for i in index)]
             case Member(_, name) | Name(name):
@@ -115,6 +118,12 @@ class Tracer(Interpreter):
 
 
 _LEG = "leg of the call"
+_SYMMETRIC = {
+    each.name
+    for module in (n, motion, prepared)
+    for each in vars(module).values()
+    if isinstance(each, Quantity) and each.symmetric
+}
 
 
 def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> Steps:
@@ -155,13 +164,13 @@ def trace(program: Program, function: str, model: Any) -> Trace:
     constants: dict[sp.Symbol, float] = {}
     named = _named_structure(model, constants)
     arguments = {q.name: q.value for q in n.MOTION}
-    motion = SimpleNamespace(**{q.name: list(q.symbols) for q in n.MOTION})
+    given = SimpleNamespace(**{q.name: list(q.symbols) for q in n.MOTION})
     more = []
     if function == FORWARD:
         arguments["F"] = sp.Matrix(sp.symbols("F_1:7", real=True))
         more.append(list(arguments["F"]))
     tracer = Tracer(program)
-    found = tracer.traced(function, named, motion, *more)
+    found = tracer.traced(function, named, given, *more)
     results = {name: _matrix(value) for name, value in vars(found).items() if name != "status"}
     return Trace(results, tracer.steps, constants, arguments)
 

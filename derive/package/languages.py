@@ -3,17 +3,17 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
-from string import Template
 from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
-from ..kernel.nodes import Program
+from ..kernel import outputs
+from ..kernel.constants import INTEGERS, NAMES, PRECISIONS, constants
+from ..kernel.nodes import Array, Program
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
+from .words import template
 
 Numbers = Mapping[str, Any]
 
@@ -55,22 +55,20 @@ class Contents:
 
 
 RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
-    "forces": {"F": (6,)},
-    "equations": {"M": (6, 6), "C": (6, 6), "g": (6,), "friction": (6,), "bias": (6,), "H": (6, 6)},
-    "forward_dynamics": {"a": (3,), "alpha": (3,)},
+    output: {each.name: each.type.dims for each in result.members if isinstance(each.type, Array)}
+    for output, result in outputs.RESULTS.items()
 }
 """Members of each output that are compared."""
 
-
-def template(name: str, values: Mapping[str, str]) -> str:
-    """A file of ``templates`` with each ``$word`` replaced."""
-    text = (files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8")
-    return Template(text).substitute(values)
+FORCED = ("forward_dynamics", "linearisation")
+"""Outputs that take the actuator forces."""
 
 
 def statuses(line: str) -> str:
-    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
+    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(
+        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
+    )
 
 
 def numbers_of(precision: str, line: str) -> str:
@@ -140,7 +138,7 @@ class Language(ABC):
             "version": kit.version,
             "crate": kit.symbol,
             "first": kit.outputs[0],
-            "force": self.no_force if kit.outputs[0] == "forward_dynamics" else "",
+            "force": self.no_force if kit.outputs[0] in FORCED else "",
             **more,
         }
 
@@ -215,7 +213,7 @@ class PythonKit(Language):
         }
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", F" if output == "forward_dynamics" else ""
+        F = ", F" if output in FORCED else ""
         return f"stewart_arrays.{output}(on, model, motion{F})"
 
 
@@ -270,7 +268,7 @@ class MatlabKit(Language):
         ]
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", zeros(6, 1)" if output == "forward_dynamics" else ""
+        F = ", zeros(6, 1)" if output in FORCED else ""
         return f"stewart.{output}(model, motion{F})"
 
 
@@ -331,7 +329,7 @@ class RustKit(Language):
         return "\n".join([*lines, "}", ""])
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", &[0.0; 6]" if output == "forward_dynamics" else ""
+        F = ", &[0.0; 6]" if output in FORCED else ""
         return f"{output}(&model, &motion{F})"
 
 

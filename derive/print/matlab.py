@@ -25,6 +25,7 @@ class Matlab(Printer):
 
     both, either, unequal = "&", "|", "~="
     opening, closing = "", "end"
+    alternative, negation = "else", "~"
     comment = "% {}"
     continued = " ..."
 
@@ -119,7 +120,9 @@ class Matlab(Printer):
         return self.lines(before, f"{left} = {self.text(value)};")
 
     def do(self, call: Call) -> str:
-        return f"{self._results(call, [])} = {self.call(call)}"
+        function = self.functions_by_name.get(call.function)
+        unused = ["~"] if function is not None and function.result is not None else []
+        return f"{self._results(call, unused)} = {self.call(call)}"
 
     def loop(self, node: For) -> str:
         first, last = self.text(node.first), self.text(node.last)
@@ -130,7 +133,9 @@ class Matlab(Printer):
     def condition(self, test: str) -> str:
         return f"if {test}"
 
-    def returned(self, value: Expression) -> str:
+    def returned(self, value: Expression | None) -> str:
+        if value is None:
+            return "return;"
         return (
             "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
         )

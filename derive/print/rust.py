@@ -1,11 +1,9 @@
 """Rust without its standard library: structures that are copied, functions that borrow."""
 
-from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
-
 from ..kernel.nodes import (
     Array,
     Call,
+    Count,
     For,
     Function,
     Integer,
@@ -15,14 +13,14 @@ from ..kernel.nodes import (
     Real,
     Record,
     Select,
-    Statement,
     Structure,
     Truth,
     Type,
     Variable,
+    names_in,
     statements,
 )
-from .spelling import SUM, Printer
+from .spelling import SUM, WIDTH, Printer, remark
 
 
 class Rust(Printer):
@@ -51,7 +49,7 @@ class Rust(Printer):
                 return text
             case Record(name):
                 return name
-        return {Real: "Real", Integer: "usize", Truth: "bool"}[type(kind)]
+        return {Real: "Real", Integer: "usize", Count: "usize", Truth: "bool"}[type(kind)]
 
     def zero(self, kind: Type) -> str:
         """Zeros of a type."""
@@ -63,7 +61,7 @@ class Rust(Printer):
                 return text
             case Record(name):
                 return f"{name}::ZERO"
-        return {Real: "0.0", Integer: "0", Truth: "false"}[type(kind)]
+        return {Real: "0.0", Integer: "0", Count: "0", Truth: "false"}[type(kind)]
 
     def structure(self, structure: Structure) -> list[str]:
         """A structure and its zero."""
@@ -135,7 +133,7 @@ class Rust(Printer):
 
     def loop(self, node: For) -> str:
         index = node.index
-        if not any(each.name == index for part in statements(node.body) for each in _names(part)):
+        if not any(each.name == index for part in statements(node.body) for each in names_in(part)):
             index = "_"
         if node.down:
             return f"for {index} in (0..{self.text(node.first)} + 1).rev()"
@@ -146,7 +144,7 @@ class Rust(Printer):
 
     def function(self, function: Function) -> list[str]:
         self.borrowed = frozenset(each.name for each in function.arguments if not _by_value(each.type))
-        reading = {n.name for each in statements(function.body) for n in _names(each)}
+        reading = {n.name for each in statements(function.body) for n in names_in(each)}
         arguments = ", ".join(
             f"{'' if each.name in reading else '_'}{each.name}: {self._passed(each.type, each.changed)}"
             for each in function.arguments
@@ -154,7 +152,7 @@ class Rust(Printer):
         result = "" if function.result is None else f" -> {self.type(function.result)}"
         visible = "pub " if function.public else ""
         return [
-            *self.lines("/// ", function.meaning),
+            *(f"/// {line}".rstrip() for line in remark(function.meaning, WIDTH - 4)),
             *self.lines("", f"{visible}fn {function.name}({arguments}){result} {{"),
             *self.body(function.body),
             "}",
@@ -164,19 +162,6 @@ class Rust(Printer):
         if _by_value(kind):
             return self.type(kind)
         return f"&{'mut ' if changed else ''}{self.type(kind)}"
-
-
-def _names(node: Statement) -> Iterator[Name]:
-    """Names that a statement reads or writes, those of its parts as well."""
-    values = [getattr(node, field.name) for field in fields(node)]
-    while values:
-        value = values.pop()
-        if isinstance(value, Name):
-            yield value
-        elif isinstance(value, tuple):
-            values += value
-        elif is_dataclass(value):
-            values += [getattr(value, field.name) for field in fields(value)]
 
 
 def _by_value(kind: Type) -> bool:

@@ -1,5 +1,6 @@
 """What printers of languages with infix operators share: precedence, lines, indentation."""
 
+import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
@@ -7,6 +8,7 @@ from ..kernel.nodes import (
     Assign,
     Binary,
     Both,
+    Break,
     Call,
     Comment,
     Compare,
@@ -22,6 +24,7 @@ from ..kernel.nodes import (
     Member,
     Name,
     Negative,
+    Not,
     Number,
     Program,
     Return,
@@ -43,6 +46,8 @@ class Printer(ABC):
     both, either = "&&", "||"
     unequal = "!="
     opening, closing = " {", "}"
+    alternative = "} else {"
+    negation = "!"
     comment = "/* {} */"
     select_level = SELECT
 
@@ -107,6 +112,8 @@ class Printer(ABC):
                 return f"{self.text(owner, ATOM)}.{name}", ATOM
             case Element(array, index):
                 return self.element(self.text(array, ATOM), [self.text(i) for i in index]), ATOM
+            case Not(value):
+                return f"{self.negation}{self.text(value, ATOM)}", SIGN
             case Negative(value):
                 return f"-{self.text(value, PRODUCT)}", SIGN if _level(value) > PRODUCT else SUM
             case Binary(operator, left, right):
@@ -149,11 +156,28 @@ class Printer(ABC):
                     lines += self.lines(before, self.do(call) + self.end)
                 case Return(value):
                     lines += self.lines(before, self.returned(value))
+                case Break():
+                    lines.append(f"{before}break{self.end}")
                 case For():
                     lines += self.nested(before, self.loop(node), node.body, depth)
-                case If(test, inner):
-                    lines += self.nested(before, self.condition(self.text(test)), inner, depth)
+                case If():
+                    lines += self.conditional(before, node, depth)
+                case _:
+                    lines += self.more(before, node, depth)
         return lines
+
+    def more(self, before: str, node: Statement, depth: int) -> list[str]:
+        """A statement that only some languages have."""
+        raise AssertionError(node)
+
+    def conditional(self, before: str, node: If, depth: int) -> list[str]:
+        """A condition and what is done otherwise."""
+        lines = self.nested(before, self.condition(self.text(node.test)), node.body, depth)
+        if not node.otherwise:
+            return lines
+        closing = 1 if self.closing else 0
+        others = self.nested(before, "", node.otherwise, depth)[1:]
+        return [*lines[: len(lines) - closing], before + self.alternative, *others]
 
     def nested(self, before: str, head: str, body: Iterable[Statement], depth: int) -> list[str]:
         """A loop or a condition."""
@@ -168,9 +192,9 @@ class Printer(ABC):
         """A call as a statement."""
         return self.call(call)
 
-    def returned(self, value: Expression) -> str:
+    def returned(self, value: Expression | None) -> str:
         """The function's result."""
-        return f"return {self.text(value)}{self.end}"
+        return f"return{'' if value is None else f' {self.text(value)}'}{self.end}"
 
     def lines(self, before: str, text: str) -> list[str]:
         """One line, or several where it is too long: broken before an operator, or after a comma."""
@@ -198,6 +222,12 @@ def _level(node: Expression) -> int:
 
 def _breaks(line: str, word: str) -> bool:
     return word in ("+", "-", "*", "/", "?", ":", "&&", "||") or line.endswith((",", "("))
+
+
+def remark(meaning: str, width: int) -> list[str]:
+    """What a function is for, as lines; an empty one before each further paragraph."""
+    paragraphs = [textwrap.wrap(each, width, break_on_hyphens=False) for each in meaning.split("\n\n")]
+    return [line for i, each in enumerate(paragraphs) for line in ([""] * bool(i) + each)]
 
 
 def written_to(function: Function) -> list[str]:

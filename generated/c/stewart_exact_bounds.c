@@ -1229,6 +1229,7 @@ static void leg_of_pose_near_singularity(
     out->arm[2] = arm_z;
 }
 
+/* Exchanges two rows. */
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
 {
     int j;
@@ -1239,156 +1240,172 @@ static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *ST
     }
 }
 
+/* Subtracts a multiple of a row from another. */
 static void subtract_row(
-    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT row)
 {
     int j;
     for (j = 0; j < LANES; ++j) {
-        to[j] = to[j] - factor * from[j];
+        to[j] = to[j] - factor*row[j];
     }
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
- * The first column has no moment rows. */
+ * updated, so that a row is one vector, and the next column is known before the rows that hold it are
+ * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
+ * has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
-    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    a0 = A[0][0];
-    a1 = A[1][0];
-    a2 = A[2][0];
-    /* Column 1. */
-    if (STEWART_FABS(a1) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[1]);
-        a0 = a1;
-        a1 = moved;
+        a_0 = a_1;
+        a_1 = moved;
     }
-    if (STEWART_FABS(a2) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[2]);
-        a0 = a2;
-        a2 = moved;
+        a_0 = a_2;
+        a_2 = moved;
     }
-    inverse0 = REAL(1) / a0;
-    factor1 = a1 * inverse0;
-    factor2 = a2 * inverse0;
-    a1 = A[1][1] - factor1 * A[0][1];
-    a2 = A[2][1] - factor2 * A[0][1];
-    a3 = A[3][1];
-    a4 = A[4][1];
-    a5 = A[5][1];
-    subtract_row(A[1], factor1, A[0]);
-    subtract_row(A[2], factor2, A[0]);
-    /* Column 2. */
-    if (STEWART_FABS(a2) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    const stewart_real inverse_0 = REAL(1)/a_0;
+    const stewart_real factor_0_1 = a_1*inverse_0;
+    const stewart_real factor_0_2 = a_2*inverse_0;
+    a_1 = A[1][1] - factor_0_1*A[0][1];
+    a_2 = A[2][1] - factor_0_2*A[0][1];
+    stewart_real a_3 = A[3][1], a_4 = A[4][1], a_5 = A[5][1];
+    subtract_row(A[1], factor_0_1, A[0]);
+    subtract_row(A[2], factor_0_2, A[0]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[2]);
-        a1 = a2;
-        a2 = moved;
+        a_1 = a_2;
+        a_2 = moved;
     }
-    if (STEWART_FABS(a3) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[3]);
-        a1 = a3;
-        a3 = moved;
+        a_1 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[4]);
-        a1 = a4;
-        a4 = moved;
+        a_1 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[5]);
-        a1 = a5;
-        a5 = moved;
+        a_1 = a_5;
+        a_5 = moved;
     }
-    inverse1 = REAL(1) / a1;
-    factor2 = a2 * inverse1;
-    factor3 = a3 * inverse1;
-    factor4 = a4 * inverse1;
-    factor5 = a5 * inverse1;
-    a2 = A[2][2] - factor2 * A[1][2];
-    a3 = A[3][2] - factor3 * A[1][2];
-    a4 = A[4][2] - factor4 * A[1][2];
-    a5 = A[5][2] - factor5 * A[1][2];
-    subtract_row(A[2], factor2, A[1]);
-    subtract_row(A[3], factor3, A[1]);
-    subtract_row(A[4], factor4, A[1]);
-    subtract_row(A[5], factor5, A[1]);
-    /* Column 3. */
-    if (STEWART_FABS(a3) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    const stewart_real inverse_1 = REAL(1)/a_1;
+    const stewart_real factor_1_2 = a_2*inverse_1;
+    const stewart_real factor_1_3 = a_3*inverse_1;
+    const stewart_real factor_1_4 = a_4*inverse_1;
+    const stewart_real factor_1_5 = a_5*inverse_1;
+    a_2 = A[2][2] - factor_1_2*A[1][2];
+    a_3 = A[3][2] - factor_1_3*A[1][2];
+    a_4 = A[4][2] - factor_1_4*A[1][2];
+    a_5 = A[5][2] - factor_1_5*A[1][2];
+    subtract_row(A[2], factor_1_2, A[1]);
+    subtract_row(A[3], factor_1_3, A[1]);
+    subtract_row(A[4], factor_1_4, A[1]);
+    subtract_row(A[5], factor_1_5, A[1]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[3]);
-        a2 = a3;
-        a3 = moved;
+        a_2 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[4]);
-        a2 = a4;
-        a4 = moved;
+        a_2 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[5]);
-        a2 = a5;
-        a5 = moved;
+        a_2 = a_5;
+        a_5 = moved;
     }
-    inverse2 = REAL(1) / a2;
-    factor3 = a3 * inverse2;
-    factor4 = a4 * inverse2;
-    factor5 = a5 * inverse2;
-    a3 = A[3][3] - factor3 * A[2][3];
-    a4 = A[4][3] - factor4 * A[2][3];
-    a5 = A[5][3] - factor5 * A[2][3];
-    subtract_row(A[3], factor3, A[2]);
-    subtract_row(A[4], factor4, A[2]);
-    subtract_row(A[5], factor5, A[2]);
-    /* Column 4. */
-    if (STEWART_FABS(a4) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    const stewart_real inverse_2 = REAL(1)/a_2;
+    const stewart_real factor_2_3 = a_3*inverse_2;
+    const stewart_real factor_2_4 = a_4*inverse_2;
+    const stewart_real factor_2_5 = a_5*inverse_2;
+    a_3 = A[3][3] - factor_2_3*A[2][3];
+    a_4 = A[4][3] - factor_2_4*A[2][3];
+    a_5 = A[5][3] - factor_2_5*A[2][3];
+    subtract_row(A[3], factor_2_3, A[2]);
+    subtract_row(A[4], factor_2_4, A[2]);
+    subtract_row(A[5], factor_2_5, A[2]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[4]);
-        a3 = a4;
-        a4 = moved;
+        a_3 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[5]);
-        a3 = a5;
-        a5 = moved;
+        a_3 = a_5;
+        a_5 = moved;
     }
-    inverse3 = REAL(1) / a3;
-    factor4 = a4 * inverse3;
-    factor5 = a5 * inverse3;
-    a4 = A[4][4] - factor4 * A[3][4];
-    a5 = A[5][4] - factor5 * A[3][4];
-    subtract_row(A[4], factor4, A[3]);
-    subtract_row(A[5], factor5, A[3]);
-    /* Column 5. */
-    if (STEWART_FABS(a5) > STEWART_FABS(a4)) {
-        const stewart_real moved = a4;
+    const stewart_real inverse_3 = REAL(1)/a_3;
+    const stewart_real factor_3_4 = a_4*inverse_3;
+    const stewart_real factor_3_5 = a_5*inverse_3;
+    a_4 = A[4][4] - factor_3_4*A[3][4];
+    a_5 = A[5][4] - factor_3_5*A[3][4];
+    subtract_row(A[4], factor_3_4, A[3]);
+    subtract_row(A[5], factor_3_5, A[3]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_4)) {
+        const stewart_real moved = a_4;
         exchange_rows(A[4], A[5]);
-        a4 = a5;
-        a5 = moved;
+        a_4 = a_5;
+        a_5 = moved;
     }
-    inverse4 = REAL(1) / a4;
-    factor5 = a5 * inverse4;
-    a5 = A[5][5] - factor5 * A[4][5];
-    subtract_row(A[5], factor5, A[4]);
-    /* Column 6. */
-    x[5] = A[5][6] / a5;
-    x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
-    x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
-    x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
-    x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
-    x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return (STEWART_FABS(a0) > STEWART_SUSPECT && STEWART_FABS(a1) > STEWART_SUSPECT
-        && STEWART_FABS(a2) > STEWART_SUSPECT && STEWART_FABS(a3) > STEWART_SUSPECT
-        && STEWART_FABS(a4) > STEWART_SUSPECT && STEWART_FABS(a5) > STEWART_SUSPECT) ? 0 : 1;
+    const stewart_real inverse_4 = REAL(1)/a_4;
+    const stewart_real factor_4_5 = a_5*inverse_4;
+    a_5 = A[5][5] - factor_4_5*A[4][5];
+    subtract_row(A[5], factor_4_5, A[4]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    x[5] = A[5][6]/a_5;
+    stewart_real total_4 = A[4][6];
+    total_4 = total_4 - A[4][5]*x[5];
+    x[4] = total_4*inverse_4;
+    stewart_real total_3 = A[3][6];
+    total_3 = total_3 - A[3][4]*x[4];
+    total_3 = total_3 - A[3][5]*x[5];
+    x[3] = total_3*inverse_3;
+    stewart_real total_2 = A[2][6];
+    total_2 = total_2 - A[2][3]*x[3];
+    total_2 = total_2 - A[2][4]*x[4];
+    total_2 = total_2 - A[2][5]*x[5];
+    x[2] = total_2*inverse_2;
+    stewart_real total_1 = A[1][6];
+    total_1 = total_1 - A[1][2]*x[2];
+    total_1 = total_1 - A[1][3]*x[3];
+    total_1 = total_1 - A[1][4]*x[4];
+    total_1 = total_1 - A[1][5]*x[5];
+    x[1] = total_1*inverse_1;
+    stewart_real total_0 = A[0][6];
+    total_0 = total_0 - A[0][1]*x[1];
+    total_0 = total_0 - A[0][2]*x[2];
+    total_0 = total_0 - A[0][3]*x[3];
+    total_0 = total_0 - A[0][4]*x[4];
+    total_0 = total_0 - A[0][5]*x[5];
+    x[0] = total_0*inverse_0;
+    return (STEWART_FABS(a_0) > STEWART_SUSPECT && STEWART_FABS(a_1) > STEWART_SUSPECT && STEWART_FABS(a_2) > STEWART_SUSPECT
+        && STEWART_FABS(a_3) > STEWART_SUSPECT && STEWART_FABS(a_4) > STEWART_SUSPECT && STEWART_FABS(a_5) > STEWART_SUSPECT)
+        ? 0 : 1;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)

@@ -54,13 +54,13 @@ typedef struct {
     stewart_real M; /* kg: mass of the platform with its payload */
     stewart_real R_0[3]; /* m: centre of mass of the platform, platform frame */
     stewart_real I_p[6]; /* kg m^2: inertia of the platform about its centre of mass, platform frame */
-    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
+     * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_model;
 
-/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
- * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+ * number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_prepare(const stewart_robot *robot, stewart_exact_model *model);
 

@@ -81,10 +81,10 @@
 
 /* Motions of eight poses, component by component. */
 typedef struct {
-    stewart_real R[9][8];
-    stewart_real t[3][8];
-    stewart_real F_ext[3][8];
-    stewart_real M_ext[3][8];
+    stewart_real R[9][LANES];
+    stewart_real t[3][LANES];
+    stewart_real F_ext[3][LANES];
+    stewart_real M_ext[3][LANES];
 } motion_lanes;
 
 /* What a pose has for all legs. */
@@ -100,13 +100,15 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real q[3][8];
-    stewart_real D[8];
-    stewart_real H_force[3][8];
-    stewart_real c_force[3][8];
-    stewart_real H_moment[3][8];
-    stewart_real arm_c[3][8];
-    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real q[3][LANES];
+    stewart_real D[LANES];
+    stewart_real H_force[3][LANES];
+    stewart_real c_force[3][LANES];
+    stewart_real H_moment[3][LANES];
+    stewart_real arm_c[3][LANES];
+    stewart_real L[LANES];
+    stewart_real reach[LANES];
+    stewart_real k3[LANES];
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
@@ -116,7 +118,7 @@ static int leg_status(const leg_lanes *leg, int l)
     if (!(leg->L[l] <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
+    if (!(leg->L[l] > STEWART_ROUNDING*leg->reach[l])) {
         return STEWART_SHORT_LEG;
     }
     return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
@@ -124,7 +126,7 @@ static int leg_status(const leg_lanes *leg, int l)
 
 /* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
  * length. */
-static void scaled_axis(const stewart_real *k, stewart_real *out)
+static void scaled_axis(const stewart_real k[3], stewart_real out[3])
 {
     int i, j;
     for (j = 0; j < 3; ++j) {
@@ -135,10 +137,10 @@ static void scaled_axis(const stewart_real *k, stewart_real *out)
         stewart_real largest = STEWART_FABS(out[0]);
         largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
         largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
-        by = largest > REAL(1048576) ? REAL(1) / REAL(4294967296) : by;
-        by = largest < REAL(1) / REAL(1048576) ? REAL(4294967296) : by;
+        by = largest > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
+        by = largest < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
         for (j = 0; j < 3; ++j) {
-            out[j] = by * out[j];
+            out[j] = by*out[j];
         }
     }
 }
@@ -241,29 +243,36 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->W_P[2] = c1*g_z;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
- * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
+ * for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
+ * large. */
 static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(16.0)) {
+    stewart_real unit = REAL(1);
+    if (size >= REAL(0.125) && size <= REAL(16)) {
         return unit;
     }
-    for (i = 0; i < 100 && unit < size; ++i) {
-        unit = REAL(2) * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(unit < size)) {
+            break;
+        }
+        unit = REAL(2)*unit;
     }
-    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
-        unit = STEWART_HALF * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
+            break;
+        }
+        unit = STEWART_HALF*unit;
     }
-    return REAL(1) / unit;
+    return REAL(1)/unit;
 }
 
 /* Largest coordinate of the arms of moments about platform point 1, m. */
 static stewart_real size_of(const stewart_exact_general_static_model *model)
 {
-    stewart_real largest = REAL(0);
     int i, j;
+    stewart_real largest = REAL(0);
     for (j = 0; j < 3; ++j) {
         for (i = 1; i < 6; ++i) {
             largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
@@ -272,15 +281,14 @@ static stewart_real size_of(const stewart_exact_general_static_model *model)
     return largest;
 }
 
-int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exact_general_static_model *model)
+int stewart_exact_general_static_prepare(
+    const stewart_robot *robot, stewart_exact_general_static_model *model)
 {
-    stewart_exact_general_static_model made;
-    prepared_leg found, sum;
-    prepared_platform platform;
-    const stewart_real *numbers = (const stewart_real *)&made;
-    const size_t count = sizeof made / sizeof *numbers;
-    size_t number;
     int i;
+    stewart_exact_general_static_model made;
+    prepared_leg found;
+    prepared_leg sum;
+    prepared_platform platform;
     if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -313,20 +321,19 @@ int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exa
         made.g_x_k[0][i] = found.g_x_k[0];
         made.g_x_k[1][i] = found.g_x_k[1];
         made.g_x_k[2][i] = found.g_x_k[2];
-        if (i >= 6) {
-            continue;
+        if (i < 6) {
+            sum.M_add = sum.M_add + found.M_add;
+            sum.h_add[0] = sum.h_add[0] + found.h_add[0];
+            sum.h_add[1] = sum.h_add[1] + found.h_add[1];
+            sum.h_add[2] = sum.h_add[2] + found.h_add[2];
+            sum.J_add[0] = sum.J_add[0] + found.J_add[0];
+            sum.J_add[1] = sum.J_add[1] + found.J_add[1];
+            sum.J_add[2] = sum.J_add[2] + found.J_add[2];
+            sum.J_add[3] = sum.J_add[3] + found.J_add[3];
+            sum.J_add[4] = sum.J_add[4] + found.J_add[4];
+            sum.J_add[5] = sum.J_add[5] + found.J_add[5];
+            sum.C_add = sum.C_add + found.C_add;
         }
-        sum.M_add = sum.M_add + found.M_add;
-        sum.h_add[0] = sum.h_add[0] + found.h_add[0];
-        sum.h_add[1] = sum.h_add[1] + found.h_add[1];
-        sum.h_add[2] = sum.h_add[2] + found.h_add[2];
-        sum.J_add[0] = sum.J_add[0] + found.J_add[0];
-        sum.J_add[1] = sum.J_add[1] + found.J_add[1];
-        sum.J_add[2] = sum.J_add[2] + found.J_add[2];
-        sum.J_add[3] = sum.J_add[3] + found.J_add[3];
-        sum.J_add[4] = sum.J_add[4] + found.J_add[4];
-        sum.J_add[5] = sum.J_add[5] + found.J_add[5];
-        sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
     made.h_P[0] = platform.h_P[0];
@@ -339,8 +346,9 @@ int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exa
     made.W_P[1] = platform.W_P[1];
     made.W_P[2] = platform.W_P[2];
     made.per_length = per_length_of(size_of(&made));
-    for (number = 0; number < count; ++number) {
-        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+    const stewart_real *const numbers = (const stewart_real *)&made;
+    for (i = 0; i < 138; ++i) {
+        if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
     }
@@ -349,10 +357,11 @@ int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exa
 }
 
 /* What one pose has for all legs: 60 (33 mul, 27 add, 0 div, 0 sqrt) operations. */
-static void shared_of_pose(const stewart_exact_general_static_model *model, const stewart_motion *at, shared_terms *out)
+static void shared_of_pose(
+    const stewart_exact_general_static_model *model, const stewart_motion *at, shared_terms *out)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
@@ -372,23 +381,23 @@ static void shared_of_pose(const stewart_exact_general_static_model *model, cons
 
 /* The legs of one pose side by side: 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each. */
 static void legs_of_pose(
-    const stewart_exact_general_static_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+    const stewart_exact_general_static_model *STEWART_RESTRICT model,
+    const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
+    leg_lanes *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    (void)shared;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -406,8 +415,7 @@ static void legs_of_pose(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
+        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
@@ -452,8 +460,7 @@ static void legs_of_pose(
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -466,32 +473,33 @@ static void legs_of_pose(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 108 (66 mul, 38 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its joint singularity: 108 (66 mul, 38 add, 2 div, 2 sqrt)
+ * operations each. */
 static void legs_near_pole(
-    const stewart_exact_general_static_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
+    const stewart_exact_general_static_model *STEWART_RESTRICT model,
+    const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
+    leg_lanes *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    (void)shared;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -521,8 +529,8 @@ static void legs_near_pole(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -561,8 +569,7 @@ static void legs_near_pole(
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -575,8 +582,8 @@ static void legs_near_pole(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -586,26 +593,23 @@ static void legs_near_pole(
 static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
 {
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1],
-        c_force_z = shared->c_force[2];
-    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1],
-        c_moment_z = shared->c_moment[2];
+    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
+    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
     shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
     shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
     shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
 }
 
-/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the first, which has none. */
+/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
+ * first, which has none. */
 static void moments_of_pose(leg_lanes *legs)
 {
     int l;
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l],
-            c_force_z = legs->c_force[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l],
-            H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
@@ -625,11 +629,12 @@ static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
     int i, j;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < LANES; ++j) {
-            A[i][j] = A[i][j] * per_length;
+            A[i][j] = A[i][j]*per_length;
         }
     }
 }
 
+/* Exchanges two rows. */
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
 {
     int j;
@@ -640,156 +645,172 @@ static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *ST
     }
 }
 
+/* Subtracts a multiple of a row from another. */
 static void subtract_row(
-    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT row)
 {
     int j;
     for (j = 0; j < LANES; ++j) {
-        to[j] = to[j] - factor * from[j];
+        to[j] = to[j] - factor*row[j];
     }
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
- * The first column has no moment rows. */
+ * updated, so that a row is one vector, and the next column is known before the rows that hold it are
+ * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
+ * has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
-    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    a0 = A[0][0];
-    a1 = A[1][0];
-    a2 = A[2][0];
-    /* Column 1. */
-    if (STEWART_FABS(a1) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[1]);
-        a0 = a1;
-        a1 = moved;
+        a_0 = a_1;
+        a_1 = moved;
     }
-    if (STEWART_FABS(a2) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[2]);
-        a0 = a2;
-        a2 = moved;
+        a_0 = a_2;
+        a_2 = moved;
     }
-    inverse0 = REAL(1) / a0;
-    factor1 = a1 * inverse0;
-    factor2 = a2 * inverse0;
-    a1 = A[1][1] - factor1 * A[0][1];
-    a2 = A[2][1] - factor2 * A[0][1];
-    a3 = A[3][1];
-    a4 = A[4][1];
-    a5 = A[5][1];
-    subtract_row(A[1], factor1, A[0]);
-    subtract_row(A[2], factor2, A[0]);
-    /* Column 2. */
-    if (STEWART_FABS(a2) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    const stewart_real inverse_0 = REAL(1)/a_0;
+    const stewart_real factor_0_1 = a_1*inverse_0;
+    const stewart_real factor_0_2 = a_2*inverse_0;
+    a_1 = A[1][1] - factor_0_1*A[0][1];
+    a_2 = A[2][1] - factor_0_2*A[0][1];
+    stewart_real a_3 = A[3][1], a_4 = A[4][1], a_5 = A[5][1];
+    subtract_row(A[1], factor_0_1, A[0]);
+    subtract_row(A[2], factor_0_2, A[0]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[2]);
-        a1 = a2;
-        a2 = moved;
+        a_1 = a_2;
+        a_2 = moved;
     }
-    if (STEWART_FABS(a3) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[3]);
-        a1 = a3;
-        a3 = moved;
+        a_1 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[4]);
-        a1 = a4;
-        a4 = moved;
+        a_1 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[5]);
-        a1 = a5;
-        a5 = moved;
+        a_1 = a_5;
+        a_5 = moved;
     }
-    inverse1 = REAL(1) / a1;
-    factor2 = a2 * inverse1;
-    factor3 = a3 * inverse1;
-    factor4 = a4 * inverse1;
-    factor5 = a5 * inverse1;
-    a2 = A[2][2] - factor2 * A[1][2];
-    a3 = A[3][2] - factor3 * A[1][2];
-    a4 = A[4][2] - factor4 * A[1][2];
-    a5 = A[5][2] - factor5 * A[1][2];
-    subtract_row(A[2], factor2, A[1]);
-    subtract_row(A[3], factor3, A[1]);
-    subtract_row(A[4], factor4, A[1]);
-    subtract_row(A[5], factor5, A[1]);
-    /* Column 3. */
-    if (STEWART_FABS(a3) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    const stewart_real inverse_1 = REAL(1)/a_1;
+    const stewart_real factor_1_2 = a_2*inverse_1;
+    const stewart_real factor_1_3 = a_3*inverse_1;
+    const stewart_real factor_1_4 = a_4*inverse_1;
+    const stewart_real factor_1_5 = a_5*inverse_1;
+    a_2 = A[2][2] - factor_1_2*A[1][2];
+    a_3 = A[3][2] - factor_1_3*A[1][2];
+    a_4 = A[4][2] - factor_1_4*A[1][2];
+    a_5 = A[5][2] - factor_1_5*A[1][2];
+    subtract_row(A[2], factor_1_2, A[1]);
+    subtract_row(A[3], factor_1_3, A[1]);
+    subtract_row(A[4], factor_1_4, A[1]);
+    subtract_row(A[5], factor_1_5, A[1]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[3]);
-        a2 = a3;
-        a3 = moved;
+        a_2 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[4]);
-        a2 = a4;
-        a4 = moved;
+        a_2 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[5]);
-        a2 = a5;
-        a5 = moved;
+        a_2 = a_5;
+        a_5 = moved;
     }
-    inverse2 = REAL(1) / a2;
-    factor3 = a3 * inverse2;
-    factor4 = a4 * inverse2;
-    factor5 = a5 * inverse2;
-    a3 = A[3][3] - factor3 * A[2][3];
-    a4 = A[4][3] - factor4 * A[2][3];
-    a5 = A[5][3] - factor5 * A[2][3];
-    subtract_row(A[3], factor3, A[2]);
-    subtract_row(A[4], factor4, A[2]);
-    subtract_row(A[5], factor5, A[2]);
-    /* Column 4. */
-    if (STEWART_FABS(a4) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    const stewart_real inverse_2 = REAL(1)/a_2;
+    const stewart_real factor_2_3 = a_3*inverse_2;
+    const stewart_real factor_2_4 = a_4*inverse_2;
+    const stewart_real factor_2_5 = a_5*inverse_2;
+    a_3 = A[3][3] - factor_2_3*A[2][3];
+    a_4 = A[4][3] - factor_2_4*A[2][3];
+    a_5 = A[5][3] - factor_2_5*A[2][3];
+    subtract_row(A[3], factor_2_3, A[2]);
+    subtract_row(A[4], factor_2_4, A[2]);
+    subtract_row(A[5], factor_2_5, A[2]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[4]);
-        a3 = a4;
-        a4 = moved;
+        a_3 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[5]);
-        a3 = a5;
-        a5 = moved;
+        a_3 = a_5;
+        a_5 = moved;
     }
-    inverse3 = REAL(1) / a3;
-    factor4 = a4 * inverse3;
-    factor5 = a5 * inverse3;
-    a4 = A[4][4] - factor4 * A[3][4];
-    a5 = A[5][4] - factor5 * A[3][4];
-    subtract_row(A[4], factor4, A[3]);
-    subtract_row(A[5], factor5, A[3]);
-    /* Column 5. */
-    if (STEWART_FABS(a5) > STEWART_FABS(a4)) {
-        const stewart_real moved = a4;
+    const stewart_real inverse_3 = REAL(1)/a_3;
+    const stewart_real factor_3_4 = a_4*inverse_3;
+    const stewart_real factor_3_5 = a_5*inverse_3;
+    a_4 = A[4][4] - factor_3_4*A[3][4];
+    a_5 = A[5][4] - factor_3_5*A[3][4];
+    subtract_row(A[4], factor_3_4, A[3]);
+    subtract_row(A[5], factor_3_5, A[3]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_4)) {
+        const stewart_real moved = a_4;
         exchange_rows(A[4], A[5]);
-        a4 = a5;
-        a5 = moved;
+        a_4 = a_5;
+        a_5 = moved;
     }
-    inverse4 = REAL(1) / a4;
-    factor5 = a5 * inverse4;
-    a5 = A[5][5] - factor5 * A[4][5];
-    subtract_row(A[5], factor5, A[4]);
-    /* Column 6. */
-    x[5] = A[5][6] / a5;
-    x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
-    x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
-    x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
-    x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
-    x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return (STEWART_FABS(a0) > STEWART_SUSPECT && STEWART_FABS(a1) > STEWART_SUSPECT
-        && STEWART_FABS(a2) > STEWART_SUSPECT && STEWART_FABS(a3) > STEWART_SUSPECT
-        && STEWART_FABS(a4) > STEWART_SUSPECT && STEWART_FABS(a5) > STEWART_SUSPECT) ? 0 : 1;
+    const stewart_real inverse_4 = REAL(1)/a_4;
+    const stewart_real factor_4_5 = a_5*inverse_4;
+    a_5 = A[5][5] - factor_4_5*A[4][5];
+    subtract_row(A[5], factor_4_5, A[4]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    x[5] = A[5][6]/a_5;
+    stewart_real total_4 = A[4][6];
+    total_4 = total_4 - A[4][5]*x[5];
+    x[4] = total_4*inverse_4;
+    stewart_real total_3 = A[3][6];
+    total_3 = total_3 - A[3][4]*x[4];
+    total_3 = total_3 - A[3][5]*x[5];
+    x[3] = total_3*inverse_3;
+    stewart_real total_2 = A[2][6];
+    total_2 = total_2 - A[2][3]*x[3];
+    total_2 = total_2 - A[2][4]*x[4];
+    total_2 = total_2 - A[2][5]*x[5];
+    x[2] = total_2*inverse_2;
+    stewart_real total_1 = A[1][6];
+    total_1 = total_1 - A[1][2]*x[2];
+    total_1 = total_1 - A[1][3]*x[3];
+    total_1 = total_1 - A[1][4]*x[4];
+    total_1 = total_1 - A[1][5]*x[5];
+    x[1] = total_1*inverse_1;
+    stewart_real total_0 = A[0][6];
+    total_0 = total_0 - A[0][1]*x[1];
+    total_0 = total_0 - A[0][2]*x[2];
+    total_0 = total_0 - A[0][3]*x[3];
+    total_0 = total_0 - A[0][4]*x[4];
+    total_0 = total_0 - A[0][5]*x[5];
+    x[0] = total_0*inverse_0;
+    return (STEWART_FABS(a_0) > STEWART_SUSPECT && STEWART_FABS(a_1) > STEWART_SUSPECT && STEWART_FABS(a_2) > STEWART_SUSPECT
+        && STEWART_FABS(a_3) > STEWART_SUSPECT && STEWART_FABS(a_4) > STEWART_SUSPECT && STEWART_FABS(a_5) > STEWART_SUSPECT)
+        ? 0 : 1;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -882,8 +903,9 @@ STEWART_APART static int singular_status(
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
 {
-    stewart_real H[6][6], arm[6][3];
     int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
@@ -897,11 +919,12 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
 int stewart_exact_general_static_forces(
     const stewart_exact_general_static_model *model, const stewart_motion *motion, stewart_real F[6])
 {
+    int i, j;
     shared_terms shared;
     leg_lanes legs;
     stewart_real A[6][LANES];
-    stewart_real x[6], found[6];
-    int i, j, status, suspect;
+    stewart_real x[6];
+    stewart_real found[6];
     int close = 0;
     int near_pole = 0;
     if (model == NULL || motion == NULL || F == NULL) {
@@ -911,11 +934,11 @@ int stewart_exact_general_static_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            status = leg_status(&legs, i);
+            const int status = leg_status(&legs, i);
             if (status != STEWART_OK) {
                 return status;
             }
-            close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
+            close = legs.L[i] > STEWART_SHORT_SHARE*legs.reach[i] ? close : 1;
             near_pole = legs.k3[i] > STEWART_NEAR_POLE ? near_pole : 1;
         }
     }
@@ -943,9 +966,9 @@ int stewart_exact_general_static_forces(
     if (model->per_length != REAL(1)) {
         scale_pose(A, model->per_length);
     }
-    suspect = solve_pose(A, x);
+    const int suspect = solve_pose(A, x);
     if (close != 0 || suspect != 0) {
-        status = pose_status(&legs);
+        const int status = pose_status(&legs);
         if (status != STEWART_OK) {
             return status;
         }
@@ -965,33 +988,33 @@ int stewart_exact_general_static_forces(
 /* Eight poses on their way. */
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real D[6][LANES];
+    stewart_real F[6][LANES];
     stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 
 /* What a leg of eight poses hands to the moments. */
 typedef struct {
-    stewart_real q[3][LANES], c_force[3][LANES];
+    stewart_real q[3][LANES];
+    stewart_real c_force[3][LANES];
 } leg_block;
 
 /* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
-    const stewart_exact_general_static_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
-    shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
+    const stewart_exact_general_static_model *STEWART_RESTRICT model,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT out,
+    stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
+    (void)out;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
-    (void)out;
     for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
-            F_ext_z = in->F_ext[2][l];
-        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
-            M_ext_z = in->M_ext[2][l];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
+        const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* (30) first moment of the platform, base frame */
         const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
         const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
@@ -1005,29 +1028,27 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each:
- * its column of H, forces alone, its D, its part of c. */
+/* One leg of eight poses side by side, 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each: its column of
+ * H, its D and its part of c. */
 static void leg_of_block(
-    const stewart_exact_general_static_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
-    const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    leg_block *STEWART_RESTRICT out, 
+    const stewart_exact_general_static_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    stewart_real (*STEWART_RESTRICT column)[LANES], leg_block *STEWART_RESTRICT own,
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
+    (void)shared;
     const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
     const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
     const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
     const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
     const stewart_real g_k = model->g_k[leg];
-    const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg],
-        g_x_k_z = model->g_x_k[2][leg];
+    const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    (void)shared;
     for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -1045,8 +1066,7 @@ static void leg_of_block(
         const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
         const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
         const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y
-            + k_cross_S_z*k_cross_S_z;
+        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
         /* (2) leg length, and distance of its tip from the fixed axis */
         const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
         const stewart_real rho = STEWART_SQRT(rho2);
@@ -1084,15 +1104,14 @@ static void leg_of_block(
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
-        out->q[0][l] = q_x;
-        out->q[1][l] = q_y;
-        out->q[2][l] = q_z;
-        out->c_force[0][l] = -K_x;
-        out->c_force[1][l] = -K_y;
-        out->c_force[2][l] = -K_z;
+        own->q[0][l] = q_x;
+        own->q[1][l] = q_y;
+        own->q[2][l] = q_z;
+        own->c_force[0][l] = -K_x;
+        own->c_force[1][l] = -K_y;
+        own->c_force[2][l] = -K_z;
         known[l] = D;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -1102,21 +1121,22 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
         bad[l] = fault;
     }
 }
 
 /* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
-static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
+static void moments_of_first(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
-        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l],
-            c_moment_x = c[3][l], c_moment_y = c[4][l], c_moment_z = c[5][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
         c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
         c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
         c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
@@ -1126,19 +1146,18 @@ static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real
     }
 }
 
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each, and its part of c. */
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
+ * and its part of c. */
 static void moments_of_block(
     const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
     stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
         const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
-        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l],
-            c_force_z = own->c_force[2][l];
-        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l],
-            H_force_z = column[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l], c_force_z = own->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
@@ -1162,366 +1181,350 @@ static void scale_block(block *out, stewart_real per_length)
     for (i = 1; i < 7; ++i) {
         for (j = 3; j < 6; ++j) {
             for (l = 0; l < LANES; ++l) {
-                out->column[i][j][l] = out->column[i][j][l] * per_length;
+                out->column[i][j][l] = out->column[i][j][l]*per_length;
             }
         }
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = D - x, (37). Marks as bad where a pivot is small or a force is not finite. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D
+ * - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place by
+ * exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
     stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        stewart_real a00 = column[0][0][l], a01 = column[1][0][l], a02 = column[2][0][l],
-            a03 = column[3][0][l], a04 = column[4][0][l], a05 = column[5][0][l],
-            a06 = column[6][0][l];
-        stewart_real a10 = column[0][1][l], a11 = column[1][1][l], a12 = column[2][1][l],
-            a13 = column[3][1][l], a14 = column[4][1][l], a15 = column[5][1][l],
-            a16 = column[6][1][l];
-        stewart_real a20 = column[0][2][l], a21 = column[1][2][l], a22 = column[2][2][l],
-            a23 = column[3][2][l], a24 = column[4][2][l], a25 = column[5][2][l],
-            a26 = column[6][2][l];
-        stewart_real a31 = column[1][3][l], a32 = column[2][3][l], a33 = column[3][3][l],
-            a34 = column[4][3][l], a35 = column[5][3][l], a36 = column[6][3][l];
-        stewart_real a41 = column[1][4][l], a42 = column[2][4][l], a43 = column[3][4][l],
-            a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
-        stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
-            a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
+        stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
+            a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
+            a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
+            a_1_5 = column[5][1][l], a_1_6 = column[6][1][l], a_2_0 = column[0][2][l], a_2_1 = column[1][2][l],
+            a_2_2 = column[2][2][l], a_2_3 = column[3][2][l], a_2_4 = column[4][2][l], a_2_5 = column[5][2][l],
+            a_2_6 = column[6][2][l], a_3_1 = column[1][3][l], a_3_2 = column[2][3][l], a_3_3 = column[3][3][l],
+            a_3_4 = column[4][3][l], a_3_5 = column[5][3][l], a_3_6 = column[6][3][l], a_4_1 = column[1][4][l],
+            a_4_2 = column[2][4][l], a_4_3 = column[3][4][l], a_4_4 = column[4][4][l], a_4_5 = column[5][4][l],
+            a_4_6 = column[6][4][l], a_5_1 = column[1][5][l], a_5_2 = column[2][5][l], a_5_3 = column[3][5][l],
+            a_5_4 = column[4][5][l], a_5_5 = column[5][5][l], a_5_6 = column[6][5][l];
         stewart_real fault = bad[l];
-        const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
-            ? REAL(1) : REAL(0);
-        const stewart_real a00_1 = below10 > REAL(0) ? a10 : a00;
-        a10 = below10 > REAL(0) ? a00 : a10;
-        a00 = a00_1;
-        const stewart_real a01_1 = below10 > REAL(0) ? a11 : a01;
-        a11 = below10 > REAL(0) ? a01 : a11;
-        a01 = a01_1;
-        const stewart_real a02_1 = below10 > REAL(0) ? a12 : a02;
-        a12 = below10 > REAL(0) ? a02 : a12;
-        a02 = a02_1;
-        const stewart_real a03_1 = below10 > REAL(0) ? a13 : a03;
-        a13 = below10 > REAL(0) ? a03 : a13;
-        a03 = a03_1;
-        const stewart_real a04_1 = below10 > REAL(0) ? a14 : a04;
-        a14 = below10 > REAL(0) ? a04 : a14;
-        a04 = a04_1;
-        const stewart_real a05_1 = below10 > REAL(0) ? a15 : a05;
-        a15 = below10 > REAL(0) ? a05 : a15;
-        a05 = a05_1;
-        const stewart_real a06_1 = below10 > REAL(0) ? a16 : a06;
-        a16 = below10 > REAL(0) ? a06 : a16;
-        a06 = a06_1;
-        const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
-            ? REAL(1) : REAL(0);
-        const stewart_real a00_2 = below20 > REAL(0) ? a20 : a00;
-        a20 = below20 > REAL(0) ? a00 : a20;
-        a00 = a00_2;
-        const stewart_real a01_2 = below20 > REAL(0) ? a21 : a01;
-        a21 = below20 > REAL(0) ? a01 : a21;
-        a01 = a01_2;
-        const stewart_real a02_2 = below20 > REAL(0) ? a22 : a02;
-        a22 = below20 > REAL(0) ? a02 : a22;
-        a02 = a02_2;
-        const stewart_real a03_2 = below20 > REAL(0) ? a23 : a03;
-        a23 = below20 > REAL(0) ? a03 : a23;
-        a03 = a03_2;
-        const stewart_real a04_2 = below20 > REAL(0) ? a24 : a04;
-        a24 = below20 > REAL(0) ? a04 : a24;
-        a04 = a04_2;
-        const stewart_real a05_2 = below20 > REAL(0) ? a25 : a05;
-        a25 = below20 > REAL(0) ? a05 : a25;
-        a05 = a05_2;
-        const stewart_real a06_2 = below20 > REAL(0) ? a26 : a06;
-        a26 = below20 > REAL(0) ? a06 : a26;
-        a06 = a06_2;
-        fault = STEWART_FABS(a00) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse0 = REAL(1) / a00;
-        const stewart_real factor10 = a10 * inverse0;
-        a11 = a11 - factor10 * a01;
-        a12 = a12 - factor10 * a02;
-        a13 = a13 - factor10 * a03;
-        a14 = a14 - factor10 * a04;
-        a15 = a15 - factor10 * a05;
-        a16 = a16 - factor10 * a06;
-        const stewart_real factor20 = a20 * inverse0;
-        a21 = a21 - factor20 * a01;
-        a22 = a22 - factor20 * a02;
-        a23 = a23 - factor20 * a03;
-        a24 = a24 - factor20 * a04;
-        a25 = a25 - factor20 * a05;
-        a26 = a26 - factor20 * a06;
-        const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_2 = below21 > REAL(0) ? a21 : a11;
-        a21 = below21 > REAL(0) ? a11 : a21;
-        a11 = a11_2;
-        const stewart_real a12_2 = below21 > REAL(0) ? a22 : a12;
-        a22 = below21 > REAL(0) ? a12 : a22;
-        a12 = a12_2;
-        const stewart_real a13_2 = below21 > REAL(0) ? a23 : a13;
-        a23 = below21 > REAL(0) ? a13 : a23;
-        a13 = a13_2;
-        const stewart_real a14_2 = below21 > REAL(0) ? a24 : a14;
-        a24 = below21 > REAL(0) ? a14 : a24;
-        a14 = a14_2;
-        const stewart_real a15_2 = below21 > REAL(0) ? a25 : a15;
-        a25 = below21 > REAL(0) ? a15 : a25;
-        a15 = a15_2;
-        const stewart_real a16_2 = below21 > REAL(0) ? a26 : a16;
-        a26 = below21 > REAL(0) ? a16 : a26;
-        a16 = a16_2;
-        const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_3 = below31 > REAL(0) ? a31 : a11;
-        a31 = below31 > REAL(0) ? a11 : a31;
-        a11 = a11_3;
-        const stewart_real a12_3 = below31 > REAL(0) ? a32 : a12;
-        a32 = below31 > REAL(0) ? a12 : a32;
-        a12 = a12_3;
-        const stewart_real a13_3 = below31 > REAL(0) ? a33 : a13;
-        a33 = below31 > REAL(0) ? a13 : a33;
-        a13 = a13_3;
-        const stewart_real a14_3 = below31 > REAL(0) ? a34 : a14;
-        a34 = below31 > REAL(0) ? a14 : a34;
-        a14 = a14_3;
-        const stewart_real a15_3 = below31 > REAL(0) ? a35 : a15;
-        a35 = below31 > REAL(0) ? a15 : a35;
-        a15 = a15_3;
-        const stewart_real a16_3 = below31 > REAL(0) ? a36 : a16;
-        a36 = below31 > REAL(0) ? a16 : a36;
-        a16 = a16_3;
-        const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_4 = below41 > REAL(0) ? a41 : a11;
-        a41 = below41 > REAL(0) ? a11 : a41;
-        a11 = a11_4;
-        const stewart_real a12_4 = below41 > REAL(0) ? a42 : a12;
-        a42 = below41 > REAL(0) ? a12 : a42;
-        a12 = a12_4;
-        const stewart_real a13_4 = below41 > REAL(0) ? a43 : a13;
-        a43 = below41 > REAL(0) ? a13 : a43;
-        a13 = a13_4;
-        const stewart_real a14_4 = below41 > REAL(0) ? a44 : a14;
-        a44 = below41 > REAL(0) ? a14 : a44;
-        a14 = a14_4;
-        const stewart_real a15_4 = below41 > REAL(0) ? a45 : a15;
-        a45 = below41 > REAL(0) ? a15 : a45;
-        a15 = a15_4;
-        const stewart_real a16_4 = below41 > REAL(0) ? a46 : a16;
-        a46 = below41 > REAL(0) ? a16 : a46;
-        a16 = a16_4;
-        const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_5 = below51 > REAL(0) ? a51 : a11;
-        a51 = below51 > REAL(0) ? a11 : a51;
-        a11 = a11_5;
-        const stewart_real a12_5 = below51 > REAL(0) ? a52 : a12;
-        a52 = below51 > REAL(0) ? a12 : a52;
-        a12 = a12_5;
-        const stewart_real a13_5 = below51 > REAL(0) ? a53 : a13;
-        a53 = below51 > REAL(0) ? a13 : a53;
-        a13 = a13_5;
-        const stewart_real a14_5 = below51 > REAL(0) ? a54 : a14;
-        a54 = below51 > REAL(0) ? a14 : a54;
-        a14 = a14_5;
-        const stewart_real a15_5 = below51 > REAL(0) ? a55 : a15;
-        a55 = below51 > REAL(0) ? a15 : a55;
-        a15 = a15_5;
-        const stewart_real a16_5 = below51 > REAL(0) ? a56 : a16;
-        a56 = below51 > REAL(0) ? a16 : a56;
-        a16 = a16_5;
-        fault = STEWART_FABS(a11) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse1 = REAL(1) / a11;
-        const stewart_real factor21 = a21 * inverse1;
-        a22 = a22 - factor21 * a12;
-        a23 = a23 - factor21 * a13;
-        a24 = a24 - factor21 * a14;
-        a25 = a25 - factor21 * a15;
-        a26 = a26 - factor21 * a16;
-        const stewart_real factor31 = a31 * inverse1;
-        a32 = a32 - factor31 * a12;
-        a33 = a33 - factor31 * a13;
-        a34 = a34 - factor31 * a14;
-        a35 = a35 - factor31 * a15;
-        a36 = a36 - factor31 * a16;
-        const stewart_real factor41 = a41 * inverse1;
-        a42 = a42 - factor41 * a12;
-        a43 = a43 - factor41 * a13;
-        a44 = a44 - factor41 * a14;
-        a45 = a45 - factor41 * a15;
-        a46 = a46 - factor41 * a16;
-        const stewart_real factor51 = a51 * inverse1;
-        a52 = a52 - factor51 * a12;
-        a53 = a53 - factor51 * a13;
-        a54 = a54 - factor51 * a14;
-        a55 = a55 - factor51 * a15;
-        a56 = a56 - factor51 * a16;
-        const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_3 = below32 > REAL(0) ? a32 : a22;
-        a32 = below32 > REAL(0) ? a22 : a32;
-        a22 = a22_3;
-        const stewart_real a23_3 = below32 > REAL(0) ? a33 : a23;
-        a33 = below32 > REAL(0) ? a23 : a33;
-        a23 = a23_3;
-        const stewart_real a24_3 = below32 > REAL(0) ? a34 : a24;
-        a34 = below32 > REAL(0) ? a24 : a34;
-        a24 = a24_3;
-        const stewart_real a25_3 = below32 > REAL(0) ? a35 : a25;
-        a35 = below32 > REAL(0) ? a25 : a35;
-        a25 = a25_3;
-        const stewart_real a26_3 = below32 > REAL(0) ? a36 : a26;
-        a36 = below32 > REAL(0) ? a26 : a36;
-        a26 = a26_3;
-        const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_4 = below42 > REAL(0) ? a42 : a22;
-        a42 = below42 > REAL(0) ? a22 : a42;
-        a22 = a22_4;
-        const stewart_real a23_4 = below42 > REAL(0) ? a43 : a23;
-        a43 = below42 > REAL(0) ? a23 : a43;
-        a23 = a23_4;
-        const stewart_real a24_4 = below42 > REAL(0) ? a44 : a24;
-        a44 = below42 > REAL(0) ? a24 : a44;
-        a24 = a24_4;
-        const stewart_real a25_4 = below42 > REAL(0) ? a45 : a25;
-        a45 = below42 > REAL(0) ? a25 : a45;
-        a25 = a25_4;
-        const stewart_real a26_4 = below42 > REAL(0) ? a46 : a26;
-        a46 = below42 > REAL(0) ? a26 : a46;
-        a26 = a26_4;
-        const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_5 = below52 > REAL(0) ? a52 : a22;
-        a52 = below52 > REAL(0) ? a22 : a52;
-        a22 = a22_5;
-        const stewart_real a23_5 = below52 > REAL(0) ? a53 : a23;
-        a53 = below52 > REAL(0) ? a23 : a53;
-        a23 = a23_5;
-        const stewart_real a24_5 = below52 > REAL(0) ? a54 : a24;
-        a54 = below52 > REAL(0) ? a24 : a54;
-        a24 = a24_5;
-        const stewart_real a25_5 = below52 > REAL(0) ? a55 : a25;
-        a55 = below52 > REAL(0) ? a25 : a55;
-        a25 = a25_5;
-        const stewart_real a26_5 = below52 > REAL(0) ? a56 : a26;
-        a56 = below52 > REAL(0) ? a26 : a56;
-        a26 = a26_5;
-        fault = STEWART_FABS(a22) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse2 = REAL(1) / a22;
-        const stewart_real factor32 = a32 * inverse2;
-        a33 = a33 - factor32 * a23;
-        a34 = a34 - factor32 * a24;
-        a35 = a35 - factor32 * a25;
-        a36 = a36 - factor32 * a26;
-        const stewart_real factor42 = a42 * inverse2;
-        a43 = a43 - factor42 * a23;
-        a44 = a44 - factor42 * a24;
-        a45 = a45 - factor42 * a25;
-        a46 = a46 - factor42 * a26;
-        const stewart_real factor52 = a52 * inverse2;
-        a53 = a53 - factor52 * a23;
-        a54 = a54 - factor52 * a24;
-        a55 = a55 - factor52 * a25;
-        a56 = a56 - factor52 * a26;
-        const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
-            ? REAL(1) : REAL(0);
-        const stewart_real a33_4 = below43 > REAL(0) ? a43 : a33;
-        a43 = below43 > REAL(0) ? a33 : a43;
-        a33 = a33_4;
-        const stewart_real a34_4 = below43 > REAL(0) ? a44 : a34;
-        a44 = below43 > REAL(0) ? a34 : a44;
-        a34 = a34_4;
-        const stewart_real a35_4 = below43 > REAL(0) ? a45 : a35;
-        a45 = below43 > REAL(0) ? a35 : a45;
-        a35 = a35_4;
-        const stewart_real a36_4 = below43 > REAL(0) ? a46 : a36;
-        a46 = below43 > REAL(0) ? a36 : a46;
-        a36 = a36_4;
-        const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
-            ? REAL(1) : REAL(0);
-        const stewart_real a33_5 = below53 > REAL(0) ? a53 : a33;
-        a53 = below53 > REAL(0) ? a33 : a53;
-        a33 = a33_5;
-        const stewart_real a34_5 = below53 > REAL(0) ? a54 : a34;
-        a54 = below53 > REAL(0) ? a34 : a54;
-        a34 = a34_5;
-        const stewart_real a35_5 = below53 > REAL(0) ? a55 : a35;
-        a55 = below53 > REAL(0) ? a35 : a55;
-        a35 = a35_5;
-        const stewart_real a36_5 = below53 > REAL(0) ? a56 : a36;
-        a56 = below53 > REAL(0) ? a36 : a56;
-        a36 = a36_5;
-        fault = STEWART_FABS(a33) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse3 = REAL(1) / a33;
-        const stewart_real factor43 = a43 * inverse3;
-        a44 = a44 - factor43 * a34;
-        a45 = a45 - factor43 * a35;
-        a46 = a46 - factor43 * a36;
-        const stewart_real factor53 = a53 * inverse3;
-        a54 = a54 - factor53 * a34;
-        a55 = a55 - factor53 * a35;
-        a56 = a56 - factor53 * a36;
-        const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
-            ? REAL(1) : REAL(0);
-        const stewart_real a44_5 = below54 > REAL(0) ? a54 : a44;
-        a54 = below54 > REAL(0) ? a44 : a54;
-        a44 = a44_5;
-        const stewart_real a45_5 = below54 > REAL(0) ? a55 : a45;
-        a55 = below54 > REAL(0) ? a45 : a55;
-        a45 = a45_5;
-        const stewart_real a46_5 = below54 > REAL(0) ? a56 : a46;
-        a56 = below54 > REAL(0) ? a46 : a56;
-        a46 = a46_5;
-        fault = STEWART_FABS(a44) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse4 = REAL(1) / a44;
-        const stewart_real factor54 = a54 * inverse4;
-        a55 = a55 - factor54 * a45;
-        a56 = a56 - factor54 * a46;
-        fault = STEWART_FABS(a55) > STEWART_SUSPECT ? fault : REAL(1);
-        a56 = a56 / a55;
-        a46 = a46 - a45 * a56;
-        a46 = a46 * inverse4;
-        a36 = a36 - a34 * a46;
-        a36 = a36 - a35 * a56;
-        a36 = a36 * inverse3;
-        a26 = a26 - a23 * a36;
-        a26 = a26 - a24 * a46;
-        a26 = a26 - a25 * a56;
-        a26 = a26 * inverse2;
-        a16 = a16 - a12 * a26;
-        a16 = a16 - a13 * a36;
-        a16 = a16 - a14 * a46;
-        a16 = a16 - a15 * a56;
-        a16 = a16 * inverse1;
-        a06 = a06 - a01 * a16;
-        a06 = a06 - a02 * a26;
-        a06 = a06 - a03 * a36;
-        a06 = a06 - a04 * a46;
-        a06 = a06 - a05 * a56;
-        a06 = a06 * inverse0;
-        const stewart_real F0 = D[0][l] - a06;
-        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : REAL(1);
-        F[0][l] = F0;
-        const stewart_real F1 = D[1][l] - a16;
-        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : REAL(1);
-        F[1][l] = F1;
-        const stewart_real F2 = D[2][l] - a26;
-        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : REAL(1);
-        F[2][l] = F2;
-        const stewart_real F3 = D[3][l] - a36;
-        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : REAL(1);
-        F[3][l] = F3;
-        const stewart_real F4 = D[4][l] - a46;
-        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : REAL(1);
-        F[4][l] = F4;
-        const stewart_real F5 = D[5][l] - a56;
-        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : REAL(1);
-        F[5][l] = F5;
+        const stewart_real below_1_0 = STEWART_FABS(a_1_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real upper_0_0_1 = below_1_0 > REAL(0) ? a_1_0 : a_0_0;
+        a_1_0 = below_1_0 > REAL(0) ? a_0_0 : a_1_0;
+        a_0_0 = upper_0_0_1;
+        const stewart_real upper_0_1_1 = below_1_0 > REAL(0) ? a_1_1 : a_0_1;
+        a_1_1 = below_1_0 > REAL(0) ? a_0_1 : a_1_1;
+        a_0_1 = upper_0_1_1;
+        const stewart_real upper_0_2_1 = below_1_0 > REAL(0) ? a_1_2 : a_0_2;
+        a_1_2 = below_1_0 > REAL(0) ? a_0_2 : a_1_2;
+        a_0_2 = upper_0_2_1;
+        const stewart_real upper_0_3_1 = below_1_0 > REAL(0) ? a_1_3 : a_0_3;
+        a_1_3 = below_1_0 > REAL(0) ? a_0_3 : a_1_3;
+        a_0_3 = upper_0_3_1;
+        const stewart_real upper_0_4_1 = below_1_0 > REAL(0) ? a_1_4 : a_0_4;
+        a_1_4 = below_1_0 > REAL(0) ? a_0_4 : a_1_4;
+        a_0_4 = upper_0_4_1;
+        const stewart_real upper_0_5_1 = below_1_0 > REAL(0) ? a_1_5 : a_0_5;
+        a_1_5 = below_1_0 > REAL(0) ? a_0_5 : a_1_5;
+        a_0_5 = upper_0_5_1;
+        const stewart_real upper_0_6_1 = below_1_0 > REAL(0) ? a_1_6 : a_0_6;
+        a_1_6 = below_1_0 > REAL(0) ? a_0_6 : a_1_6;
+        a_0_6 = upper_0_6_1;
+        const stewart_real below_2_0 = STEWART_FABS(a_2_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real upper_0_0_2 = below_2_0 > REAL(0) ? a_2_0 : a_0_0;
+        a_2_0 = below_2_0 > REAL(0) ? a_0_0 : a_2_0;
+        a_0_0 = upper_0_0_2;
+        const stewart_real upper_0_1_2 = below_2_0 > REAL(0) ? a_2_1 : a_0_1;
+        a_2_1 = below_2_0 > REAL(0) ? a_0_1 : a_2_1;
+        a_0_1 = upper_0_1_2;
+        const stewart_real upper_0_2_2 = below_2_0 > REAL(0) ? a_2_2 : a_0_2;
+        a_2_2 = below_2_0 > REAL(0) ? a_0_2 : a_2_2;
+        a_0_2 = upper_0_2_2;
+        const stewart_real upper_0_3_2 = below_2_0 > REAL(0) ? a_2_3 : a_0_3;
+        a_2_3 = below_2_0 > REAL(0) ? a_0_3 : a_2_3;
+        a_0_3 = upper_0_3_2;
+        const stewart_real upper_0_4_2 = below_2_0 > REAL(0) ? a_2_4 : a_0_4;
+        a_2_4 = below_2_0 > REAL(0) ? a_0_4 : a_2_4;
+        a_0_4 = upper_0_4_2;
+        const stewart_real upper_0_5_2 = below_2_0 > REAL(0) ? a_2_5 : a_0_5;
+        a_2_5 = below_2_0 > REAL(0) ? a_0_5 : a_2_5;
+        a_0_5 = upper_0_5_2;
+        const stewart_real upper_0_6_2 = below_2_0 > REAL(0) ? a_2_6 : a_0_6;
+        a_2_6 = below_2_0 > REAL(0) ? a_0_6 : a_2_6;
+        a_0_6 = upper_0_6_2;
+        fault = STEWART_FABS(a_0_0) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_0 = REAL(1)/a_0_0;
+        const stewart_real factor_1_0 = a_1_0*inverse_0;
+        a_1_1 = a_1_1 - factor_1_0*a_0_1;
+        a_1_2 = a_1_2 - factor_1_0*a_0_2;
+        a_1_3 = a_1_3 - factor_1_0*a_0_3;
+        a_1_4 = a_1_4 - factor_1_0*a_0_4;
+        a_1_5 = a_1_5 - factor_1_0*a_0_5;
+        a_1_6 = a_1_6 - factor_1_0*a_0_6;
+        const stewart_real factor_2_0 = a_2_0*inverse_0;
+        a_2_1 = a_2_1 - factor_2_0*a_0_1;
+        a_2_2 = a_2_2 - factor_2_0*a_0_2;
+        a_2_3 = a_2_3 - factor_2_0*a_0_3;
+        a_2_4 = a_2_4 - factor_2_0*a_0_4;
+        a_2_5 = a_2_5 - factor_2_0*a_0_5;
+        a_2_6 = a_2_6 - factor_2_0*a_0_6;
+        const stewart_real below_2_1 = STEWART_FABS(a_2_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_2 = below_2_1 > REAL(0) ? a_2_1 : a_1_1;
+        a_2_1 = below_2_1 > REAL(0) ? a_1_1 : a_2_1;
+        a_1_1 = upper_1_1_2;
+        const stewart_real upper_1_2_2 = below_2_1 > REAL(0) ? a_2_2 : a_1_2;
+        a_2_2 = below_2_1 > REAL(0) ? a_1_2 : a_2_2;
+        a_1_2 = upper_1_2_2;
+        const stewart_real upper_1_3_2 = below_2_1 > REAL(0) ? a_2_3 : a_1_3;
+        a_2_3 = below_2_1 > REAL(0) ? a_1_3 : a_2_3;
+        a_1_3 = upper_1_3_2;
+        const stewart_real upper_1_4_2 = below_2_1 > REAL(0) ? a_2_4 : a_1_4;
+        a_2_4 = below_2_1 > REAL(0) ? a_1_4 : a_2_4;
+        a_1_4 = upper_1_4_2;
+        const stewart_real upper_1_5_2 = below_2_1 > REAL(0) ? a_2_5 : a_1_5;
+        a_2_5 = below_2_1 > REAL(0) ? a_1_5 : a_2_5;
+        a_1_5 = upper_1_5_2;
+        const stewart_real upper_1_6_2 = below_2_1 > REAL(0) ? a_2_6 : a_1_6;
+        a_2_6 = below_2_1 > REAL(0) ? a_1_6 : a_2_6;
+        a_1_6 = upper_1_6_2;
+        const stewart_real below_3_1 = STEWART_FABS(a_3_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_3 = below_3_1 > REAL(0) ? a_3_1 : a_1_1;
+        a_3_1 = below_3_1 > REAL(0) ? a_1_1 : a_3_1;
+        a_1_1 = upper_1_1_3;
+        const stewart_real upper_1_2_3 = below_3_1 > REAL(0) ? a_3_2 : a_1_2;
+        a_3_2 = below_3_1 > REAL(0) ? a_1_2 : a_3_2;
+        a_1_2 = upper_1_2_3;
+        const stewart_real upper_1_3_3 = below_3_1 > REAL(0) ? a_3_3 : a_1_3;
+        a_3_3 = below_3_1 > REAL(0) ? a_1_3 : a_3_3;
+        a_1_3 = upper_1_3_3;
+        const stewart_real upper_1_4_3 = below_3_1 > REAL(0) ? a_3_4 : a_1_4;
+        a_3_4 = below_3_1 > REAL(0) ? a_1_4 : a_3_4;
+        a_1_4 = upper_1_4_3;
+        const stewart_real upper_1_5_3 = below_3_1 > REAL(0) ? a_3_5 : a_1_5;
+        a_3_5 = below_3_1 > REAL(0) ? a_1_5 : a_3_5;
+        a_1_5 = upper_1_5_3;
+        const stewart_real upper_1_6_3 = below_3_1 > REAL(0) ? a_3_6 : a_1_6;
+        a_3_6 = below_3_1 > REAL(0) ? a_1_6 : a_3_6;
+        a_1_6 = upper_1_6_3;
+        const stewart_real below_4_1 = STEWART_FABS(a_4_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_4 = below_4_1 > REAL(0) ? a_4_1 : a_1_1;
+        a_4_1 = below_4_1 > REAL(0) ? a_1_1 : a_4_1;
+        a_1_1 = upper_1_1_4;
+        const stewart_real upper_1_2_4 = below_4_1 > REAL(0) ? a_4_2 : a_1_2;
+        a_4_2 = below_4_1 > REAL(0) ? a_1_2 : a_4_2;
+        a_1_2 = upper_1_2_4;
+        const stewart_real upper_1_3_4 = below_4_1 > REAL(0) ? a_4_3 : a_1_3;
+        a_4_3 = below_4_1 > REAL(0) ? a_1_3 : a_4_3;
+        a_1_3 = upper_1_3_4;
+        const stewart_real upper_1_4_4 = below_4_1 > REAL(0) ? a_4_4 : a_1_4;
+        a_4_4 = below_4_1 > REAL(0) ? a_1_4 : a_4_4;
+        a_1_4 = upper_1_4_4;
+        const stewart_real upper_1_5_4 = below_4_1 > REAL(0) ? a_4_5 : a_1_5;
+        a_4_5 = below_4_1 > REAL(0) ? a_1_5 : a_4_5;
+        a_1_5 = upper_1_5_4;
+        const stewart_real upper_1_6_4 = below_4_1 > REAL(0) ? a_4_6 : a_1_6;
+        a_4_6 = below_4_1 > REAL(0) ? a_1_6 : a_4_6;
+        a_1_6 = upper_1_6_4;
+        const stewart_real below_5_1 = STEWART_FABS(a_5_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_5 = below_5_1 > REAL(0) ? a_5_1 : a_1_1;
+        a_5_1 = below_5_1 > REAL(0) ? a_1_1 : a_5_1;
+        a_1_1 = upper_1_1_5;
+        const stewart_real upper_1_2_5 = below_5_1 > REAL(0) ? a_5_2 : a_1_2;
+        a_5_2 = below_5_1 > REAL(0) ? a_1_2 : a_5_2;
+        a_1_2 = upper_1_2_5;
+        const stewart_real upper_1_3_5 = below_5_1 > REAL(0) ? a_5_3 : a_1_3;
+        a_5_3 = below_5_1 > REAL(0) ? a_1_3 : a_5_3;
+        a_1_3 = upper_1_3_5;
+        const stewart_real upper_1_4_5 = below_5_1 > REAL(0) ? a_5_4 : a_1_4;
+        a_5_4 = below_5_1 > REAL(0) ? a_1_4 : a_5_4;
+        a_1_4 = upper_1_4_5;
+        const stewart_real upper_1_5_5 = below_5_1 > REAL(0) ? a_5_5 : a_1_5;
+        a_5_5 = below_5_1 > REAL(0) ? a_1_5 : a_5_5;
+        a_1_5 = upper_1_5_5;
+        const stewart_real upper_1_6_5 = below_5_1 > REAL(0) ? a_5_6 : a_1_6;
+        a_5_6 = below_5_1 > REAL(0) ? a_1_6 : a_5_6;
+        a_1_6 = upper_1_6_5;
+        fault = STEWART_FABS(a_1_1) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_1 = REAL(1)/a_1_1;
+        const stewart_real factor_2_1 = a_2_1*inverse_1;
+        a_2_2 = a_2_2 - factor_2_1*a_1_2;
+        a_2_3 = a_2_3 - factor_2_1*a_1_3;
+        a_2_4 = a_2_4 - factor_2_1*a_1_4;
+        a_2_5 = a_2_5 - factor_2_1*a_1_5;
+        a_2_6 = a_2_6 - factor_2_1*a_1_6;
+        const stewart_real factor_3_1 = a_3_1*inverse_1;
+        a_3_2 = a_3_2 - factor_3_1*a_1_2;
+        a_3_3 = a_3_3 - factor_3_1*a_1_3;
+        a_3_4 = a_3_4 - factor_3_1*a_1_4;
+        a_3_5 = a_3_5 - factor_3_1*a_1_5;
+        a_3_6 = a_3_6 - factor_3_1*a_1_6;
+        const stewart_real factor_4_1 = a_4_1*inverse_1;
+        a_4_2 = a_4_2 - factor_4_1*a_1_2;
+        a_4_3 = a_4_3 - factor_4_1*a_1_3;
+        a_4_4 = a_4_4 - factor_4_1*a_1_4;
+        a_4_5 = a_4_5 - factor_4_1*a_1_5;
+        a_4_6 = a_4_6 - factor_4_1*a_1_6;
+        const stewart_real factor_5_1 = a_5_1*inverse_1;
+        a_5_2 = a_5_2 - factor_5_1*a_1_2;
+        a_5_3 = a_5_3 - factor_5_1*a_1_3;
+        a_5_4 = a_5_4 - factor_5_1*a_1_4;
+        a_5_5 = a_5_5 - factor_5_1*a_1_5;
+        a_5_6 = a_5_6 - factor_5_1*a_1_6;
+        const stewart_real below_3_2 = STEWART_FABS(a_3_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_3 = below_3_2 > REAL(0) ? a_3_2 : a_2_2;
+        a_3_2 = below_3_2 > REAL(0) ? a_2_2 : a_3_2;
+        a_2_2 = upper_2_2_3;
+        const stewart_real upper_2_3_3 = below_3_2 > REAL(0) ? a_3_3 : a_2_3;
+        a_3_3 = below_3_2 > REAL(0) ? a_2_3 : a_3_3;
+        a_2_3 = upper_2_3_3;
+        const stewart_real upper_2_4_3 = below_3_2 > REAL(0) ? a_3_4 : a_2_4;
+        a_3_4 = below_3_2 > REAL(0) ? a_2_4 : a_3_4;
+        a_2_4 = upper_2_4_3;
+        const stewart_real upper_2_5_3 = below_3_2 > REAL(0) ? a_3_5 : a_2_5;
+        a_3_5 = below_3_2 > REAL(0) ? a_2_5 : a_3_5;
+        a_2_5 = upper_2_5_3;
+        const stewart_real upper_2_6_3 = below_3_2 > REAL(0) ? a_3_6 : a_2_6;
+        a_3_6 = below_3_2 > REAL(0) ? a_2_6 : a_3_6;
+        a_2_6 = upper_2_6_3;
+        const stewart_real below_4_2 = STEWART_FABS(a_4_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_4 = below_4_2 > REAL(0) ? a_4_2 : a_2_2;
+        a_4_2 = below_4_2 > REAL(0) ? a_2_2 : a_4_2;
+        a_2_2 = upper_2_2_4;
+        const stewart_real upper_2_3_4 = below_4_2 > REAL(0) ? a_4_3 : a_2_3;
+        a_4_3 = below_4_2 > REAL(0) ? a_2_3 : a_4_3;
+        a_2_3 = upper_2_3_4;
+        const stewart_real upper_2_4_4 = below_4_2 > REAL(0) ? a_4_4 : a_2_4;
+        a_4_4 = below_4_2 > REAL(0) ? a_2_4 : a_4_4;
+        a_2_4 = upper_2_4_4;
+        const stewart_real upper_2_5_4 = below_4_2 > REAL(0) ? a_4_5 : a_2_5;
+        a_4_5 = below_4_2 > REAL(0) ? a_2_5 : a_4_5;
+        a_2_5 = upper_2_5_4;
+        const stewart_real upper_2_6_4 = below_4_2 > REAL(0) ? a_4_6 : a_2_6;
+        a_4_6 = below_4_2 > REAL(0) ? a_2_6 : a_4_6;
+        a_2_6 = upper_2_6_4;
+        const stewart_real below_5_2 = STEWART_FABS(a_5_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_5 = below_5_2 > REAL(0) ? a_5_2 : a_2_2;
+        a_5_2 = below_5_2 > REAL(0) ? a_2_2 : a_5_2;
+        a_2_2 = upper_2_2_5;
+        const stewart_real upper_2_3_5 = below_5_2 > REAL(0) ? a_5_3 : a_2_3;
+        a_5_3 = below_5_2 > REAL(0) ? a_2_3 : a_5_3;
+        a_2_3 = upper_2_3_5;
+        const stewart_real upper_2_4_5 = below_5_2 > REAL(0) ? a_5_4 : a_2_4;
+        a_5_4 = below_5_2 > REAL(0) ? a_2_4 : a_5_4;
+        a_2_4 = upper_2_4_5;
+        const stewart_real upper_2_5_5 = below_5_2 > REAL(0) ? a_5_5 : a_2_5;
+        a_5_5 = below_5_2 > REAL(0) ? a_2_5 : a_5_5;
+        a_2_5 = upper_2_5_5;
+        const stewart_real upper_2_6_5 = below_5_2 > REAL(0) ? a_5_6 : a_2_6;
+        a_5_6 = below_5_2 > REAL(0) ? a_2_6 : a_5_6;
+        a_2_6 = upper_2_6_5;
+        fault = STEWART_FABS(a_2_2) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_2 = REAL(1)/a_2_2;
+        const stewart_real factor_3_2 = a_3_2*inverse_2;
+        a_3_3 = a_3_3 - factor_3_2*a_2_3;
+        a_3_4 = a_3_4 - factor_3_2*a_2_4;
+        a_3_5 = a_3_5 - factor_3_2*a_2_5;
+        a_3_6 = a_3_6 - factor_3_2*a_2_6;
+        const stewart_real factor_4_2 = a_4_2*inverse_2;
+        a_4_3 = a_4_3 - factor_4_2*a_2_3;
+        a_4_4 = a_4_4 - factor_4_2*a_2_4;
+        a_4_5 = a_4_5 - factor_4_2*a_2_5;
+        a_4_6 = a_4_6 - factor_4_2*a_2_6;
+        const stewart_real factor_5_2 = a_5_2*inverse_2;
+        a_5_3 = a_5_3 - factor_5_2*a_2_3;
+        a_5_4 = a_5_4 - factor_5_2*a_2_4;
+        a_5_5 = a_5_5 - factor_5_2*a_2_5;
+        a_5_6 = a_5_6 - factor_5_2*a_2_6;
+        const stewart_real below_4_3 = STEWART_FABS(a_4_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real upper_3_3_4 = below_4_3 > REAL(0) ? a_4_3 : a_3_3;
+        a_4_3 = below_4_3 > REAL(0) ? a_3_3 : a_4_3;
+        a_3_3 = upper_3_3_4;
+        const stewart_real upper_3_4_4 = below_4_3 > REAL(0) ? a_4_4 : a_3_4;
+        a_4_4 = below_4_3 > REAL(0) ? a_3_4 : a_4_4;
+        a_3_4 = upper_3_4_4;
+        const stewart_real upper_3_5_4 = below_4_3 > REAL(0) ? a_4_5 : a_3_5;
+        a_4_5 = below_4_3 > REAL(0) ? a_3_5 : a_4_5;
+        a_3_5 = upper_3_5_4;
+        const stewart_real upper_3_6_4 = below_4_3 > REAL(0) ? a_4_6 : a_3_6;
+        a_4_6 = below_4_3 > REAL(0) ? a_3_6 : a_4_6;
+        a_3_6 = upper_3_6_4;
+        const stewart_real below_5_3 = STEWART_FABS(a_5_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real upper_3_3_5 = below_5_3 > REAL(0) ? a_5_3 : a_3_3;
+        a_5_3 = below_5_3 > REAL(0) ? a_3_3 : a_5_3;
+        a_3_3 = upper_3_3_5;
+        const stewart_real upper_3_4_5 = below_5_3 > REAL(0) ? a_5_4 : a_3_4;
+        a_5_4 = below_5_3 > REAL(0) ? a_3_4 : a_5_4;
+        a_3_4 = upper_3_4_5;
+        const stewart_real upper_3_5_5 = below_5_3 > REAL(0) ? a_5_5 : a_3_5;
+        a_5_5 = below_5_3 > REAL(0) ? a_3_5 : a_5_5;
+        a_3_5 = upper_3_5_5;
+        const stewart_real upper_3_6_5 = below_5_3 > REAL(0) ? a_5_6 : a_3_6;
+        a_5_6 = below_5_3 > REAL(0) ? a_3_6 : a_5_6;
+        a_3_6 = upper_3_6_5;
+        fault = STEWART_FABS(a_3_3) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_3 = REAL(1)/a_3_3;
+        const stewart_real factor_4_3 = a_4_3*inverse_3;
+        a_4_4 = a_4_4 - factor_4_3*a_3_4;
+        a_4_5 = a_4_5 - factor_4_3*a_3_5;
+        a_4_6 = a_4_6 - factor_4_3*a_3_6;
+        const stewart_real factor_5_3 = a_5_3*inverse_3;
+        a_5_4 = a_5_4 - factor_5_3*a_3_4;
+        a_5_5 = a_5_5 - factor_5_3*a_3_5;
+        a_5_6 = a_5_6 - factor_5_3*a_3_6;
+        const stewart_real below_5_4 = STEWART_FABS(a_5_4) > STEWART_FABS(a_4_4) ? REAL(1) : REAL(0);
+        const stewart_real upper_4_4_5 = below_5_4 > REAL(0) ? a_5_4 : a_4_4;
+        a_5_4 = below_5_4 > REAL(0) ? a_4_4 : a_5_4;
+        a_4_4 = upper_4_4_5;
+        const stewart_real upper_4_5_5 = below_5_4 > REAL(0) ? a_5_5 : a_4_5;
+        a_5_5 = below_5_4 > REAL(0) ? a_4_5 : a_5_5;
+        a_4_5 = upper_4_5_5;
+        const stewart_real upper_4_6_5 = below_5_4 > REAL(0) ? a_5_6 : a_4_6;
+        a_5_6 = below_5_4 > REAL(0) ? a_4_6 : a_5_6;
+        a_4_6 = upper_4_6_5;
+        fault = STEWART_FABS(a_4_4) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_4 = REAL(1)/a_4_4;
+        const stewart_real factor_5_4 = a_5_4*inverse_4;
+        a_5_5 = a_5_5 - factor_5_4*a_4_5;
+        a_5_6 = a_5_6 - factor_5_4*a_4_6;
+        fault = STEWART_FABS(a_5_5) > STEWART_SUSPECT ? fault : REAL(1);
+        a_5_6 = a_5_6/a_5_5;
+        a_4_6 = a_4_6 - a_4_5*a_5_6;
+        a_4_6 = a_4_6*inverse_4;
+        a_3_6 = a_3_6 - a_3_4*a_4_6;
+        a_3_6 = a_3_6 - a_3_5*a_5_6;
+        a_3_6 = a_3_6*inverse_3;
+        a_2_6 = a_2_6 - a_2_3*a_3_6;
+        a_2_6 = a_2_6 - a_2_4*a_4_6;
+        a_2_6 = a_2_6 - a_2_5*a_5_6;
+        a_2_6 = a_2_6*inverse_2;
+        a_1_6 = a_1_6 - a_1_2*a_2_6;
+        a_1_6 = a_1_6 - a_1_3*a_3_6;
+        a_1_6 = a_1_6 - a_1_4*a_4_6;
+        a_1_6 = a_1_6 - a_1_5*a_5_6;
+        a_1_6 = a_1_6*inverse_1;
+        a_0_6 = a_0_6 - a_0_1*a_1_6;
+        a_0_6 = a_0_6 - a_0_2*a_2_6;
+        a_0_6 = a_0_6 - a_0_3*a_3_6;
+        a_0_6 = a_0_6 - a_0_4*a_4_6;
+        a_0_6 = a_0_6 - a_0_5*a_5_6;
+        a_0_6 = a_0_6*inverse_0;
+        const stewart_real force_0 = D[0][l] - a_0_6;
+        fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
+        F[0][l] = force_0;
+        const stewart_real force_1 = D[1][l] - a_1_6;
+        fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
+        F[1][l] = force_1;
+        const stewart_real force_2 = D[2][l] - a_2_6;
+        fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
+        F[2][l] = force_2;
+        const stewart_real force_3 = D[3][l] - a_3_6;
+        fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
+        F[3][l] = force_3;
+        const stewart_real force_4 = D[4][l] - a_4_6;
+        fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
+        F[4][l] = force_4;
+        const stewart_real force_5 = D[5][l] - a_5_6;
+        fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
+        F[5][l] = force_5;
         bad[l] = fault;
     }
 }
@@ -1576,36 +1579,38 @@ static void clear(stewart_real (*to)[LANES])
     }
 }
 
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+/* Motions of eight poses, component by component. */
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
 {
-    stewart_real padded[9 * LANES];
-    spread_matrix(whole(motions->R, 9, first, count, padded), in->R);
-    spread_vector(whole(motions->t, 3, first, count, padded), in->t);
+    stewart_real padded[72];
+    spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
+    spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
     if (motions->F_ext != NULL) {
-        spread_vector(whole(motions->F_ext, 3, first, count, padded), in->F_ext);
+        spread_vector(whole(motions->F_ext, 3U, first, count, padded), at->F_ext);
     } else {
-        clear(in->F_ext);
+        clear(at->F_ext);
     }
     if (motions->M_ext != NULL) {
-        spread_vector(whole(motions->M_ext, 3, first, count, padded), in->M_ext);
+        spread_vector(whole(motions->M_ext, 3U, first, count, padded), at->M_ext);
     } else {
-        clear(in->M_ext);
+        clear(at->M_ext);
     }
 }
 
-static void forces_of_block(const stewart_exact_general_static_model *model, const motion_lanes *in, block *out)
+/* Forces of eight poses, and where a closer look is needed. */
+static void forces_of_block(
+    const stewart_exact_general_static_model *model, const motion_lanes *at, block *out)
 {
-    shared_lanes shared;
-    leg_block first, other;
     int i, l;
+    shared_lanes shared;
+    leg_block first;
+    leg_block other;
     for (l = 0; l < LANES; ++l) {
         out->bad[l] = REAL(0);
     }
-    shared_of_block(model, in, &shared, out->column[6]);
+    shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(
-            model, i, in, &shared, out->column[i],
-            i == 0 ? &first : &other, out->D[i], out->bad);
+        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {
@@ -1620,15 +1625,16 @@ static void forces_of_block(const stewart_exact_general_static_model *model, con
 
 /* Forces and status of one pose of a batch. */
 static int forces_of(
-    const stewart_exact_general_static_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
+    const stewart_exact_general_static_model *model, const stewart_motions *motions, size_t pose,
+    stewart_real *F)
 {
-    stewart_motion one;
     int i;
+    stewart_motion one;
     for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose * 9U + (size_t)i];
+        one.R[i] = motions->R[pose*9U + (size_t)i];
     }
     for (i = 0; i < 3; ++i) {
-        const size_t at = pose * 3U + (size_t)i;
+        const size_t at = pose*3U + (size_t)i;
         one.t[i] = motions->t[at];
         one.F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
         one.M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
@@ -1637,28 +1643,31 @@ static int forces_of(
 }
 
 int stewart_exact_general_static_forces_batch(
-    const stewart_exact_general_static_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
-    int *status)
+    const stewart_exact_general_static_model *model, size_t count, const stewart_motions *motions,
+    stewart_real *F, int *status)
 {
-    motion_lanes in;
-    block done;
     size_t first;
-    int result = STEWART_OK;
     int i, l;
+    motion_lanes at;
+    block done;
+    int result = STEWART_OK;
     if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &in);
-        forces_of_block(model, &in, &done);
-        for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
+        load_block(motions, first, count, &at);
+        forces_of_block(model, &at, &done);
+        for (l = 0; l < LANES; ++l) {
+            if (!(first + (size_t)l < count)) {
+                break;
+            }
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
             if (done.bad[l] > REAL(0)) {
-                code = forces_of(model, motions, pose, &F[pose * 6U]);
+                code = forces_of(model, motions, pose, &F[pose*6U]);
             } else {
                 for (i = 0; i < 6; ++i) {
-                    F[pose * 6U + (size_t)i] = done.F[i][l];
+                    F[pose*6U + (size_t)i] = done.F[i][l];
                 }
             }
             if (status != NULL) {

@@ -38,15 +38,16 @@ typedef struct {
     stewart_real h_P[3]; /* kg m: its first moment, platform frame */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real W_P[3]; /* N: weight of the platform with the upper parts, base frame */
-    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
+     * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_general_static_model;
 
-/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
- * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+ * number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
-STEWART_NODISCARD int stewart_exact_general_static_prepare(const stewart_robot *robot, stewart_exact_general_static_model *model);
+STEWART_NODISCARD int stewart_exact_general_static_prepare(
+    const stewart_robot *robot, stewart_exact_general_static_model *model);
 
 /* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_general_static_forces(
@@ -55,8 +56,8 @@ STEWART_NODISCARD int stewart_exact_general_static_forces(
 /* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
  * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
 STEWART_NODISCARD int stewart_exact_general_static_forces_batch(
-    const stewart_exact_general_static_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
-    int *status);
+    const stewart_exact_general_static_model *model, size_t count, const stewart_motions *motions,
+    stewart_real *F, int *status);
 
 #ifdef __cplusplus
 }

@@ -81,14 +81,14 @@
 
 /* Motions of eight poses, component by component. */
 typedef struct {
-    stewart_real R[9][8];
-    stewart_real t[3][8];
-    stewart_real omega[3][8];
-    stewart_real v[3][8];
-    stewart_real alpha[3][8];
-    stewart_real a[3][8];
-    stewart_real F_ext[3][8];
-    stewart_real M_ext[3][8];
+    stewart_real R[9][LANES];
+    stewart_real t[3][LANES];
+    stewart_real omega[3][LANES];
+    stewart_real v[3][LANES];
+    stewart_real alpha[3][LANES];
+    stewart_real a[3][LANES];
+    stewart_real F_ext[3][LANES];
+    stewart_real M_ext[3][LANES];
 } motion_lanes;
 
 /* What a pose has for all legs. */
@@ -100,19 +100,21 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real B[9][8];
+    stewart_real B[9][LANES];
 } shared_lanes;
 
 /* The legs of one pose. */
 typedef struct {
-    stewart_real q[3][8];
-    stewart_real D[8];
-    stewart_real H_force[3][8];
-    stewart_real c_force[3][8];
-    stewart_real c_moment[3][8];
-    stewart_real H_moment[3][8];
-    stewart_real arm_c[3][8];
-    stewart_real L[LANES], reach[LANES], k3[LANES];
+    stewart_real q[3][LANES];
+    stewart_real D[LANES];
+    stewart_real H_force[3][LANES];
+    stewart_real c_force[3][LANES];
+    stewart_real c_moment[3][LANES];
+    stewart_real H_moment[3][LANES];
+    stewart_real arm_c[3][LANES];
+    stewart_real L[LANES];
+    stewart_real reach[LANES];
+    stewart_real k3[LANES];
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
@@ -122,7 +124,7 @@ static int leg_status(const leg_lanes *leg, int l)
     if (!(leg->L[l] <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(leg->L[l] > STEWART_ROUNDING * leg->reach[l])) {
+    if (!(leg->L[l] > STEWART_ROUNDING*leg->reach[l])) {
         return STEWART_SHORT_LEG;
     }
     return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
@@ -130,7 +132,7 @@ static int leg_status(const leg_lanes *leg, int l)
 
 /* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
  * length. */
-static void scaled_axis(const stewart_real *k, stewart_real *out)
+static void scaled_axis(const stewart_real k[3], stewart_real out[3])
 {
     int i, j;
     for (j = 0; j < 3; ++j) {
@@ -141,10 +143,10 @@ static void scaled_axis(const stewart_real *k, stewart_real *out)
         stewart_real largest = STEWART_FABS(out[0]);
         largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
         largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
-        by = largest > REAL(1048576) ? REAL(1) / REAL(4294967296) : by;
-        by = largest < REAL(1) / REAL(1048576) ? REAL(4294967296) : by;
+        by = largest > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
+        by = largest < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
         for (j = 0; j < 3; ++j) {
-            out[j] = by * out[j];
+            out[j] = by*out[j];
         }
     }
 }
@@ -177,12 +179,12 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real k_x = axis[0], k_y = axis[1], k_z = axis[2];
     const stewart_real m_d = leg->m_d;
     const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
-    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2],
-        I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2], I_d0_yy = leg->I_d0[3],
+        I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
     const stewart_real m_u = leg->m_u;
     const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
-    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2],
-        I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2], I_u0_yy = leg->I_u0[3],
+        I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
@@ -271,8 +273,8 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
 {
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
-    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
-        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
+        I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
@@ -309,29 +311,36 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->g[2] = g_z;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
- * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
+ * for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
+ * large. */
 static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(16.0)) {
+    stewart_real unit = REAL(1);
+    if (size >= REAL(0.125) && size <= REAL(16)) {
         return unit;
     }
-    for (i = 0; i < 100 && unit < size; ++i) {
-        unit = REAL(2) * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(unit < size)) {
+            break;
+        }
+        unit = REAL(2)*unit;
     }
-    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
-        unit = STEWART_HALF * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
+            break;
+        }
+        unit = STEWART_HALF*unit;
     }
-    return REAL(1) / unit;
+    return REAL(1)/unit;
 }
 
 /* Largest coordinate of the arms of moments about platform point 1, m. */
 static stewart_real size_of(const stewart_paper_model *model)
 {
-    stewart_real largest = REAL(0);
     int i, j;
+    stewart_real largest = REAL(0);
     for (j = 0; j < 3; ++j) {
         for (i = 1; i < 6; ++i) {
             largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
@@ -342,13 +351,11 @@ static stewart_real size_of(const stewart_paper_model *model)
 
 int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model)
 {
-    stewart_paper_model made;
-    prepared_leg found, sum;
-    prepared_platform platform;
-    const stewart_real *numbers = (const stewart_real *)&made;
-    const size_t count = sizeof made / sizeof *numbers;
-    size_t number;
     int i;
+    stewart_paper_model made;
+    prepared_leg found;
+    prepared_leg sum;
+    prepared_platform platform;
     if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -390,20 +397,19 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
         made.J[5][i] = found.J[5];
         made.C_us[i] = found.C_us;
         made.m_L2[i] = found.m_L2;
-        if (i >= 6) {
-            continue;
+        if (i < 6) {
+            sum.M_add = sum.M_add + found.M_add;
+            sum.h_add[0] = sum.h_add[0] + found.h_add[0];
+            sum.h_add[1] = sum.h_add[1] + found.h_add[1];
+            sum.h_add[2] = sum.h_add[2] + found.h_add[2];
+            sum.J_add[0] = sum.J_add[0] + found.J_add[0];
+            sum.J_add[1] = sum.J_add[1] + found.J_add[1];
+            sum.J_add[2] = sum.J_add[2] + found.J_add[2];
+            sum.J_add[3] = sum.J_add[3] + found.J_add[3];
+            sum.J_add[4] = sum.J_add[4] + found.J_add[4];
+            sum.J_add[5] = sum.J_add[5] + found.J_add[5];
+            sum.C_add = sum.C_add + found.C_add;
         }
-        sum.M_add = sum.M_add + found.M_add;
-        sum.h_add[0] = sum.h_add[0] + found.h_add[0];
-        sum.h_add[1] = sum.h_add[1] + found.h_add[1];
-        sum.h_add[2] = sum.h_add[2] + found.h_add[2];
-        sum.J_add[0] = sum.J_add[0] + found.J_add[0];
-        sum.J_add[1] = sum.J_add[1] + found.J_add[1];
-        sum.J_add[2] = sum.J_add[2] + found.J_add[2];
-        sum.J_add[3] = sum.J_add[3] + found.J_add[3];
-        sum.J_add[4] = sum.J_add[4] + found.J_add[4];
-        sum.J_add[5] = sum.J_add[5] + found.J_add[5];
-        sum.C_add = sum.C_add + found.C_add;
     }
     prepare_platform(robot, &sum, &platform);
     made.M_P = platform.M_P;
@@ -424,8 +430,9 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
     made.per_length = per_length_of(size_of(&made));
-    for (number = 0; number < count; ++number) {
-        if (!(STEWART_FABS(numbers[number]) <= STEWART_MAX)) {
+    const stewart_real *const numbers = (const stewart_real *)&made;
+    for (i = 0; i < 218; ++i) {
+        if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
     }
@@ -436,8 +443,8 @@ int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model
 /* What one pose has for all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt) operations. */
 static void shared_of_pose(const stewart_paper_model *model, const stewart_motion *at, shared_terms *out)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -445,8 +452,8 @@ static void shared_of_pose(const stewart_paper_model *model, const stewart_motio
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
@@ -490,12 +497,12 @@ static void shared_of_pose(const stewart_paper_model *model, const stewart_motio
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
-        + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
-        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
-        - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
+        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
+        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -505,18 +512,15 @@ static void shared_of_pose(const stewart_paper_model *model, const stewart_motio
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-        - B_xy*h_base_y - B_xz*h_base_z;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-        - B_yy*h_base_y - B_yz*h_base_z;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-        - B_zy*h_base_y - B_zz*h_base_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
-        - fall_y*h_base_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
-        - fall_z*h_base_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
-        - fall_x*h_base_y;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
+        - B_xz*h_base_z;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
+        - B_yz*h_base_z;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
+        - B_zz*h_base_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x - fall_y*h_base_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y - fall_z*h_base_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z - fall_x*h_base_y;
 }
 
 /* The legs of one pose side by side: 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each. */
@@ -525,15 +529,14 @@ static void legs_of_pose(
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -543,8 +546,8 @@ static void legs_of_pose(
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
-            J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l], J_yz = model->J[4][l],
+            J_zz = model->J[5][l];
         const stewart_real C_us = model->C_us[l];
         const stewart_real m_L2 = model->m_L2[l];
         /* (1) platform point from the reference point */
@@ -571,8 +574,7 @@ static void legs_of_pose(
         const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
         const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
         /* (10) |k x s| */
-        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
-            + k_cross_s_z*k_cross_s_z);
+        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
         const stewart_real inv_k3 = REAL(1)/k3;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_k3*k_cross_s_x;
@@ -619,10 +621,10 @@ static void legs_of_pose(
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
         /* (20) moment that the joints' forces must make */
-        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz
-            + e_x*h_z + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
-        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y
-            - C_s*(omega_x*z_x + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
+        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz + e_x*h_z
+            + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
+        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y - C_s*(omega_x*z_x
+            + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
         /* (21) transverse force, leg frame */
         const stewart_real K_y_leg = C_z*inv_L + N_y;
         const stewart_real K_z_leg = N_z - C_y*inv_L;
@@ -647,8 +649,7 @@ static void legs_of_pose(
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -661,28 +662,28 @@ static void legs_of_pose(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
 
-/* The same for a pose in which a leg is near its pole: 252 (148 mul, 100 add, 2 div, 2 sqrt) operations each. */
+/* The same for a pose in which a leg is near its joint singularity: 252 (148 mul, 100 add, 2 div, 2
+ * sqrt) operations each. */
 static void legs_near_pole(
     const stewart_paper_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -692,8 +693,8 @@ static void legs_near_pole(
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
-            J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l], J_yz = model->J[4][l],
+            J_zz = model->J[5][l];
         const stewart_real C_us = model->C_us[l];
         const stewart_real m_L2 = model->m_L2[l];
         /* (1) platform point from the reference point */
@@ -724,8 +725,8 @@ static void legs_near_pole(
         const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
         /* (10) |k x s| */
-        const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_k3 = REAL(1)/k3;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_k3*s_cross_normal_x;
@@ -772,10 +773,10 @@ static void legs_near_pole(
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
         /* (20) moment that the joints' forces must make */
-        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz
-            + e_x*h_z + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
-        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y
-            - C_s*(omega_x*z_x + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
+        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz + e_x*h_z
+            + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
+        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y - C_s*(omega_x*z_x
+            + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
         /* (21) transverse force, leg frame */
         const stewart_real K_y_leg = C_z*inv_L + N_y;
         const stewart_real K_z_leg = N_z - C_y*inv_L;
@@ -800,8 +801,7 @@ static void legs_near_pole(
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -814,8 +814,8 @@ static void legs_near_pole(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -825,26 +825,23 @@ static void legs_near_pole(
 static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
 {
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
-    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1],
-        c_force_z = shared->c_force[2];
-    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1],
-        c_moment_z = shared->c_moment[2];
+    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
+    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
     shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
     shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
     shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
 }
 
-/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the first, which has none. */
+/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
+ * first, which has none. */
 static void moments_of_pose(leg_lanes *legs)
 {
     int l;
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l],
-            c_force_z = legs->c_force[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l],
-            H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
@@ -864,11 +861,12 @@ static void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
     int i, j;
     for (i = 3; i < 6; ++i) {
         for (j = 0; j < LANES; ++j) {
-            A[i][j] = A[i][j] * per_length;
+            A[i][j] = A[i][j]*per_length;
         }
     }
 }
 
+/* Exchanges two rows. */
 static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
 {
     int j;
@@ -879,156 +877,172 @@ static void exchange_rows(stewart_real *STEWART_RESTRICT upper, stewart_real *ST
     }
 }
 
+/* Subtracts a multiple of a row from another. */
 static void subtract_row(
-    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT from)
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT row)
 {
     int j;
     for (j = 0; j < LANES; ++j) {
-        to[j] = to[j] - factor * from[j];
+        to[j] = to[j] - factor*row[j];
     }
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
- * updated, so that a row is one vector. Returns 1 where a pivot is small, else 0.
- * The first column has no moment rows. */
+ * updated, so that a row is one vector, and the next column is known before the rows that hold it are
+ * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
+ * has no moment rows. */
 static int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
-    stewart_real a0, a1, a2, a3, a4, a5, factor1, factor2, factor3, factor4, factor5;
-    stewart_real inverse0, inverse1, inverse2, inverse3, inverse4;
-    a0 = A[0][0];
-    a1 = A[1][0];
-    a2 = A[2][0];
-    /* Column 1. */
-    if (STEWART_FABS(a1) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[1]);
-        a0 = a1;
-        a1 = moved;
+        a_0 = a_1;
+        a_1 = moved;
     }
-    if (STEWART_FABS(a2) > STEWART_FABS(a0)) {
-        const stewart_real moved = a0;
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
         exchange_rows(A[0], A[2]);
-        a0 = a2;
-        a2 = moved;
+        a_0 = a_2;
+        a_2 = moved;
     }
-    inverse0 = REAL(1) / a0;
-    factor1 = a1 * inverse0;
-    factor2 = a2 * inverse0;
-    a1 = A[1][1] - factor1 * A[0][1];
-    a2 = A[2][1] - factor2 * A[0][1];
-    a3 = A[3][1];
-    a4 = A[4][1];
-    a5 = A[5][1];
-    subtract_row(A[1], factor1, A[0]);
-    subtract_row(A[2], factor2, A[0]);
-    /* Column 2. */
-    if (STEWART_FABS(a2) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    const stewart_real inverse_0 = REAL(1)/a_0;
+    const stewart_real factor_0_1 = a_1*inverse_0;
+    const stewart_real factor_0_2 = a_2*inverse_0;
+    a_1 = A[1][1] - factor_0_1*A[0][1];
+    a_2 = A[2][1] - factor_0_2*A[0][1];
+    stewart_real a_3 = A[3][1], a_4 = A[4][1], a_5 = A[5][1];
+    subtract_row(A[1], factor_0_1, A[0]);
+    subtract_row(A[2], factor_0_2, A[0]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[2]);
-        a1 = a2;
-        a2 = moved;
+        a_1 = a_2;
+        a_2 = moved;
     }
-    if (STEWART_FABS(a3) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[3]);
-        a1 = a3;
-        a3 = moved;
+        a_1 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[4]);
-        a1 = a4;
-        a4 = moved;
+        a_1 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a1)) {
-        const stewart_real moved = a1;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
         exchange_rows(A[1], A[5]);
-        a1 = a5;
-        a5 = moved;
+        a_1 = a_5;
+        a_5 = moved;
     }
-    inverse1 = REAL(1) / a1;
-    factor2 = a2 * inverse1;
-    factor3 = a3 * inverse1;
-    factor4 = a4 * inverse1;
-    factor5 = a5 * inverse1;
-    a2 = A[2][2] - factor2 * A[1][2];
-    a3 = A[3][2] - factor3 * A[1][2];
-    a4 = A[4][2] - factor4 * A[1][2];
-    a5 = A[5][2] - factor5 * A[1][2];
-    subtract_row(A[2], factor2, A[1]);
-    subtract_row(A[3], factor3, A[1]);
-    subtract_row(A[4], factor4, A[1]);
-    subtract_row(A[5], factor5, A[1]);
-    /* Column 3. */
-    if (STEWART_FABS(a3) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    const stewart_real inverse_1 = REAL(1)/a_1;
+    const stewart_real factor_1_2 = a_2*inverse_1;
+    const stewart_real factor_1_3 = a_3*inverse_1;
+    const stewart_real factor_1_4 = a_4*inverse_1;
+    const stewart_real factor_1_5 = a_5*inverse_1;
+    a_2 = A[2][2] - factor_1_2*A[1][2];
+    a_3 = A[3][2] - factor_1_3*A[1][2];
+    a_4 = A[4][2] - factor_1_4*A[1][2];
+    a_5 = A[5][2] - factor_1_5*A[1][2];
+    subtract_row(A[2], factor_1_2, A[1]);
+    subtract_row(A[3], factor_1_3, A[1]);
+    subtract_row(A[4], factor_1_4, A[1]);
+    subtract_row(A[5], factor_1_5, A[1]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[3]);
-        a2 = a3;
-        a3 = moved;
+        a_2 = a_3;
+        a_3 = moved;
     }
-    if (STEWART_FABS(a4) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[4]);
-        a2 = a4;
-        a4 = moved;
+        a_2 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a2)) {
-        const stewart_real moved = a2;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
         exchange_rows(A[2], A[5]);
-        a2 = a5;
-        a5 = moved;
+        a_2 = a_5;
+        a_5 = moved;
     }
-    inverse2 = REAL(1) / a2;
-    factor3 = a3 * inverse2;
-    factor4 = a4 * inverse2;
-    factor5 = a5 * inverse2;
-    a3 = A[3][3] - factor3 * A[2][3];
-    a4 = A[4][3] - factor4 * A[2][3];
-    a5 = A[5][3] - factor5 * A[2][3];
-    subtract_row(A[3], factor3, A[2]);
-    subtract_row(A[4], factor4, A[2]);
-    subtract_row(A[5], factor5, A[2]);
-    /* Column 4. */
-    if (STEWART_FABS(a4) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    const stewart_real inverse_2 = REAL(1)/a_2;
+    const stewart_real factor_2_3 = a_3*inverse_2;
+    const stewart_real factor_2_4 = a_4*inverse_2;
+    const stewart_real factor_2_5 = a_5*inverse_2;
+    a_3 = A[3][3] - factor_2_3*A[2][3];
+    a_4 = A[4][3] - factor_2_4*A[2][3];
+    a_5 = A[5][3] - factor_2_5*A[2][3];
+    subtract_row(A[3], factor_2_3, A[2]);
+    subtract_row(A[4], factor_2_4, A[2]);
+    subtract_row(A[5], factor_2_5, A[2]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[4]);
-        a3 = a4;
-        a4 = moved;
+        a_3 = a_4;
+        a_4 = moved;
     }
-    if (STEWART_FABS(a5) > STEWART_FABS(a3)) {
-        const stewart_real moved = a3;
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
         exchange_rows(A[3], A[5]);
-        a3 = a5;
-        a5 = moved;
+        a_3 = a_5;
+        a_5 = moved;
     }
-    inverse3 = REAL(1) / a3;
-    factor4 = a4 * inverse3;
-    factor5 = a5 * inverse3;
-    a4 = A[4][4] - factor4 * A[3][4];
-    a5 = A[5][4] - factor5 * A[3][4];
-    subtract_row(A[4], factor4, A[3]);
-    subtract_row(A[5], factor5, A[3]);
-    /* Column 5. */
-    if (STEWART_FABS(a5) > STEWART_FABS(a4)) {
-        const stewart_real moved = a4;
+    const stewart_real inverse_3 = REAL(1)/a_3;
+    const stewart_real factor_3_4 = a_4*inverse_3;
+    const stewart_real factor_3_5 = a_5*inverse_3;
+    a_4 = A[4][4] - factor_3_4*A[3][4];
+    a_5 = A[5][4] - factor_3_5*A[3][4];
+    subtract_row(A[4], factor_3_4, A[3]);
+    subtract_row(A[5], factor_3_5, A[3]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_4)) {
+        const stewart_real moved = a_4;
         exchange_rows(A[4], A[5]);
-        a4 = a5;
-        a5 = moved;
+        a_4 = a_5;
+        a_5 = moved;
     }
-    inverse4 = REAL(1) / a4;
-    factor5 = a5 * inverse4;
-    a5 = A[5][5] - factor5 * A[4][5];
-    subtract_row(A[5], factor5, A[4]);
-    /* Column 6. */
-    x[5] = A[5][6] / a5;
-    x[4] = (A[4][6] - A[4][5] * x[5]) * inverse4;
-    x[3] = (A[3][6] - A[3][4] * x[4] - A[3][5] * x[5]) * inverse3;
-    x[2] = (A[2][6] - A[2][3] * x[3] - A[2][4] * x[4] - A[2][5] * x[5]) * inverse2;
-    x[1] = (A[1][6] - A[1][2] * x[2] - A[1][3] * x[3] - A[1][4] * x[4] - A[1][5] * x[5]) * inverse1;
-    x[0] = (A[0][6] - A[0][1] * x[1] - A[0][2] * x[2] - A[0][3] * x[3] - A[0][4] * x[4] - A[0][5] * x[5]) * inverse0;
-    return (STEWART_FABS(a0) > STEWART_SUSPECT && STEWART_FABS(a1) > STEWART_SUSPECT
-        && STEWART_FABS(a2) > STEWART_SUSPECT && STEWART_FABS(a3) > STEWART_SUSPECT
-        && STEWART_FABS(a4) > STEWART_SUSPECT && STEWART_FABS(a5) > STEWART_SUSPECT) ? 0 : 1;
+    const stewart_real inverse_4 = REAL(1)/a_4;
+    const stewart_real factor_4_5 = a_5*inverse_4;
+    a_5 = A[5][5] - factor_4_5*A[4][5];
+    subtract_row(A[5], factor_4_5, A[4]);
+    /* Rows of equal entries are exchanged in the order of a block's lanes, and round alike. */
+    x[5] = A[5][6]/a_5;
+    stewart_real total_4 = A[4][6];
+    total_4 = total_4 - A[4][5]*x[5];
+    x[4] = total_4*inverse_4;
+    stewart_real total_3 = A[3][6];
+    total_3 = total_3 - A[3][4]*x[4];
+    total_3 = total_3 - A[3][5]*x[5];
+    x[3] = total_3*inverse_3;
+    stewart_real total_2 = A[2][6];
+    total_2 = total_2 - A[2][3]*x[3];
+    total_2 = total_2 - A[2][4]*x[4];
+    total_2 = total_2 - A[2][5]*x[5];
+    x[2] = total_2*inverse_2;
+    stewart_real total_1 = A[1][6];
+    total_1 = total_1 - A[1][2]*x[2];
+    total_1 = total_1 - A[1][3]*x[3];
+    total_1 = total_1 - A[1][4]*x[4];
+    total_1 = total_1 - A[1][5]*x[5];
+    x[1] = total_1*inverse_1;
+    stewart_real total_0 = A[0][6];
+    total_0 = total_0 - A[0][1]*x[1];
+    total_0 = total_0 - A[0][2]*x[2];
+    total_0 = total_0 - A[0][3]*x[3];
+    total_0 = total_0 - A[0][4]*x[4];
+    total_0 = total_0 - A[0][5]*x[5];
+    x[0] = total_0*inverse_0;
+    return (STEWART_FABS(a_0) > STEWART_SUSPECT && STEWART_FABS(a_1) > STEWART_SUSPECT && STEWART_FABS(a_2) > STEWART_SUSPECT
+        && STEWART_FABS(a_3) > STEWART_SUSPECT && STEWART_FABS(a_4) > STEWART_SUSPECT && STEWART_FABS(a_5) > STEWART_SUSPECT)
+        ? 0 : 1;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -1121,8 +1135,9 @@ STEWART_APART static int singular_status(
 /* Status of a pose whose H may be singular to rounding. */
 STEWART_APART static int pose_status(const leg_lanes *legs)
 {
-    stewart_real H[6][6], arm[6][3];
     int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
@@ -1133,14 +1148,14 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     return singular_status(H, arm, legs->L, legs->reach);
 }
 
-int stewart_paper_forces(
-    const stewart_paper_model *model, const stewart_motion *motion, stewart_real F[6])
+int stewart_paper_forces(const stewart_paper_model *model, const stewart_motion *motion, stewart_real F[6])
 {
+    int i, j;
     shared_terms shared;
     leg_lanes legs;
     stewart_real A[6][LANES];
-    stewart_real x[6], found[6];
-    int i, j, status, suspect;
+    stewart_real x[6];
+    stewart_real found[6];
     int close = 0;
     int near_pole = 0;
     if (model == NULL || motion == NULL || F == NULL) {
@@ -1150,11 +1165,11 @@ int stewart_paper_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            status = leg_status(&legs, i);
+            const int status = leg_status(&legs, i);
             if (status != STEWART_OK) {
                 return status;
             }
-            close = legs.L[i] > STEWART_SHORT_SHARE * legs.reach[i] ? close : 1;
+            close = legs.L[i] > STEWART_SHORT_SHARE*legs.reach[i] ? close : 1;
             near_pole = legs.k3[i] > STEWART_NEAR_POLE ? near_pole : 1;
         }
     }
@@ -1183,9 +1198,9 @@ int stewart_paper_forces(
     if (model->per_length != REAL(1)) {
         scale_pose(A, model->per_length);
     }
-    suspect = solve_pose(A, x);
+    const int suspect = solve_pose(A, x);
     if (close != 0 || suspect != 0) {
-        status = pose_status(&legs);
+        const int status = pose_status(&legs);
         if (status != STEWART_OK) {
             return status;
         }
@@ -1205,41 +1220,39 @@ int stewart_paper_forces(
 /* Eight poses on their way. */
 typedef struct {
     stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real D[6][LANES], F[6][LANES];
+    stewart_real D[6][LANES];
+    stewart_real F[6][LANES];
     stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 
 /* What a leg of eight poses hands to the moments. */
 typedef struct {
-    stewart_real q[3][LANES], c_force[3][LANES], c_moment[3][LANES];
+    stewart_real q[3][LANES];
+    stewart_real c_force[3][LANES];
+    stewart_real c_moment[3][LANES];
 } leg_block;
 
 /* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
-    const stewart_paper_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT in,
+    const stewart_paper_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
     shared_lanes *STEWART_RESTRICT out, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
-            omega_z = in->omega[2][l];
-        const stewart_real alpha_x = in->alpha[0][l], alpha_y = in->alpha[1][l],
-            alpha_z = in->alpha[2][l];
-        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
-        const stewart_real F_ext_x = in->F_ext[0][l], F_ext_y = in->F_ext[1][l],
-            F_ext_z = in->F_ext[2][l];
-        const stewart_real M_ext_x = in->M_ext[0][l], M_ext_y = in->M_ext[1][l],
-            M_ext_z = in->M_ext[2][l];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real alpha_x = at->alpha[0][l], alpha_y = at->alpha[1][l], alpha_z = at->alpha[2][l];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
+        const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -1280,12 +1293,12 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x
-            - J_P_xz*(P_xy + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-        const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
-            - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-        const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
-            - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+        const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
+            + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+        const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+            - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+        const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
+            + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -1295,28 +1308,22 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
-            - B_xz*h_base_z;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
-            - B_yz*h_base_z;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
-            - B_zz*h_base_z;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
-            - fall_y*h_base_z;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
-            - fall_z*h_base_x;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
-            - fall_x*h_base_y;
+        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y - B_xz*h_base_z;
+        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y - B_yz*h_base_z;
+        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y - B_zz*h_base_z;
+        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x - fall_y*h_base_z;
+        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y - fall_z*h_base_x;
+        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z - fall_x*h_base_y;
     }
 }
 
-/* One leg of eight poses side by side, 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each:
- * its column of H, forces alone, its D, its part of c. */
+/* One leg of eight poses side by side, 243 (142 mul, 97 add, 2 div, 2 sqrt) operations each: its column
+ * of H, its D and its part of c. */
 static void leg_of_block(
-    const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT in,
+    const stewart_paper_model *STEWART_RESTRICT model, int leg, const motion_lanes *STEWART_RESTRICT at,
     const shared_lanes *STEWART_RESTRICT shared, stewart_real (*STEWART_RESTRICT column)[LANES],
-    leg_block *STEWART_RESTRICT out, 
-    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+    leg_block *STEWART_RESTRICT own, stewart_real *STEWART_RESTRICT known,
+    stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
@@ -1326,23 +1333,21 @@ static void leg_of_block(
     const stewart_real C_s = model->C_s[leg];
     const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
     const stewart_real w_x = model->w[0][leg], w_y = model->w[1][leg], w_z = model->w[2][leg];
-    const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg],
-        J_yz = model->J[4][leg], J_zz = model->J[5][leg];
+    const stewart_real J_xy = model->J[1][leg], J_xz = model->J[2][leg], J_yy = model->J[3][leg], J_yz = model->J[4][leg],
+        J_zz = model->J[5][leg];
     const stewart_real C_us = model->C_us[leg];
     const stewart_real m_L2 = model->m_L2[leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
-        const stewart_real R_xx = in->R[0][l], R_xy = in->R[1][l], R_xz = in->R[2][l],
-            R_yx = in->R[3][l], R_yy = in->R[4][l], R_yz = in->R[5][l], R_zx = in->R[6][l],
-            R_zy = in->R[7][l], R_zz = in->R[8][l];
-        const stewart_real t_x = in->t[0][l], t_y = in->t[1][l], t_z = in->t[2][l];
-        const stewart_real omega_x = in->omega[0][l], omega_y = in->omega[1][l],
-            omega_z = in->omega[2][l];
-        const stewart_real v_x = in->v[0][l], v_y = in->v[1][l], v_z = in->v[2][l];
-        const stewart_real a_x = in->a[0][l], a_y = in->a[1][l], a_z = in->a[2][l];
-        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l],
-            B_yx = shared->B[3][l], B_yy = shared->B[4][l], B_yz = shared->B[5][l],
-            B_zx = shared->B[6][l], B_zy = shared->B[7][l], B_zz = shared->B[8][l];
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -1367,8 +1372,7 @@ static void leg_of_block(
         const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
         const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
         /* (10) |k x s| */
-        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y
-            + k_cross_s_z*k_cross_s_z);
+        const stewart_real k3 = STEWART_SQRT(k_cross_s_x*k_cross_s_x + k_cross_s_y*k_cross_s_y + k_cross_s_z*k_cross_s_z);
         const stewart_real inv_k3 = REAL(1)/k3;
         /* (10) second axis of the leg frame */
         const stewart_real y_x = inv_k3*k_cross_s_x;
@@ -1415,10 +1419,10 @@ static void leg_of_block(
         /* (16) m_u L^2, counted twice */
         const stewart_real m_L2_twice = m_L2*L*L;
         /* (20) moment that the joints' forces must make */
-        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz
-            + e_x*h_z + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
-        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y
-            - C_s*(omega_x*z_x + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
+        const stewart_real C_y = A_y*J_yy + A_y*m_L2_twice + A_z*J_yz + C_us*W_y + J_xy*W_yz + J_xz*W_zz + e_x*h_z
+            + gamma_z*w_x - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - e_z*h_x - gamma_x*w_z;
+        const stewart_real C_z = A_y*J_yz + A_z*J_zz + A_z*m_L2_twice + C_us*W_z + e_y*h_x + gamma_x*w_y - C_s*(omega_x*z_x
+            + omega_y*z_y + omega_z*z_z) - J_xy*W_yy - J_xz*W_yz - e_x*h_y - gamma_y*w_x;
         /* (21) transverse force, leg frame */
         const stewart_real K_y_leg = C_z*inv_L + N_y;
         const stewart_real K_z_leg = N_z - C_y*inv_L;
@@ -1433,18 +1437,17 @@ static void leg_of_block(
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
-        out->q[0][l] = q_x;
-        out->q[1][l] = q_y;
-        out->q[2][l] = q_z;
-        out->c_force[0][l] = -K_x;
-        out->c_force[1][l] = -K_y;
-        out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = c1*y_x + c2*z_x;
-        out->c_moment[1][l] = c1*y_y + c2*z_y;
-        out->c_moment[2][l] = c1*y_z + c2*z_z;
+        own->q[0][l] = q_x;
+        own->q[1][l] = q_y;
+        own->q[2][l] = q_z;
+        own->c_force[0][l] = -K_x;
+        own->c_force[1][l] = -K_y;
+        own->c_force[2][l] = -K_z;
+        own->c_moment[0][l] = c1*y_x + c2*z_x;
+        own->c_moment[1][l] = c1*y_y + c2*z_y;
+        own->c_moment[2][l] = c1*y_z + c2*z_z;
         known[l] = D;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -1454,21 +1457,22 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE * reach ? fault : REAL(1);
+        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
+        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
         fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
         bad[l] = fault;
     }
 }
 
 /* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
-static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
+static void moments_of_first(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
-        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l],
-            c_moment_x = c[3][l], c_moment_y = c[4][l], c_moment_z = c[5][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
         c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
         c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
         c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
@@ -1481,19 +1485,18 @@ static void moments_of_first(const leg_block *STEWART_RESTRICT own, stewart_real
     }
 }
 
-/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each, and its part of c. */
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
+ * and its part of c. */
 static void moments_of_block(
     const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
     stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
         const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
-        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l],
-            c_force_z = own->c_force[2][l];
-        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l],
-            H_force_z = column[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l], c_force_z = own->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
@@ -1520,366 +1523,350 @@ static void scale_block(block *out, stewart_real per_length)
     for (i = 1; i < 7; ++i) {
         for (j = 3; j < 6; ++j) {
             for (l = 0; l < LANES; ++l) {
-                out->column[i][j][l] = out->column[i][j][l] * per_length;
+                out->column[i][j][l] = out->column[i][j][l]*per_length;
             }
         }
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
- * F = D - x, (37). Marks as bad where a pivot is small or a force is not finite. */
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D
+ * - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place by
+ * exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite. */
 STEWART_APART static void solve_block(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
     stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
 {
     int l;
     for (l = 0; l < LANES; ++l) {
-        stewart_real a00 = column[0][0][l], a01 = column[1][0][l], a02 = column[2][0][l],
-            a03 = column[3][0][l], a04 = column[4][0][l], a05 = column[5][0][l],
-            a06 = column[6][0][l];
-        stewart_real a10 = column[0][1][l], a11 = column[1][1][l], a12 = column[2][1][l],
-            a13 = column[3][1][l], a14 = column[4][1][l], a15 = column[5][1][l],
-            a16 = column[6][1][l];
-        stewart_real a20 = column[0][2][l], a21 = column[1][2][l], a22 = column[2][2][l],
-            a23 = column[3][2][l], a24 = column[4][2][l], a25 = column[5][2][l],
-            a26 = column[6][2][l];
-        stewart_real a31 = column[1][3][l], a32 = column[2][3][l], a33 = column[3][3][l],
-            a34 = column[4][3][l], a35 = column[5][3][l], a36 = column[6][3][l];
-        stewart_real a41 = column[1][4][l], a42 = column[2][4][l], a43 = column[3][4][l],
-            a44 = column[4][4][l], a45 = column[5][4][l], a46 = column[6][4][l];
-        stewart_real a51 = column[1][5][l], a52 = column[2][5][l], a53 = column[3][5][l],
-            a54 = column[4][5][l], a55 = column[5][5][l], a56 = column[6][5][l];
+        stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
+            a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
+            a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
+            a_1_5 = column[5][1][l], a_1_6 = column[6][1][l], a_2_0 = column[0][2][l], a_2_1 = column[1][2][l],
+            a_2_2 = column[2][2][l], a_2_3 = column[3][2][l], a_2_4 = column[4][2][l], a_2_5 = column[5][2][l],
+            a_2_6 = column[6][2][l], a_3_1 = column[1][3][l], a_3_2 = column[2][3][l], a_3_3 = column[3][3][l],
+            a_3_4 = column[4][3][l], a_3_5 = column[5][3][l], a_3_6 = column[6][3][l], a_4_1 = column[1][4][l],
+            a_4_2 = column[2][4][l], a_4_3 = column[3][4][l], a_4_4 = column[4][4][l], a_4_5 = column[5][4][l],
+            a_4_6 = column[6][4][l], a_5_1 = column[1][5][l], a_5_2 = column[2][5][l], a_5_3 = column[3][5][l],
+            a_5_4 = column[4][5][l], a_5_5 = column[5][5][l], a_5_6 = column[6][5][l];
         stewart_real fault = bad[l];
-        const stewart_real below10 = STEWART_FABS(a10) > STEWART_FABS(a00)
-            ? REAL(1) : REAL(0);
-        const stewart_real a00_1 = below10 > REAL(0) ? a10 : a00;
-        a10 = below10 > REAL(0) ? a00 : a10;
-        a00 = a00_1;
-        const stewart_real a01_1 = below10 > REAL(0) ? a11 : a01;
-        a11 = below10 > REAL(0) ? a01 : a11;
-        a01 = a01_1;
-        const stewart_real a02_1 = below10 > REAL(0) ? a12 : a02;
-        a12 = below10 > REAL(0) ? a02 : a12;
-        a02 = a02_1;
-        const stewart_real a03_1 = below10 > REAL(0) ? a13 : a03;
-        a13 = below10 > REAL(0) ? a03 : a13;
-        a03 = a03_1;
-        const stewart_real a04_1 = below10 > REAL(0) ? a14 : a04;
-        a14 = below10 > REAL(0) ? a04 : a14;
-        a04 = a04_1;
-        const stewart_real a05_1 = below10 > REAL(0) ? a15 : a05;
-        a15 = below10 > REAL(0) ? a05 : a15;
-        a05 = a05_1;
-        const stewart_real a06_1 = below10 > REAL(0) ? a16 : a06;
-        a16 = below10 > REAL(0) ? a06 : a16;
-        a06 = a06_1;
-        const stewart_real below20 = STEWART_FABS(a20) > STEWART_FABS(a00)
-            ? REAL(1) : REAL(0);
-        const stewart_real a00_2 = below20 > REAL(0) ? a20 : a00;
-        a20 = below20 > REAL(0) ? a00 : a20;
-        a00 = a00_2;
-        const stewart_real a01_2 = below20 > REAL(0) ? a21 : a01;
-        a21 = below20 > REAL(0) ? a01 : a21;
-        a01 = a01_2;
-        const stewart_real a02_2 = below20 > REAL(0) ? a22 : a02;
-        a22 = below20 > REAL(0) ? a02 : a22;
-        a02 = a02_2;
-        const stewart_real a03_2 = below20 > REAL(0) ? a23 : a03;
-        a23 = below20 > REAL(0) ? a03 : a23;
-        a03 = a03_2;
-        const stewart_real a04_2 = below20 > REAL(0) ? a24 : a04;
-        a24 = below20 > REAL(0) ? a04 : a24;
-        a04 = a04_2;
-        const stewart_real a05_2 = below20 > REAL(0) ? a25 : a05;
-        a25 = below20 > REAL(0) ? a05 : a25;
-        a05 = a05_2;
-        const stewart_real a06_2 = below20 > REAL(0) ? a26 : a06;
-        a26 = below20 > REAL(0) ? a06 : a26;
-        a06 = a06_2;
-        fault = STEWART_FABS(a00) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse0 = REAL(1) / a00;
-        const stewart_real factor10 = a10 * inverse0;
-        a11 = a11 - factor10 * a01;
-        a12 = a12 - factor10 * a02;
-        a13 = a13 - factor10 * a03;
-        a14 = a14 - factor10 * a04;
-        a15 = a15 - factor10 * a05;
-        a16 = a16 - factor10 * a06;
-        const stewart_real factor20 = a20 * inverse0;
-        a21 = a21 - factor20 * a01;
-        a22 = a22 - factor20 * a02;
-        a23 = a23 - factor20 * a03;
-        a24 = a24 - factor20 * a04;
-        a25 = a25 - factor20 * a05;
-        a26 = a26 - factor20 * a06;
-        const stewart_real below21 = STEWART_FABS(a21) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_2 = below21 > REAL(0) ? a21 : a11;
-        a21 = below21 > REAL(0) ? a11 : a21;
-        a11 = a11_2;
-        const stewart_real a12_2 = below21 > REAL(0) ? a22 : a12;
-        a22 = below21 > REAL(0) ? a12 : a22;
-        a12 = a12_2;
-        const stewart_real a13_2 = below21 > REAL(0) ? a23 : a13;
-        a23 = below21 > REAL(0) ? a13 : a23;
-        a13 = a13_2;
-        const stewart_real a14_2 = below21 > REAL(0) ? a24 : a14;
-        a24 = below21 > REAL(0) ? a14 : a24;
-        a14 = a14_2;
-        const stewart_real a15_2 = below21 > REAL(0) ? a25 : a15;
-        a25 = below21 > REAL(0) ? a15 : a25;
-        a15 = a15_2;
-        const stewart_real a16_2 = below21 > REAL(0) ? a26 : a16;
-        a26 = below21 > REAL(0) ? a16 : a26;
-        a16 = a16_2;
-        const stewart_real below31 = STEWART_FABS(a31) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_3 = below31 > REAL(0) ? a31 : a11;
-        a31 = below31 > REAL(0) ? a11 : a31;
-        a11 = a11_3;
-        const stewart_real a12_3 = below31 > REAL(0) ? a32 : a12;
-        a32 = below31 > REAL(0) ? a12 : a32;
-        a12 = a12_3;
-        const stewart_real a13_3 = below31 > REAL(0) ? a33 : a13;
-        a33 = below31 > REAL(0) ? a13 : a33;
-        a13 = a13_3;
-        const stewart_real a14_3 = below31 > REAL(0) ? a34 : a14;
-        a34 = below31 > REAL(0) ? a14 : a34;
-        a14 = a14_3;
-        const stewart_real a15_3 = below31 > REAL(0) ? a35 : a15;
-        a35 = below31 > REAL(0) ? a15 : a35;
-        a15 = a15_3;
-        const stewart_real a16_3 = below31 > REAL(0) ? a36 : a16;
-        a36 = below31 > REAL(0) ? a16 : a36;
-        a16 = a16_3;
-        const stewart_real below41 = STEWART_FABS(a41) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_4 = below41 > REAL(0) ? a41 : a11;
-        a41 = below41 > REAL(0) ? a11 : a41;
-        a11 = a11_4;
-        const stewart_real a12_4 = below41 > REAL(0) ? a42 : a12;
-        a42 = below41 > REAL(0) ? a12 : a42;
-        a12 = a12_4;
-        const stewart_real a13_4 = below41 > REAL(0) ? a43 : a13;
-        a43 = below41 > REAL(0) ? a13 : a43;
-        a13 = a13_4;
-        const stewart_real a14_4 = below41 > REAL(0) ? a44 : a14;
-        a44 = below41 > REAL(0) ? a14 : a44;
-        a14 = a14_4;
-        const stewart_real a15_4 = below41 > REAL(0) ? a45 : a15;
-        a45 = below41 > REAL(0) ? a15 : a45;
-        a15 = a15_4;
-        const stewart_real a16_4 = below41 > REAL(0) ? a46 : a16;
-        a46 = below41 > REAL(0) ? a16 : a46;
-        a16 = a16_4;
-        const stewart_real below51 = STEWART_FABS(a51) > STEWART_FABS(a11)
-            ? REAL(1) : REAL(0);
-        const stewart_real a11_5 = below51 > REAL(0) ? a51 : a11;
-        a51 = below51 > REAL(0) ? a11 : a51;
-        a11 = a11_5;
-        const stewart_real a12_5 = below51 > REAL(0) ? a52 : a12;
-        a52 = below51 > REAL(0) ? a12 : a52;
-        a12 = a12_5;
-        const stewart_real a13_5 = below51 > REAL(0) ? a53 : a13;
-        a53 = below51 > REAL(0) ? a13 : a53;
-        a13 = a13_5;
-        const stewart_real a14_5 = below51 > REAL(0) ? a54 : a14;
-        a54 = below51 > REAL(0) ? a14 : a54;
-        a14 = a14_5;
-        const stewart_real a15_5 = below51 > REAL(0) ? a55 : a15;
-        a55 = below51 > REAL(0) ? a15 : a55;
-        a15 = a15_5;
-        const stewart_real a16_5 = below51 > REAL(0) ? a56 : a16;
-        a56 = below51 > REAL(0) ? a16 : a56;
-        a16 = a16_5;
-        fault = STEWART_FABS(a11) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse1 = REAL(1) / a11;
-        const stewart_real factor21 = a21 * inverse1;
-        a22 = a22 - factor21 * a12;
-        a23 = a23 - factor21 * a13;
-        a24 = a24 - factor21 * a14;
-        a25 = a25 - factor21 * a15;
-        a26 = a26 - factor21 * a16;
-        const stewart_real factor31 = a31 * inverse1;
-        a32 = a32 - factor31 * a12;
-        a33 = a33 - factor31 * a13;
-        a34 = a34 - factor31 * a14;
-        a35 = a35 - factor31 * a15;
-        a36 = a36 - factor31 * a16;
-        const stewart_real factor41 = a41 * inverse1;
-        a42 = a42 - factor41 * a12;
-        a43 = a43 - factor41 * a13;
-        a44 = a44 - factor41 * a14;
-        a45 = a45 - factor41 * a15;
-        a46 = a46 - factor41 * a16;
-        const stewart_real factor51 = a51 * inverse1;
-        a52 = a52 - factor51 * a12;
-        a53 = a53 - factor51 * a13;
-        a54 = a54 - factor51 * a14;
-        a55 = a55 - factor51 * a15;
-        a56 = a56 - factor51 * a16;
-        const stewart_real below32 = STEWART_FABS(a32) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_3 = below32 > REAL(0) ? a32 : a22;
-        a32 = below32 > REAL(0) ? a22 : a32;
-        a22 = a22_3;
-        const stewart_real a23_3 = below32 > REAL(0) ? a33 : a23;
-        a33 = below32 > REAL(0) ? a23 : a33;
-        a23 = a23_3;
-        const stewart_real a24_3 = below32 > REAL(0) ? a34 : a24;
-        a34 = below32 > REAL(0) ? a24 : a34;
-        a24 = a24_3;
-        const stewart_real a25_3 = below32 > REAL(0) ? a35 : a25;
-        a35 = below32 > REAL(0) ? a25 : a35;
-        a25 = a25_3;
-        const stewart_real a26_3 = below32 > REAL(0) ? a36 : a26;
-        a36 = below32 > REAL(0) ? a26 : a36;
-        a26 = a26_3;
-        const stewart_real below42 = STEWART_FABS(a42) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_4 = below42 > REAL(0) ? a42 : a22;
-        a42 = below42 > REAL(0) ? a22 : a42;
-        a22 = a22_4;
-        const stewart_real a23_4 = below42 > REAL(0) ? a43 : a23;
-        a43 = below42 > REAL(0) ? a23 : a43;
-        a23 = a23_4;
-        const stewart_real a24_4 = below42 > REAL(0) ? a44 : a24;
-        a44 = below42 > REAL(0) ? a24 : a44;
-        a24 = a24_4;
-        const stewart_real a25_4 = below42 > REAL(0) ? a45 : a25;
-        a45 = below42 > REAL(0) ? a25 : a45;
-        a25 = a25_4;
-        const stewart_real a26_4 = below42 > REAL(0) ? a46 : a26;
-        a46 = below42 > REAL(0) ? a26 : a46;
-        a26 = a26_4;
-        const stewart_real below52 = STEWART_FABS(a52) > STEWART_FABS(a22)
-            ? REAL(1) : REAL(0);
-        const stewart_real a22_5 = below52 > REAL(0) ? a52 : a22;
-        a52 = below52 > REAL(0) ? a22 : a52;
-        a22 = a22_5;
-        const stewart_real a23_5 = below52 > REAL(0) ? a53 : a23;
-        a53 = below52 > REAL(0) ? a23 : a53;
-        a23 = a23_5;
-        const stewart_real a24_5 = below52 > REAL(0) ? a54 : a24;
-        a54 = below52 > REAL(0) ? a24 : a54;
-        a24 = a24_5;
-        const stewart_real a25_5 = below52 > REAL(0) ? a55 : a25;
-        a55 = below52 > REAL(0) ? a25 : a55;
-        a25 = a25_5;
-        const stewart_real a26_5 = below52 > REAL(0) ? a56 : a26;
-        a56 = below52 > REAL(0) ? a26 : a56;
-        a26 = a26_5;
-        fault = STEWART_FABS(a22) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse2 = REAL(1) / a22;
-        const stewart_real factor32 = a32 * inverse2;
-        a33 = a33 - factor32 * a23;
-        a34 = a34 - factor32 * a24;
-        a35 = a35 - factor32 * a25;
-        a36 = a36 - factor32 * a26;
-        const stewart_real factor42 = a42 * inverse2;
-        a43 = a43 - factor42 * a23;
-        a44 = a44 - factor42 * a24;
-        a45 = a45 - factor42 * a25;
-        a46 = a46 - factor42 * a26;
-        const stewart_real factor52 = a52 * inverse2;
-        a53 = a53 - factor52 * a23;
-        a54 = a54 - factor52 * a24;
-        a55 = a55 - factor52 * a25;
-        a56 = a56 - factor52 * a26;
-        const stewart_real below43 = STEWART_FABS(a43) > STEWART_FABS(a33)
-            ? REAL(1) : REAL(0);
-        const stewart_real a33_4 = below43 > REAL(0) ? a43 : a33;
-        a43 = below43 > REAL(0) ? a33 : a43;
-        a33 = a33_4;
-        const stewart_real a34_4 = below43 > REAL(0) ? a44 : a34;
-        a44 = below43 > REAL(0) ? a34 : a44;
-        a34 = a34_4;
-        const stewart_real a35_4 = below43 > REAL(0) ? a45 : a35;
-        a45 = below43 > REAL(0) ? a35 : a45;
-        a35 = a35_4;
-        const stewart_real a36_4 = below43 > REAL(0) ? a46 : a36;
-        a46 = below43 > REAL(0) ? a36 : a46;
-        a36 = a36_4;
-        const stewart_real below53 = STEWART_FABS(a53) > STEWART_FABS(a33)
-            ? REAL(1) : REAL(0);
-        const stewart_real a33_5 = below53 > REAL(0) ? a53 : a33;
-        a53 = below53 > REAL(0) ? a33 : a53;
-        a33 = a33_5;
-        const stewart_real a34_5 = below53 > REAL(0) ? a54 : a34;
-        a54 = below53 > REAL(0) ? a34 : a54;
-        a34 = a34_5;
-        const stewart_real a35_5 = below53 > REAL(0) ? a55 : a35;
-        a55 = below53 > REAL(0) ? a35 : a55;
-        a35 = a35_5;
-        const stewart_real a36_5 = below53 > REAL(0) ? a56 : a36;
-        a56 = below53 > REAL(0) ? a36 : a56;
-        a36 = a36_5;
-        fault = STEWART_FABS(a33) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse3 = REAL(1) / a33;
-        const stewart_real factor43 = a43 * inverse3;
-        a44 = a44 - factor43 * a34;
-        a45 = a45 - factor43 * a35;
-        a46 = a46 - factor43 * a36;
-        const stewart_real factor53 = a53 * inverse3;
-        a54 = a54 - factor53 * a34;
-        a55 = a55 - factor53 * a35;
-        a56 = a56 - factor53 * a36;
-        const stewart_real below54 = STEWART_FABS(a54) > STEWART_FABS(a44)
-            ? REAL(1) : REAL(0);
-        const stewart_real a44_5 = below54 > REAL(0) ? a54 : a44;
-        a54 = below54 > REAL(0) ? a44 : a54;
-        a44 = a44_5;
-        const stewart_real a45_5 = below54 > REAL(0) ? a55 : a45;
-        a55 = below54 > REAL(0) ? a45 : a55;
-        a45 = a45_5;
-        const stewart_real a46_5 = below54 > REAL(0) ? a56 : a46;
-        a56 = below54 > REAL(0) ? a46 : a56;
-        a46 = a46_5;
-        fault = STEWART_FABS(a44) > STEWART_SUSPECT ? fault : REAL(1);
-        const stewart_real inverse4 = REAL(1) / a44;
-        const stewart_real factor54 = a54 * inverse4;
-        a55 = a55 - factor54 * a45;
-        a56 = a56 - factor54 * a46;
-        fault = STEWART_FABS(a55) > STEWART_SUSPECT ? fault : REAL(1);
-        a56 = a56 / a55;
-        a46 = a46 - a45 * a56;
-        a46 = a46 * inverse4;
-        a36 = a36 - a34 * a46;
-        a36 = a36 - a35 * a56;
-        a36 = a36 * inverse3;
-        a26 = a26 - a23 * a36;
-        a26 = a26 - a24 * a46;
-        a26 = a26 - a25 * a56;
-        a26 = a26 * inverse2;
-        a16 = a16 - a12 * a26;
-        a16 = a16 - a13 * a36;
-        a16 = a16 - a14 * a46;
-        a16 = a16 - a15 * a56;
-        a16 = a16 * inverse1;
-        a06 = a06 - a01 * a16;
-        a06 = a06 - a02 * a26;
-        a06 = a06 - a03 * a36;
-        a06 = a06 - a04 * a46;
-        a06 = a06 - a05 * a56;
-        a06 = a06 * inverse0;
-        const stewart_real F0 = D[0][l] - a06;
-        fault = STEWART_FABS(F0) <= STEWART_MAX ? fault : REAL(1);
-        F[0][l] = F0;
-        const stewart_real F1 = D[1][l] - a16;
-        fault = STEWART_FABS(F1) <= STEWART_MAX ? fault : REAL(1);
-        F[1][l] = F1;
-        const stewart_real F2 = D[2][l] - a26;
-        fault = STEWART_FABS(F2) <= STEWART_MAX ? fault : REAL(1);
-        F[2][l] = F2;
-        const stewart_real F3 = D[3][l] - a36;
-        fault = STEWART_FABS(F3) <= STEWART_MAX ? fault : REAL(1);
-        F[3][l] = F3;
-        const stewart_real F4 = D[4][l] - a46;
-        fault = STEWART_FABS(F4) <= STEWART_MAX ? fault : REAL(1);
-        F[4][l] = F4;
-        const stewart_real F5 = D[5][l] - a56;
-        fault = STEWART_FABS(F5) <= STEWART_MAX ? fault : REAL(1);
-        F[5][l] = F5;
+        const stewart_real below_1_0 = STEWART_FABS(a_1_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real upper_0_0_1 = below_1_0 > REAL(0) ? a_1_0 : a_0_0;
+        a_1_0 = below_1_0 > REAL(0) ? a_0_0 : a_1_0;
+        a_0_0 = upper_0_0_1;
+        const stewart_real upper_0_1_1 = below_1_0 > REAL(0) ? a_1_1 : a_0_1;
+        a_1_1 = below_1_0 > REAL(0) ? a_0_1 : a_1_1;
+        a_0_1 = upper_0_1_1;
+        const stewart_real upper_0_2_1 = below_1_0 > REAL(0) ? a_1_2 : a_0_2;
+        a_1_2 = below_1_0 > REAL(0) ? a_0_2 : a_1_2;
+        a_0_2 = upper_0_2_1;
+        const stewart_real upper_0_3_1 = below_1_0 > REAL(0) ? a_1_3 : a_0_3;
+        a_1_3 = below_1_0 > REAL(0) ? a_0_3 : a_1_3;
+        a_0_3 = upper_0_3_1;
+        const stewart_real upper_0_4_1 = below_1_0 > REAL(0) ? a_1_4 : a_0_4;
+        a_1_4 = below_1_0 > REAL(0) ? a_0_4 : a_1_4;
+        a_0_4 = upper_0_4_1;
+        const stewart_real upper_0_5_1 = below_1_0 > REAL(0) ? a_1_5 : a_0_5;
+        a_1_5 = below_1_0 > REAL(0) ? a_0_5 : a_1_5;
+        a_0_5 = upper_0_5_1;
+        const stewart_real upper_0_6_1 = below_1_0 > REAL(0) ? a_1_6 : a_0_6;
+        a_1_6 = below_1_0 > REAL(0) ? a_0_6 : a_1_6;
+        a_0_6 = upper_0_6_1;
+        const stewart_real below_2_0 = STEWART_FABS(a_2_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real upper_0_0_2 = below_2_0 > REAL(0) ? a_2_0 : a_0_0;
+        a_2_0 = below_2_0 > REAL(0) ? a_0_0 : a_2_0;
+        a_0_0 = upper_0_0_2;
+        const stewart_real upper_0_1_2 = below_2_0 > REAL(0) ? a_2_1 : a_0_1;
+        a_2_1 = below_2_0 > REAL(0) ? a_0_1 : a_2_1;
+        a_0_1 = upper_0_1_2;
+        const stewart_real upper_0_2_2 = below_2_0 > REAL(0) ? a_2_2 : a_0_2;
+        a_2_2 = below_2_0 > REAL(0) ? a_0_2 : a_2_2;
+        a_0_2 = upper_0_2_2;
+        const stewart_real upper_0_3_2 = below_2_0 > REAL(0) ? a_2_3 : a_0_3;
+        a_2_3 = below_2_0 > REAL(0) ? a_0_3 : a_2_3;
+        a_0_3 = upper_0_3_2;
+        const stewart_real upper_0_4_2 = below_2_0 > REAL(0) ? a_2_4 : a_0_4;
+        a_2_4 = below_2_0 > REAL(0) ? a_0_4 : a_2_4;
+        a_0_4 = upper_0_4_2;
+        const stewart_real upper_0_5_2 = below_2_0 > REAL(0) ? a_2_5 : a_0_5;
+        a_2_5 = below_2_0 > REAL(0) ? a_0_5 : a_2_5;
+        a_0_5 = upper_0_5_2;
+        const stewart_real upper_0_6_2 = below_2_0 > REAL(0) ? a_2_6 : a_0_6;
+        a_2_6 = below_2_0 > REAL(0) ? a_0_6 : a_2_6;
+        a_0_6 = upper_0_6_2;
+        fault = STEWART_FABS(a_0_0) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_0 = REAL(1)/a_0_0;
+        const stewart_real factor_1_0 = a_1_0*inverse_0;
+        a_1_1 = a_1_1 - factor_1_0*a_0_1;
+        a_1_2 = a_1_2 - factor_1_0*a_0_2;
+        a_1_3 = a_1_3 - factor_1_0*a_0_3;
+        a_1_4 = a_1_4 - factor_1_0*a_0_4;
+        a_1_5 = a_1_5 - factor_1_0*a_0_5;
+        a_1_6 = a_1_6 - factor_1_0*a_0_6;
+        const stewart_real factor_2_0 = a_2_0*inverse_0;
+        a_2_1 = a_2_1 - factor_2_0*a_0_1;
+        a_2_2 = a_2_2 - factor_2_0*a_0_2;
+        a_2_3 = a_2_3 - factor_2_0*a_0_3;
+        a_2_4 = a_2_4 - factor_2_0*a_0_4;
+        a_2_5 = a_2_5 - factor_2_0*a_0_5;
+        a_2_6 = a_2_6 - factor_2_0*a_0_6;
+        const stewart_real below_2_1 = STEWART_FABS(a_2_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_2 = below_2_1 > REAL(0) ? a_2_1 : a_1_1;
+        a_2_1 = below_2_1 > REAL(0) ? a_1_1 : a_2_1;
+        a_1_1 = upper_1_1_2;
+        const stewart_real upper_1_2_2 = below_2_1 > REAL(0) ? a_2_2 : a_1_2;
+        a_2_2 = below_2_1 > REAL(0) ? a_1_2 : a_2_2;
+        a_1_2 = upper_1_2_2;
+        const stewart_real upper_1_3_2 = below_2_1 > REAL(0) ? a_2_3 : a_1_3;
+        a_2_3 = below_2_1 > REAL(0) ? a_1_3 : a_2_3;
+        a_1_3 = upper_1_3_2;
+        const stewart_real upper_1_4_2 = below_2_1 > REAL(0) ? a_2_4 : a_1_4;
+        a_2_4 = below_2_1 > REAL(0) ? a_1_4 : a_2_4;
+        a_1_4 = upper_1_4_2;
+        const stewart_real upper_1_5_2 = below_2_1 > REAL(0) ? a_2_5 : a_1_5;
+        a_2_5 = below_2_1 > REAL(0) ? a_1_5 : a_2_5;
+        a_1_5 = upper_1_5_2;
+        const stewart_real upper_1_6_2 = below_2_1 > REAL(0) ? a_2_6 : a_1_6;
+        a_2_6 = below_2_1 > REAL(0) ? a_1_6 : a_2_6;
+        a_1_6 = upper_1_6_2;
+        const stewart_real below_3_1 = STEWART_FABS(a_3_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_3 = below_3_1 > REAL(0) ? a_3_1 : a_1_1;
+        a_3_1 = below_3_1 > REAL(0) ? a_1_1 : a_3_1;
+        a_1_1 = upper_1_1_3;
+        const stewart_real upper_1_2_3 = below_3_1 > REAL(0) ? a_3_2 : a_1_2;
+        a_3_2 = below_3_1 > REAL(0) ? a_1_2 : a_3_2;
+        a_1_2 = upper_1_2_3;
+        const stewart_real upper_1_3_3 = below_3_1 > REAL(0) ? a_3_3 : a_1_3;
+        a_3_3 = below_3_1 > REAL(0) ? a_1_3 : a_3_3;
+        a_1_3 = upper_1_3_3;
+        const stewart_real upper_1_4_3 = below_3_1 > REAL(0) ? a_3_4 : a_1_4;
+        a_3_4 = below_3_1 > REAL(0) ? a_1_4 : a_3_4;
+        a_1_4 = upper_1_4_3;
+        const stewart_real upper_1_5_3 = below_3_1 > REAL(0) ? a_3_5 : a_1_5;
+        a_3_5 = below_3_1 > REAL(0) ? a_1_5 : a_3_5;
+        a_1_5 = upper_1_5_3;
+        const stewart_real upper_1_6_3 = below_3_1 > REAL(0) ? a_3_6 : a_1_6;
+        a_3_6 = below_3_1 > REAL(0) ? a_1_6 : a_3_6;
+        a_1_6 = upper_1_6_3;
+        const stewart_real below_4_1 = STEWART_FABS(a_4_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_4 = below_4_1 > REAL(0) ? a_4_1 : a_1_1;
+        a_4_1 = below_4_1 > REAL(0) ? a_1_1 : a_4_1;
+        a_1_1 = upper_1_1_4;
+        const stewart_real upper_1_2_4 = below_4_1 > REAL(0) ? a_4_2 : a_1_2;
+        a_4_2 = below_4_1 > REAL(0) ? a_1_2 : a_4_2;
+        a_1_2 = upper_1_2_4;
+        const stewart_real upper_1_3_4 = below_4_1 > REAL(0) ? a_4_3 : a_1_3;
+        a_4_3 = below_4_1 > REAL(0) ? a_1_3 : a_4_3;
+        a_1_3 = upper_1_3_4;
+        const stewart_real upper_1_4_4 = below_4_1 > REAL(0) ? a_4_4 : a_1_4;
+        a_4_4 = below_4_1 > REAL(0) ? a_1_4 : a_4_4;
+        a_1_4 = upper_1_4_4;
+        const stewart_real upper_1_5_4 = below_4_1 > REAL(0) ? a_4_5 : a_1_5;
+        a_4_5 = below_4_1 > REAL(0) ? a_1_5 : a_4_5;
+        a_1_5 = upper_1_5_4;
+        const stewart_real upper_1_6_4 = below_4_1 > REAL(0) ? a_4_6 : a_1_6;
+        a_4_6 = below_4_1 > REAL(0) ? a_1_6 : a_4_6;
+        a_1_6 = upper_1_6_4;
+        const stewart_real below_5_1 = STEWART_FABS(a_5_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real upper_1_1_5 = below_5_1 > REAL(0) ? a_5_1 : a_1_1;
+        a_5_1 = below_5_1 > REAL(0) ? a_1_1 : a_5_1;
+        a_1_1 = upper_1_1_5;
+        const stewart_real upper_1_2_5 = below_5_1 > REAL(0) ? a_5_2 : a_1_2;
+        a_5_2 = below_5_1 > REAL(0) ? a_1_2 : a_5_2;
+        a_1_2 = upper_1_2_5;
+        const stewart_real upper_1_3_5 = below_5_1 > REAL(0) ? a_5_3 : a_1_3;
+        a_5_3 = below_5_1 > REAL(0) ? a_1_3 : a_5_3;
+        a_1_3 = upper_1_3_5;
+        const stewart_real upper_1_4_5 = below_5_1 > REAL(0) ? a_5_4 : a_1_4;
+        a_5_4 = below_5_1 > REAL(0) ? a_1_4 : a_5_4;
+        a_1_4 = upper_1_4_5;
+        const stewart_real upper_1_5_5 = below_5_1 > REAL(0) ? a_5_5 : a_1_5;
+        a_5_5 = below_5_1 > REAL(0) ? a_1_5 : a_5_5;
+        a_1_5 = upper_1_5_5;
+        const stewart_real upper_1_6_5 = below_5_1 > REAL(0) ? a_5_6 : a_1_6;
+        a_5_6 = below_5_1 > REAL(0) ? a_1_6 : a_5_6;
+        a_1_6 = upper_1_6_5;
+        fault = STEWART_FABS(a_1_1) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_1 = REAL(1)/a_1_1;
+        const stewart_real factor_2_1 = a_2_1*inverse_1;
+        a_2_2 = a_2_2 - factor_2_1*a_1_2;
+        a_2_3 = a_2_3 - factor_2_1*a_1_3;
+        a_2_4 = a_2_4 - factor_2_1*a_1_4;
+        a_2_5 = a_2_5 - factor_2_1*a_1_5;
+        a_2_6 = a_2_6 - factor_2_1*a_1_6;
+        const stewart_real factor_3_1 = a_3_1*inverse_1;
+        a_3_2 = a_3_2 - factor_3_1*a_1_2;
+        a_3_3 = a_3_3 - factor_3_1*a_1_3;
+        a_3_4 = a_3_4 - factor_3_1*a_1_4;
+        a_3_5 = a_3_5 - factor_3_1*a_1_5;
+        a_3_6 = a_3_6 - factor_3_1*a_1_6;
+        const stewart_real factor_4_1 = a_4_1*inverse_1;
+        a_4_2 = a_4_2 - factor_4_1*a_1_2;
+        a_4_3 = a_4_3 - factor_4_1*a_1_3;
+        a_4_4 = a_4_4 - factor_4_1*a_1_4;
+        a_4_5 = a_4_5 - factor_4_1*a_1_5;
+        a_4_6 = a_4_6 - factor_4_1*a_1_6;
+        const stewart_real factor_5_1 = a_5_1*inverse_1;
+        a_5_2 = a_5_2 - factor_5_1*a_1_2;
+        a_5_3 = a_5_3 - factor_5_1*a_1_3;
+        a_5_4 = a_5_4 - factor_5_1*a_1_4;
+        a_5_5 = a_5_5 - factor_5_1*a_1_5;
+        a_5_6 = a_5_6 - factor_5_1*a_1_6;
+        const stewart_real below_3_2 = STEWART_FABS(a_3_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_3 = below_3_2 > REAL(0) ? a_3_2 : a_2_2;
+        a_3_2 = below_3_2 > REAL(0) ? a_2_2 : a_3_2;
+        a_2_2 = upper_2_2_3;
+        const stewart_real upper_2_3_3 = below_3_2 > REAL(0) ? a_3_3 : a_2_3;
+        a_3_3 = below_3_2 > REAL(0) ? a_2_3 : a_3_3;
+        a_2_3 = upper_2_3_3;
+        const stewart_real upper_2_4_3 = below_3_2 > REAL(0) ? a_3_4 : a_2_4;
+        a_3_4 = below_3_2 > REAL(0) ? a_2_4 : a_3_4;
+        a_2_4 = upper_2_4_3;
+        const stewart_real upper_2_5_3 = below_3_2 > REAL(0) ? a_3_5 : a_2_5;
+        a_3_5 = below_3_2 > REAL(0) ? a_2_5 : a_3_5;
+        a_2_5 = upper_2_5_3;
+        const stewart_real upper_2_6_3 = below_3_2 > REAL(0) ? a_3_6 : a_2_6;
+        a_3_6 = below_3_2 > REAL(0) ? a_2_6 : a_3_6;
+        a_2_6 = upper_2_6_3;
+        const stewart_real below_4_2 = STEWART_FABS(a_4_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_4 = below_4_2 > REAL(0) ? a_4_2 : a_2_2;
+        a_4_2 = below_4_2 > REAL(0) ? a_2_2 : a_4_2;
+        a_2_2 = upper_2_2_4;
+        const stewart_real upper_2_3_4 = below_4_2 > REAL(0) ? a_4_3 : a_2_3;
+        a_4_3 = below_4_2 > REAL(0) ? a_2_3 : a_4_3;
+        a_2_3 = upper_2_3_4;
+        const stewart_real upper_2_4_4 = below_4_2 > REAL(0) ? a_4_4 : a_2_4;
+        a_4_4 = below_4_2 > REAL(0) ? a_2_4 : a_4_4;
+        a_2_4 = upper_2_4_4;
+        const stewart_real upper_2_5_4 = below_4_2 > REAL(0) ? a_4_5 : a_2_5;
+        a_4_5 = below_4_2 > REAL(0) ? a_2_5 : a_4_5;
+        a_2_5 = upper_2_5_4;
+        const stewart_real upper_2_6_4 = below_4_2 > REAL(0) ? a_4_6 : a_2_6;
+        a_4_6 = below_4_2 > REAL(0) ? a_2_6 : a_4_6;
+        a_2_6 = upper_2_6_4;
+        const stewart_real below_5_2 = STEWART_FABS(a_5_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real upper_2_2_5 = below_5_2 > REAL(0) ? a_5_2 : a_2_2;
+        a_5_2 = below_5_2 > REAL(0) ? a_2_2 : a_5_2;
+        a_2_2 = upper_2_2_5;
+        const stewart_real upper_2_3_5 = below_5_2 > REAL(0) ? a_5_3 : a_2_3;
+        a_5_3 = below_5_2 > REAL(0) ? a_2_3 : a_5_3;
+        a_2_3 = upper_2_3_5;
+        const stewart_real upper_2_4_5 = below_5_2 > REAL(0) ? a_5_4 : a_2_4;
+        a_5_4 = below_5_2 > REAL(0) ? a_2_4 : a_5_4;
+        a_2_4 = upper_2_4_5;
+        const stewart_real upper_2_5_5 = below_5_2 > REAL(0) ? a_5_5 : a_2_5;
+        a_5_5 = below_5_2 > REAL(0) ? a_2_5 : a_5_5;
+        a_2_5 = upper_2_5_5;
+        const stewart_real upper_2_6_5 = below_5_2 > REAL(0) ? a_5_6 : a_2_6;
+        a_5_6 = below_5_2 > REAL(0) ? a_2_6 : a_5_6;
+        a_2_6 = upper_2_6_5;
+        fault = STEWART_FABS(a_2_2) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_2 = REAL(1)/a_2_2;
+        const stewart_real factor_3_2 = a_3_2*inverse_2;
+        a_3_3 = a_3_3 - factor_3_2*a_2_3;
+        a_3_4 = a_3_4 - factor_3_2*a_2_4;
+        a_3_5 = a_3_5 - factor_3_2*a_2_5;
+        a_3_6 = a_3_6 - factor_3_2*a_2_6;
+        const stewart_real factor_4_2 = a_4_2*inverse_2;
+        a_4_3 = a_4_3 - factor_4_2*a_2_3;
+        a_4_4 = a_4_4 - factor_4_2*a_2_4;
+        a_4_5 = a_4_5 - factor_4_2*a_2_5;
+        a_4_6 = a_4_6 - factor_4_2*a_2_6;
+        const stewart_real factor_5_2 = a_5_2*inverse_2;
+        a_5_3 = a_5_3 - factor_5_2*a_2_3;
+        a_5_4 = a_5_4 - factor_5_2*a_2_4;
+        a_5_5 = a_5_5 - factor_5_2*a_2_5;
+        a_5_6 = a_5_6 - factor_5_2*a_2_6;
+        const stewart_real below_4_3 = STEWART_FABS(a_4_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real upper_3_3_4 = below_4_3 > REAL(0) ? a_4_3 : a_3_3;
+        a_4_3 = below_4_3 > REAL(0) ? a_3_3 : a_4_3;
+        a_3_3 = upper_3_3_4;
+        const stewart_real upper_3_4_4 = below_4_3 > REAL(0) ? a_4_4 : a_3_4;
+        a_4_4 = below_4_3 > REAL(0) ? a_3_4 : a_4_4;
+        a_3_4 = upper_3_4_4;
+        const stewart_real upper_3_5_4 = below_4_3 > REAL(0) ? a_4_5 : a_3_5;
+        a_4_5 = below_4_3 > REAL(0) ? a_3_5 : a_4_5;
+        a_3_5 = upper_3_5_4;
+        const stewart_real upper_3_6_4 = below_4_3 > REAL(0) ? a_4_6 : a_3_6;
+        a_4_6 = below_4_3 > REAL(0) ? a_3_6 : a_4_6;
+        a_3_6 = upper_3_6_4;
+        const stewart_real below_5_3 = STEWART_FABS(a_5_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real upper_3_3_5 = below_5_3 > REAL(0) ? a_5_3 : a_3_3;
+        a_5_3 = below_5_3 > REAL(0) ? a_3_3 : a_5_3;
+        a_3_3 = upper_3_3_5;
+        const stewart_real upper_3_4_5 = below_5_3 > REAL(0) ? a_5_4 : a_3_4;
+        a_5_4 = below_5_3 > REAL(0) ? a_3_4 : a_5_4;
+        a_3_4 = upper_3_4_5;
+        const stewart_real upper_3_5_5 = below_5_3 > REAL(0) ? a_5_5 : a_3_5;
+        a_5_5 = below_5_3 > REAL(0) ? a_3_5 : a_5_5;
+        a_3_5 = upper_3_5_5;
+        const stewart_real upper_3_6_5 = below_5_3 > REAL(0) ? a_5_6 : a_3_6;
+        a_5_6 = below_5_3 > REAL(0) ? a_3_6 : a_5_6;
+        a_3_6 = upper_3_6_5;
+        fault = STEWART_FABS(a_3_3) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_3 = REAL(1)/a_3_3;
+        const stewart_real factor_4_3 = a_4_3*inverse_3;
+        a_4_4 = a_4_4 - factor_4_3*a_3_4;
+        a_4_5 = a_4_5 - factor_4_3*a_3_5;
+        a_4_6 = a_4_6 - factor_4_3*a_3_6;
+        const stewart_real factor_5_3 = a_5_3*inverse_3;
+        a_5_4 = a_5_4 - factor_5_3*a_3_4;
+        a_5_5 = a_5_5 - factor_5_3*a_3_5;
+        a_5_6 = a_5_6 - factor_5_3*a_3_6;
+        const stewart_real below_5_4 = STEWART_FABS(a_5_4) > STEWART_FABS(a_4_4) ? REAL(1) : REAL(0);
+        const stewart_real upper_4_4_5 = below_5_4 > REAL(0) ? a_5_4 : a_4_4;
+        a_5_4 = below_5_4 > REAL(0) ? a_4_4 : a_5_4;
+        a_4_4 = upper_4_4_5;
+        const stewart_real upper_4_5_5 = below_5_4 > REAL(0) ? a_5_5 : a_4_5;
+        a_5_5 = below_5_4 > REAL(0) ? a_4_5 : a_5_5;
+        a_4_5 = upper_4_5_5;
+        const stewart_real upper_4_6_5 = below_5_4 > REAL(0) ? a_5_6 : a_4_6;
+        a_5_6 = below_5_4 > REAL(0) ? a_4_6 : a_5_6;
+        a_4_6 = upper_4_6_5;
+        fault = STEWART_FABS(a_4_4) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_4 = REAL(1)/a_4_4;
+        const stewart_real factor_5_4 = a_5_4*inverse_4;
+        a_5_5 = a_5_5 - factor_5_4*a_4_5;
+        a_5_6 = a_5_6 - factor_5_4*a_4_6;
+        fault = STEWART_FABS(a_5_5) > STEWART_SUSPECT ? fault : REAL(1);
+        a_5_6 = a_5_6/a_5_5;
+        a_4_6 = a_4_6 - a_4_5*a_5_6;
+        a_4_6 = a_4_6*inverse_4;
+        a_3_6 = a_3_6 - a_3_4*a_4_6;
+        a_3_6 = a_3_6 - a_3_5*a_5_6;
+        a_3_6 = a_3_6*inverse_3;
+        a_2_6 = a_2_6 - a_2_3*a_3_6;
+        a_2_6 = a_2_6 - a_2_4*a_4_6;
+        a_2_6 = a_2_6 - a_2_5*a_5_6;
+        a_2_6 = a_2_6*inverse_2;
+        a_1_6 = a_1_6 - a_1_2*a_2_6;
+        a_1_6 = a_1_6 - a_1_3*a_3_6;
+        a_1_6 = a_1_6 - a_1_4*a_4_6;
+        a_1_6 = a_1_6 - a_1_5*a_5_6;
+        a_1_6 = a_1_6*inverse_1;
+        a_0_6 = a_0_6 - a_0_1*a_1_6;
+        a_0_6 = a_0_6 - a_0_2*a_2_6;
+        a_0_6 = a_0_6 - a_0_3*a_3_6;
+        a_0_6 = a_0_6 - a_0_4*a_4_6;
+        a_0_6 = a_0_6 - a_0_5*a_5_6;
+        a_0_6 = a_0_6*inverse_0;
+        const stewart_real force_0 = D[0][l] - a_0_6;
+        fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
+        F[0][l] = force_0;
+        const stewart_real force_1 = D[1][l] - a_1_6;
+        fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
+        F[1][l] = force_1;
+        const stewart_real force_2 = D[2][l] - a_2_6;
+        fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
+        F[2][l] = force_2;
+        const stewart_real force_3 = D[3][l] - a_3_6;
+        fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
+        F[3][l] = force_3;
+        const stewart_real force_4 = D[4][l] - a_4_6;
+        fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
+        F[4][l] = force_4;
+        const stewart_real force_5 = D[5][l] - a_5_6;
+        fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
+        F[5][l] = force_5;
         bad[l] = fault;
     }
 }
@@ -1934,40 +1921,41 @@ static void clear(stewart_real (*to)[LANES])
     }
 }
 
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *in)
+/* Motions of eight poses, component by component. */
+static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
 {
-    stewart_real padded[9 * LANES];
-    spread_matrix(whole(motions->R, 9, first, count, padded), in->R);
-    spread_vector(whole(motions->t, 3, first, count, padded), in->t);
-    spread_vector(whole(motions->omega, 3, first, count, padded), in->omega);
-    spread_vector(whole(motions->v, 3, first, count, padded), in->v);
-    spread_vector(whole(motions->alpha, 3, first, count, padded), in->alpha);
-    spread_vector(whole(motions->a, 3, first, count, padded), in->a);
+    stewart_real padded[72];
+    spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
+    spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
+    spread_vector(whole(motions->omega, 3U, first, count, padded), at->omega);
+    spread_vector(whole(motions->v, 3U, first, count, padded), at->v);
+    spread_vector(whole(motions->alpha, 3U, first, count, padded), at->alpha);
+    spread_vector(whole(motions->a, 3U, first, count, padded), at->a);
     if (motions->F_ext != NULL) {
-        spread_vector(whole(motions->F_ext, 3, first, count, padded), in->F_ext);
+        spread_vector(whole(motions->F_ext, 3U, first, count, padded), at->F_ext);
     } else {
-        clear(in->F_ext);
+        clear(at->F_ext);
     }
     if (motions->M_ext != NULL) {
-        spread_vector(whole(motions->M_ext, 3, first, count, padded), in->M_ext);
+        spread_vector(whole(motions->M_ext, 3U, first, count, padded), at->M_ext);
     } else {
-        clear(in->M_ext);
+        clear(at->M_ext);
     }
 }
 
-static void forces_of_block(const stewart_paper_model *model, const motion_lanes *in, block *out)
+/* Forces of eight poses, and where a closer look is needed. */
+static void forces_of_block(const stewart_paper_model *model, const motion_lanes *at, block *out)
 {
-    shared_lanes shared;
-    leg_block first, other;
     int i, l;
+    shared_lanes shared;
+    leg_block first;
+    leg_block other;
     for (l = 0; l < LANES; ++l) {
         out->bad[l] = REAL(0);
     }
-    shared_of_block(model, in, &shared, out->column[6]);
+    shared_of_block(model, at, &shared, out->column[6]);
     for (i = 0; i < 6; ++i) {
-        leg_of_block(
-            model, i, in, &shared, out->column[i],
-            i == 0 ? &first : &other, out->D[i], out->bad);
+        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
         if (i == 0) {
             moments_of_first(&first, out->column[6]);
         } else {
@@ -1984,13 +1972,13 @@ static void forces_of_block(const stewart_paper_model *model, const motion_lanes
 static int forces_of(
     const stewart_paper_model *model, const stewart_motions *motions, size_t pose, stewart_real *F)
 {
-    stewart_motion one;
     int i;
+    stewart_motion one;
     for (i = 0; i < 9; ++i) {
-        one.R[i] = motions->R[pose * 9U + (size_t)i];
+        one.R[i] = motions->R[pose*9U + (size_t)i];
     }
     for (i = 0; i < 3; ++i) {
-        const size_t at = pose * 3U + (size_t)i;
+        const size_t at = pose*3U + (size_t)i;
         one.t[i] = motions->t[at];
         one.omega[i] = motions->omega[at];
         one.v[i] = motions->v[at];
@@ -2006,26 +1994,29 @@ int stewart_paper_forces_batch(
     const stewart_paper_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     int *status)
 {
-    motion_lanes in;
-    block done;
     size_t first;
-    int result = STEWART_OK;
     int i, l;
-    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
+    motion_lanes at;
+    block done;
+    int result = STEWART_OK;
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &in);
-        forces_of_block(model, &in, &done);
-        for (l = 0; l < LANES && first + (size_t)l < count; ++l) {
+        load_block(motions, first, count, &at);
+        forces_of_block(model, &at, &done);
+        for (l = 0; l < LANES; ++l) {
+            if (!(first + (size_t)l < count)) {
+                break;
+            }
             const size_t pose = first + (size_t)l;
             int code = STEWART_OK;
             if (done.bad[l] > REAL(0)) {
-                code = forces_of(model, motions, pose, &F[pose * 6U]);
+                code = forces_of(model, motions, pose, &F[pose*6U]);
             } else {
                 for (i = 0; i < 6; ++i) {
-                    F[pose * 6U + (size_t)i] = done.F[i][l];
+                    F[pose*6U + (size_t)i] = done.F[i][l];
                 }
             }
             if (status != NULL) {

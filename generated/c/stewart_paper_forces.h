@@ -44,13 +44,13 @@ typedef struct {
     stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
     stewart_real C_P; /* N m s: friction of all spherical joints */
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
-    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
+     * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_paper_model;
 
-/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE
- * if a number of the robot is not finite or too large, or k is zero; the model is written only if it is
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+ * number of the robot is not finite or too large, or k is zero; the model is written only if it is
  * STEWART_OK. */
 STEWART_NODISCARD int stewart_paper_prepare(const stewart_robot *robot, stewart_paper_model *model);
 

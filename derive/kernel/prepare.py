@@ -1,0 +1,194 @@
+"""Preparation: the blocks that make a robot's constants, as functions, and by what the solve scales moments.
+
+Every operation of a kernel but one is homogeneous in the units of length, mass and time, so that units that
+are powers of two change no bit of it: the choice of a pivot compares force rows, without unit, with moment
+rows, in metres. The length is a power of two as well, so that it changes no bit but through that choice. On
+platforms of about a metre it is 1, and no solve multiplies by it.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+
+from .. import notation as n
+from ..block import Block, Quantity
+from ..prepared import ADDED
+from ..regroup import ForceKernel
+from .layouts import Layout, Place, Written, loads, member, names_used, stored, stores
+from .lower import steps_of
+from .nodes import (
+    Argument,
+    Array,
+    Assign,
+    Binary,
+    Call,
+    Do,
+    Element,
+    Expression,
+    Field,
+    Function,
+    Member,
+    Name,
+    Number,
+    Real,
+    Record,
+    Statement,
+    Structure,
+    Variable,
+)
+from .read import Given
+from .written import scale
+
+SMALLEST, LARGEST = 0.125, 16.0
+"""Sizes of platforms, m, between which forces and moments in metres compare well enough.
+
+Of 10^4 poses none loses more than 6.1 rounding units times its condition number at 1/8 m, 2 at 1 m and above,
+but 10 at 1/16 m. In float, pivots that are rounding error of moments come near
+``STEWART_SUSPECT`` at 64 m.
+"""
+ABOUT_REFERENCE = SMALLEST / 2, LARGEST
+"""The same of arms from the reference point, which is amid most platforms."""
+PER_LENGTH = Field(
+    "per_length",
+    Real(),
+    f"1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of "
+    f"{SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds.",
+)
+ROBOT = Structure(
+    "stewart_robot",
+    "",
+    (Field("leg", Array(Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
+)
+LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
+MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
+SINGULAR_STATUS = Function(
+    "singular_status",
+    "",
+    (
+        Argument("H", Array(Real(), (6, 6)), changed=True),
+        Argument("arm", Array(Real(), (6, 3))),
+        Argument("L", Array(Real(), (6,))),
+        Argument("reach", Array(Real(), (6,))),
+    ),
+    None,
+    (),
+)
+
+
+def per_length(size: float) -> float:
+    """What ``written.scale.per_length_of`` returns."""
+    if SMALLEST <= size <= LARGEST or size == 0.0:
+        return 1.0
+    fraction, exponent = math.frexp(size)
+    return math.ldexp(1.0, min(max((fraction == 0.5) - exponent, -100), 100))
+
+
+def is_scaled(kernel: ForceKernel) -> bool:
+    """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
+    return kernel.constants is None or per_length(kernel.size) != 1.0
+
+
+def per_length_of(texts: Written, smallest: float = SMALLEST, largest: float = LARGEST) -> Function:
+    """The function that a preparation calls, with the sizes between which it returns 1."""
+    limits: dict[str, Given] = {"SMALLEST": Number(smallest), "LARGEST": Number(largest)}
+    return texts.function(scale.per_length_of, given=limits)
+
+
+def size_of(texts: Written, by_legs: bool) -> Function:
+    """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
+    return texts.function(scale.size_of, given={"BY_LEGS": int(by_legs)})
+
+
+def prepared_structure(name: str, block: Block) -> Structure:
+    """What a block of preparation makes."""
+    return Structure(name, "", tuple(stored(out.quantity, always=False) for out in block.outputs))
+
+
+def preparation(texts: Written, kernel: ForceKernel) -> list[Structure | Function]:
+    """The two blocks of preparation, and what they read and make."""
+    parts: list[Structure | Function] = []
+    if n.k in kernel.prepare_leg.inputs:
+        parts.append(texts.function(scale.scaled_axis))
+    second = (Argument("leg", Record("stewart_leg")), Argument("sum", Record("prepared_leg")))
+    names = ("prepared_leg", "prepared_platform")
+    for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):
+        arguments = (
+            Argument("robot", Record("stewart_robot")),
+            more,
+            Argument("out", Record(made), changed=True),
+        )
+        meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}."
+        function = Function(block.name, meaning, arguments, None, tuple(_body(block)))
+        texts.functions[block.name] = function
+        parts += [texts.structures[made], function]
+    return parts
+
+
+def _body(block: Block) -> Iterable[Statement]:
+    used = names_used(block)
+    if n.k in block.inputs and used & set(n.k.names):
+        k = Member(Name("leg"), "k")
+        yield Variable("axis", Array(Real(), (3,)), blank=True)
+        yield Do(Call("scaled_axis", (k, Name("axis"))))
+    yield from loads(block.inputs, used, _raw)
+    yield from steps_of(block.steps)
+    yield from stores(block.outputs, lambda q: member("out", q))
+
+
+def _raw(quantity: Quantity) -> Place:
+    """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
+    if quantity == n.k:
+        return Place(Name("axis"))
+    if quantity == n.p_1:
+        return Place(Member(Element(Member(Name("robot"), "leg"), (Number(0),)), "p"))
+    owner = "leg" if quantity in n.LEG else "sum" if quantity in ADDED else "robot"
+    return member(owner, quantity)
+
+
+def numbers(owner: str, quantities: Iterable[Quantity], *lane: Expression) -> list[Expression]:
+    """The stored numbers of the quantities, in order."""
+    return [member(owner, q, *lane).part(q, i) for q in quantities for i in range(len(q.keys))]
+
+
+def copied(to: Sequence[Expression], source: Sequence[Expression]) -> tuple[Statement, ...]:
+    """Numbers put into others."""
+    return tuple(Assign(target, value) for target, value in zip(to, source, strict=True))
+
+
+def sums(quantities: Iterable[Quantity]) -> dict[str, Given]:
+    """``CLEARED`` and ``SUMMED``: sums over the legs with nothing in them, and with one leg more."""
+    found = tuple(quantities)
+    total, more = numbers("sum", found), numbers("found", found)
+    return {
+        "CLEARED": tuple(Assign(each, Number(0.0)) for each in total),
+        "SUMMED": tuple(
+            Assign(each, Binary("+", each, term)) for each, term in zip(total, more, strict=True)
+        ),
+    }
+
+
+def structures(kernel: ForceKernel) -> dict[str, Structure]:
+    """Structures that preparation reads and makes, by the names that the written functions give them."""
+    found = {"Robot": ROBOT, "RawLeg": LEG, "Motion": MOTION}
+    if kernel.constants is None:
+        found |= {
+            "PreparedLeg": prepared_structure("prepared_leg", kernel.prepare_leg),
+            "PreparedPlatform": prepared_structure("prepared_platform", kernel.prepare_platform),
+        }
+    return found | {each.name: each for each in found.values()}
+
+
+def place_of(kernel: ForceKernel, owner: str) -> Layout:
+    """Places of constants: members of ``owner``, or the literals of a baked kernel."""
+    literals = kernel.literals()
+    return lambda q: Name(literal(q)) if q in literals else member(owner, q)
+
+
+def literal(quantity: Quantity) -> str:
+    """Name of a constant that a baked kernel has once, whichever of its functions read it."""
+    return f"BAKED_{quantity.name}"
+
+
+def literals(kernel: ForceKernel) -> str:
+    """These constants as macros."""
+    lines = [f"#define {literal(q)} REAL({value!r})" for q, value in kernel.literals().items()]
+    return "\n".join(["/* Constants of the platform, and those that all legs share. */", *lines, ""])

@@ -1,0 +1,378 @@
+"""Forces with legs, or poses, side by side in lanes, in the part of Python that ``read`` reads.
+
+One pose has its legs in lanes, a block eight poses. Names in capitals stand for what blocks say and for what
+a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D`` legs with a D.
+"""
+
+
+def prepare(robot: "Robot", model: "Model") -> "Integer":
+    """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+    number of the robot is not finite or too large, or k is zero; the model is written only if it is
+    STEWART_OK."""
+    made = blank(Model)
+    found = blank(PreparedLeg)
+    sum = blank(PreparedLeg)
+    platform = blank(PreparedPlatform)
+    if robot is None or model is None:
+        return BAD_ARGUMENT
+    CLEARED
+    for i in range(LANES):
+        prepare_leg(robot, robot.leg[where(i < 6, i, 5)], found)
+        COPIED
+        if i < 6:
+            SUMMED
+    prepare_platform(robot, sum, platform)
+    COPIED_PLATFORM
+    made.per_length = per_length_of(size_of(made))
+    numbers = numbers_of(made)
+    for i in range(COUNT):
+        if not size(numbers[i]) <= MAX:
+            return NOT_FINITE
+    model = made
+    return OK
+
+
+def leg_status(leg: "LegLanes", l: "Integer") -> "Integer":
+    """Status of the leg in one lane."""
+    if not leg.L[l] <= MAX:
+        return NOT_FINITE
+    if not leg.L[l] > ROUNDING * leg.reach[l]:
+        return SHORT_LEG
+    return where(leg.k3[l] > POLE_SINE, OK, POLE) if HAS_SINE else OK
+
+
+def shared_of_pose(model: "Model", at: "Motion", out: "SharedTerms") -> None:
+    """What one pose has for all legs: $count operations."""
+    SHARED
+
+
+def legs_of_pose(
+    model: "alone(Model)", at: "alone(Motion)", shared: "alone(SharedTerms)", out: "alone(LegLanes)"
+) -> None:
+    """$says: $count operations each."""
+    OUTSIDE
+    for l in range(LANES):
+        INSIDE
+
+
+def shift_of_pose(legs: "alone(LegLanes)", shared: "alone(SharedTerms)") -> None:
+    """The platform's part of c with moments about platform point 1."""
+    SHIFT
+
+
+def moments_of_pose(legs: "LegLanes") -> None:
+    """Moments about platform point 1, $count operations of each leg but the first, which has none."""
+    FIRST
+    for l in range(LANES):
+        MOMENTS
+
+
+def scale_pose(A: "array(6, LANES)", per_length: "Real") -> None:
+    """Takes the moments of the rows [H | c] over a length."""
+    for i in range(3, 6):
+        for j in range(LANES):
+            A[i][j] = A[i][j] * per_length
+
+
+def exchange_rows(upper: "alone(array(LANES))", lower: "alone(array(LANES))") -> None:
+    """Exchanges two rows."""
+    for j in range(LANES):
+        moved = upper[j]
+        upper[j] = lower[j]
+        lower[j] = moved
+
+
+def subtract_row(to: "alone(array(LANES))", factor: "Real", row: "alone(array(LANES))") -> None:
+    """Subtracts a multiple of a row from another."""
+    for j in range(LANES):
+        to[j] = to[j] - factor * row[j]
+
+
+def solve_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
+    """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
+    updated, so that a row is one vector, and the next column is known before the rows that hold it are
+    stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
+    no moment rows."""
+    for i in each(3 if ABOUT_TIP else 6):
+        a[i,] = A[i][0]
+    for k in each(6):
+        "Rows of equal entries are exchanged in the order of a block's lanes, and round alike."
+        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
+            if size(a[i,]) > size(a[k,]):
+                moved = a[k,]
+                exchange_rows(A[k], A[i])
+                a[k,] = a[i,]
+                a[i,] = moved
+        if k < 5:
+            inverse[k,] = 1.0 / a[k,]
+        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
+            factor[k, i] = a[i,] * inverse[k,]
+        for i in each(k + 1, 6):
+            a[i,] = (
+                A[i][k + 1] if i > 2 and k == 0 and ABOUT_TIP else A[i][k + 1] - factor[k, i] * A[k][k + 1]
+            )
+        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
+            subtract_row(A[i], factor[k, i], A[k])
+    x[5] = A[5][6] / a[5,]
+    for i in each(4, -1, -1):
+        total[i,] = A[i][6]
+        for j in each(i + 1, 6):
+            total[i,] = total[i,] - A[i][j] * x[j]
+        x[i] = total[i,] * inverse[i,]
+    return where(
+        size(a[0,]) > SUSPECT
+        and size(a[1,]) > SUSPECT
+        and size(a[2,]) > SUSPECT
+        and size(a[3,]) > SUSPECT
+        and size(a[4,]) > SUSPECT
+        and size(a[5,]) > SUSPECT,
+        0,
+        1,
+    )
+
+
+def pose_status(legs: "LegLanes") -> "Integer":
+    """Status of a pose whose H may be singular to rounding."""
+    H = blank(array(6, 6))
+    arm = blank(array(6, 3))
+    for i in range(6):
+        for j in range(3):
+            arm[i][j] = legs.q[j][i] - legs.q[j][0] if ABOUT_TIP else legs.q[j][i]
+            H[j][i] = legs.H_force[j][i]
+            H[j + 3][i] = legs.H_moment[j][i]
+    return singular_status(H, arm, legs.L, legs.reach)
+
+
+def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
+    """Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK."""
+    if BAKED:
+        model = address(numbers)
+    shared = blank(SharedTerms)
+    legs = blank(LegLanes)
+    A = blank(array(6, LANES))
+    x = blank(array(6))
+    found = blank(array(6))
+    close = 0
+    if HAS_NEAR:
+        near_pole = 0
+    if MISSING:
+        return BAD_ARGUMENT
+    shared_of_pose(model, motion, shared)
+    legs_of_pose(model, motion, shared, legs)
+    for i in range(6):
+        if legs.bad[i] > 0.0:
+            status = leg_status(legs, i)
+            if status != OK:
+                return status
+            close = where(legs.L[i] > SHORT_SHARE * legs.reach[i], close, 1)
+            if HAS_NEAR:
+                near_pole = where(legs.k3[i] > NEAR_POLE, near_pole, 1)
+    if HAS_NEAR:
+        if near_pole != 0:
+            legs_near_pole(model, motion, shared, legs)
+    if ABOUT_TIP:
+        shift_of_pose(legs, shared)
+        moments_of_pose(legs)
+    for j in range(3):
+        force = shared.c_force[j]
+        turn = shared.c_tip[j] if ABOUT_TIP else shared.c_moment[j]
+        if HAS_C:
+            for i in range(6):
+                force = force + legs.c_force[j][i]
+                if HAS_C_MOMENT:
+                    turn = turn + legs.c_moment[j][i]
+                if ABOUT_TIP:
+                    turn = turn + legs.arm_c[j][i]
+        for i in range(LANES):
+            A[j][i] = legs.H_force[j][i]
+            A[j + 3][i] = legs.H_moment[j][i]
+        A[j][6] = force
+        A[j + 3][6] = turn
+        A[j][7] = 0.0
+        A[j + 3][7] = 0.0
+    if SCALED == 1:
+        if model.per_length != 1.0:
+            scale_pose(A, model.per_length)
+    if SCALED == 2:
+        scale_pose(A, PER_LENGTH)
+    suspect = solve_pose(A, x)
+    if close != 0 or suspect != 0:
+        status = pose_status(legs)
+        if status != OK:
+            return status
+    for i in range(6):
+        found[i] = legs.D[i] - x[i] if HAS_D else -x[i]
+        if not size(found[i]) <= MAX:
+            return NOT_FINITE
+    for i in range(6):
+        F[i] = found[i]
+    return OK
+
+
+def shared_of_block(
+    model: "alone(Model)",
+    at: "alone(MotionLanes)",
+    out: "alone(SharedLanes)",
+    c: "alone(array(6, LANES))",
+) -> None:
+    """What each of eight poses has for all legs, and the platform's part of c."""
+    OUTSIDE
+    for l in range(LANES):
+        INSIDE
+
+
+def leg_of_block(
+    model: "alone(Model)",
+    leg: "Integer",
+    at: "alone(MotionLanes)",
+    shared: "alone(SharedLanes)",
+    column: "alone(array(6, LANES))",
+    own: "alone(LegBlock)",
+    c: "alone(array(6, LANES))",
+    known: "alone(array(LANES))",
+    bad: "alone(array(LANES))",
+) -> None:
+    """One leg of eight poses side by side, $count operations each: its column of H, its D and its part of
+    c."""
+    OUTSIDE
+    for l in range(LANES):
+        INSIDE
+
+
+def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, LANES))") -> None:
+    """Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added."""
+    for l in range(LANES):
+        FIRST
+
+
+def moments_of_block(
+    own: "alone(LegBlock)",
+    q_1: "alone(array(3, LANES))",
+    column: "alone(array(6, LANES))",
+    c: "alone(array(6, LANES))",
+) -> None:
+    """Another leg: its moments about platform point 1, $count operations each, and its part of c."""
+    for l in range(LANES):
+        MOMENTS
+
+
+def scale_block(out: "Block", per_length: "Real") -> None:
+    """The same for eight poses."""
+    for i in range(1 if ABOUT_TIP else 0, 7):
+        for j in range(3, 6):
+            for l in range(LANES):
+                out.column[i][j][l] = out.column[i][j][l] * per_length
+
+
+def solve_block(
+    column: "alone(array(7, 6, LANES))",
+    D: "alone(array(6, LANES))",
+    F: "alone(array(6, LANES))",
+    bad: "alone(array(LANES))",
+) -> None:
+    """Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
+    F = $force, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place
+    by exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite."""
+    for l in range(LANES):
+        for i in each(6):
+            for j in each(1 if i > 2 and ABOUT_TIP else 0, 7):
+                a[i, j] = column[j][i][l]
+        fault = bad[l]
+        for k in each(6):
+            for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
+                below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
+                for j in each(k, 7):
+                    upper[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
+                    a[i, j] = where(below[i, k] > 0.0, a[k, j], a[i, j])
+                    a[k, j] = upper[k, j, i]
+            fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
+            if k < 5:
+                inverse[k,] = 1.0 / a[k, k]
+            for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
+                factor[i, k] = a[i, k] * inverse[k,]
+                for j in each(k + 1, 7):
+                    a[i, j] = a[i, j] - factor[i, k] * a[k, j]
+        for i in each(5, -1, -1):
+            for j in each(i + 1, 6):
+                a[i, 6] = a[i, 6] - a[i, j] * a[j, 6]
+            a[i, 6] = a[i, 6] * inverse[i,] if i < 5 else a[i, 6] / a[i, i]
+        for i in each(6):
+            force[i,] = D[i][l] - a[i, 6] if HAS_D else -a[i, 6]
+            fault = where(size(force[i,]) <= MAX, fault, 1.0)
+            F[i][l] = force[i,]
+        bad[l] = fault
+
+
+def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
+    """Motions of eight poses, component by component."""
+    padded = blank(array(72))
+    LOADS
+
+
+def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
+    """Forces of eight poses, and where a closer look is needed."""
+    shared = blank(SharedLanes)
+    if ABOUT_TIP:
+        first = blank(LegBlock)
+        other = blank(LegBlock)
+    for l in range(LANES):
+        out.bad[l] = 0.0
+    shared_of_block(model, at, shared, out.column[6])
+    for i in range(6):
+        leg_of_block(model, i, at, shared, out.column[i], OWN, C, KNOWN, out.bad)
+        if ABOUT_TIP:
+            if i == 0:
+                moments_of_first(first, out.column[6])
+            else:
+                moments_of_block(other, first.q, out.column[i], out.column[6])
+    if SCALED == 1:
+        if model.per_length != 1.0:
+            scale_block(out, model.per_length)
+    if SCALED == 2:
+        scale_block(out, PER_LENGTH)
+    solve_block(out.column, D, out.F, out.bad)
+
+
+def forces_of(model: "Model", motions: "Motions", pose: "Count", F: "Pointer(Real)") -> "Integer":
+    """Forces and status of one pose of a batch."""
+    one = blank(Motion)
+    for i in range(9):
+        one.R[i] = motions.R[pose * 9 + i]
+    for i in range(3):
+        at = pose * 3 + i
+        ONE
+    return forces(model, one, F)
+
+
+def forces_batch(
+    model: "Model", count: "Count", motions: "Motions", F: "Pointer(Real)", status: "Pointer(Integer)"
+) -> "Integer":
+    """Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+    Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others."""
+    if BAKED:
+        model = address(numbers)
+    at = blank(MotionLanes)
+    done = blank(Block)
+    result = OK
+    if MISSING:
+        return BAD_ARGUMENT
+    for first in range(0, count, LANES):
+        load_block(motions, first, count, at)
+        forces_of_block(model, at, done)
+        for l in range(LANES):
+            if not first + l < count:
+                break
+            pose = first + l
+            code = OK
+            if done.bad[l] > 0.0:
+                if BAKED:
+                    code = forces_of(motions, pose, F[pose * 6 :])
+                else:
+                    code = forces_of(model, motions, pose, F[pose * 6 :])
+            else:
+                for i in range(6):
+                    F[pose * 6 + i] = done.F[i][l]
+            if status is not None:
+                status[pose] = code
+            result = where(result == OK, code, result)
+    return result

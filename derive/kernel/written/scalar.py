@@ -1,0 +1,224 @@
+"""One pose for controllers, in the part of Python that ``read`` reads: one leg after the other, early return.
+
+``BAKED``: the machine's numbers are folded in. Names in capitals stand for what blocks say.
+"""
+
+
+def extent(vector: "array(3)") -> "Real":
+    """Sum of the sizes of a vector's components, m."""
+    return size(vector[0]) + size(vector[1]) + size(vector[2])
+
+
+def prepare(robot: "Robot", model: "Model") -> "Integer":
+    """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+    number of the robot is not finite or too large, or k is zero; the model is written only if it is
+    STEWART_OK."""
+    found = blank(PreparedLeg)
+    sum = blank(PreparedLeg)
+    platform = blank(PreparedPlatform)
+    largest = 0.0
+    lost = 0.0
+    if robot is None or model is None:
+        return BAD_ARGUMENT
+    CLEARED
+    for i in range(6):
+        prepare_leg(robot, robot.leg[i], found)
+        SUMMED
+        HELD
+        largest = larger(extent(found.p), largest)
+        largest = larger(extent(found.b), largest)
+    prepare_platform(robot, sum, platform)
+    HELD_PLATFORM
+    lost = lost + 0.0 * largest
+    "Zero as long as all numbers are finite."
+    if not lost >= 0.0:
+        return NOT_FINITE
+    "Once more, as a second model would not fit on a small stack."
+    for i in range(6):
+        prepare_leg(robot, robot.leg[i], found)
+        COPIED
+    COPIED_PLATFORM
+    model.size = largest
+    model.per_length = per_length_of(size_of(model))
+    model.least = least_pivots(size_of(model) * model.per_length)
+    return OK
+
+
+def pose_of(model: "Model", at: "Motion", out: "PoseTerms", A: "array(6, 7)") -> None:
+    """What the pose has for all legs, and the platform's part of c: $count operations."""
+    SHARED
+
+
+def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: "LegSizes") -> None:
+    """What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the
+    arm of its moment, and its column of H."""
+    COLUMN
+    REACH
+    out.reach = reach
+    SIZES
+
+
+def short_status(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms") -> "Integer":
+    """Status of a leg: not finite, no longer than the rounding of its terms, or at most short beside them."""
+    sizes = blank(LegSizes)
+    "Any vector will do for q_1: the arm and the column are not read."
+    leg_closely(model, leg, at, at.t, sizes)
+    if not sizes.L <= MAX:
+        return NOT_FINITE
+    if not sizes.L > SHORT_SHARE * sizes.reach:
+        pose.close = 1
+    return where(sizes.L > ROUNDING * sizes.reach, OK, SHORT_LEG)
+
+
+def shift_of(q: "array(3)", A: "array(6, 7)") -> None:
+    """Leg 1: the platform's part of c moves to its platform point, about which moments are taken."""
+    SHIFT
+
+
+def leg_of(
+    model: "Model",
+    leg: "Leg",
+    at: "Motion",
+    pose: "PoseTerms",
+    column: "Integer",
+    A: "array(6, 7)",
+    known: "Real",
+    least: "Real",
+) -> "Integer":
+    """One leg, $count operations: its column of H, its D and its part of c. Returns a status."""
+    BEFORE
+    if not NEAR:
+        if not LENGTH > least:
+            status = short_status(model, leg, at, pose)
+            if status != OK:
+                return status
+    if HAS_SINE:
+        if not SINE > LEAST_SINE:
+            if HAS_NEAR and not NEAR:
+                return leg_near_pole(model, leg, at, pose, column, A, known)
+            else:
+                return where(LENGTH <= MAX, POLE, NOT_FINITE)
+    AFTER
+    if column == 0:
+        FIRST
+        shift_of(pose.q_1, A)
+    MOMENTS
+    return OK
+
+
+def scale_moments(A: "array(6, 7)", per_length: "Real") -> None:
+    """Takes the moments of the rows [H | c] over a length."""
+    for i in range(7):
+        A[3][i] = A[3][i] * per_length
+        A[4][i] = A[4][i] * per_length
+        A[5][i] = A[5][i] * per_length
+
+
+def pose_status(model: "Model", at: "Motion", pose: "PoseTerms") -> "Integer":
+    """Status of a pose whose H may be singular to rounding."""
+    sizes = blank(LegSizes)
+    H = blank(array(6, 6))
+    length = blank(array(6))
+    reach = blank(array(6))
+    arm = blank(array(6, 3))
+    for i in range(6):
+        leg_closely(model, legs[i] if BAKED else model.leg[i], at, pose.q_1, sizes)
+        if not sizes.L <= MAX:
+            return NOT_FINITE
+        length[i] = sizes.L
+        reach[i] = sizes.reach
+        for j in range(3):
+            arm[i][j] = sizes.arm[j]
+        for j in range(6):
+            H[j][i] = sizes.column[j]
+    return singular_status(H, arm, length, reach)
+
+
+def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
+    """Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK."""
+    pose = blank(PoseTerms)
+    A = blank(array(6, 7))
+    x = blank(array(6))
+    if HAS_D:
+        known = blank(array(6))
+    if BAKED:
+        if motion is None or F is None:
+            return BAD_ARGUMENT
+    else:
+        if model is None or motion is None or F is None:
+            return BAD_ARGUMENT
+    pose_of(model, motion, pose, A)
+    pose.close = 0
+    "A leg above this is long beside the vectors that it is the sum of."
+    least = SHORTEST + SHORT_SHARE * (size(motion.t[0]) + size(motion.t[1]) + size(motion.t[2]) + SIZE)
+    for i in range(6):
+        status = leg_of(model, legs[i] if BAKED else model.leg[i], motion, pose, i, A, known[i], least)
+        if status != OK:
+            return status
+    if SCALED == 1:
+        if model.per_length != 1.0:
+            scale_moments(A, model.per_length)
+    if SCALED == 2:
+        scale_moments(A, PER_LENGTH)
+    pivots = solve(A, x)
+    if pose.close != 0 or not size(pivots) > LEAST:
+        found = pose_status(model, motion, pose)
+        if found != OK:
+            return found
+    for i in each(6):
+        x[i] = known[i] - x[i] if HAS_D else -x[i]
+    if not size(x[0]) + size(x[1]) + size(x[2]) + size(x[3]) + size(x[4]) + size(x[5]) <= MAX:
+        "The sum may be infinite where no force is."
+        if not (
+            size(x[0]) <= MAX
+            and size(x[1]) <= MAX
+            and size(x[2]) <= MAX
+            and size(x[3]) <= MAX
+            and size(x[4]) <= MAX
+            and size(x[5]) <= MAX
+        ):
+            return NOT_FINITE
+    for i in each(6):
+        F[i] = x[i]
+    return OK
+
+
+def least_pivots(size: "Real") -> "Real":
+    """Product of the pivots below which H may be singular, of arms that are no larger than `size`."""
+    least = STEWART_LEAST_PIVOTS(size)
+    return where(least <= MAX, least, MAX)
+
+
+def solve(A: "array(6, 7)", x: "array(6)") -> "Real":
+    """Solves [H | c] for x by elimination with partial pivoting, (36). The first column has no moment rows;
+    rows are exchanged by pointer, an upper one is read once. Returns the product of the pivots."""
+    row = blank(pointers(6))
+    for i in each(6):
+        row[i] = A[i]
+    for k in each(6):
+        if k < 5:
+            largest[k,] = size(row[k][k])
+        for i in each(k + 1, 3 if k == 0 else 6):
+            other[k, i] = size(row[i][k])
+            if other[k, i] > largest[k,]:
+                if i < (2 if k == 0 else 5):
+                    largest[k,] = other[k, i]
+                moved[k, i] = row[i]
+                row[i] = row[k]
+                row[k] = moved[k, i]
+        pivots = row[k][k] if k == 0 else pivots * row[k][k]
+        inverse[k,] = 1.0 / row[k][k]
+        row[k][k] = inverse[k,]
+        for j in each(k + 1, 7 if k < 5 else 0):
+            upper[k, j] = row[k][j]
+        for i in each(k + 1, 3 if k == 0 else 6):
+            lower[k, i] = row[i]
+            factor[k, i] = lower[k, i][k] * inverse[k,]
+            for j in each(k + 1, 7):
+                lower[k, i][j] = lower[k, i][j] - factor[k, i] * upper[k, j]
+    for k in each(5, -1, -1):
+        total[k,] = row[k][6]
+        for j in each(k + 1, 6):
+            total[k,] = total[k,] - row[k][j] * x[j]
+        x[k] = total[k,] * row[k][k]
+    return pivots

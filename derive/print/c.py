@@ -1,0 +1,405 @@
+"""C99: structures by pointer, arrays with their dimensions, names with the prefix ``STEWART_``."""
+
+import textwrap
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
+
+from ..kernel.nodes import (
+    Argument,
+    Array,
+    As,
+    Assign,
+    Binary,
+    Both,
+    Call,
+    Compare,
+    Count,
+    Either,
+    Element,
+    Expression,
+    Field,
+    For,
+    From,
+    Function,
+    Integer,
+    Let,
+    Member,
+    Name,
+    Negative,
+    Number,
+    Pointer,
+    Real,
+    Record,
+    Select,
+    Statement,
+    Structure,
+    Switch,
+    Table,
+    Type,
+    Variable,
+    names_in,
+    statements,
+)
+from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
+
+_BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
+_PLAIN = {"NULL": "NULL", "LANES": "LANES"}
+_NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t"}
+_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
+
+
+class C(Printer):
+    """Spells functions, structures and tables.
+
+    functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
+    ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
+    records: names of structures in C, where those are others. structures: those that variables have.
+    """
+
+    def __init__(
+        self,
+        functions: Iterable[Function] = (),
+        sizes: Mapping[int, str] | None = None,
+        brackets: bool = False,
+        records: Mapping[str, str] | None = None,
+        structures: Iterable[Structure] = (),
+    ) -> None:
+        self.functions_by_name = {each.name: each for each in functions}
+        self.sizes, self.brackets = dict(sizes or {}), brackets
+        self.records = dict(records or {})
+        self.structures = {each.name: each for each in structures}
+        self.pointers: set[str] = set()
+        self.numbers: set[str] = set()
+
+    def source(self, *parts: str | Structure | Table | Function) -> str:
+        """Texts, structures, tables and functions, one after the other with an empty line between them."""
+        functions = (each for each in parts if isinstance(each, Function))
+        self.functions_by_name |= {each.name: each for each in functions}
+        return "\n".join(each if isinstance(each, str) else self._part(each) for each in parts)
+
+    def _part(self, part: Structure | Table | Function) -> str:
+        spelled = {Structure: self.structure, Table: self.table, Function: self.function}
+        return "\n".join([*spelled[type(part)](part), ""])  # type: ignore[operator]
+
+    # ------------------------------------------------------------ comments
+
+    def remark(self, text: str, before: str = "") -> list[str]:
+        """A comment; an empty line in it begins another paragraph."""
+        lines = [
+            line
+            for i, paragraph in enumerate(text.split("\n\n") if text else ())
+            for line in ("", *self._wrapped(paragraph, before))[not i :]
+        ]
+        ends = [""] * (len(lines) - 1) + [" */"]
+        return [
+            before + f"{' *' if i else '/*'} {line}".rstrip() + end
+            for i, (line, end) in enumerate(zip(lines, ends, strict=True) if lines else ())
+        ]
+
+    def _wrapped(self, text: str, before: str) -> list[str]:
+        return textwrap.wrap(text, WIDTH - len(before) - 6, break_long_words=False, break_on_hyphens=False)
+
+    # ------------------------------------------------------------ types
+
+    def declared(self, kind: Type, name: str) -> str:
+        """A type and the name that has it."""
+        match kind:
+            case Array(item, dims):
+                return self.declared(item, name + self._dims(dims))
+            case Pointer(item):
+                return self.declared(item, f"*{name}")
+            case Record(record):
+                return f"{self.records.get(record, record)} {name}"
+        return f"{_NAMES[type(kind)]} {name}"
+
+    def _dims(self, dims: tuple[int, ...]) -> str:
+        return "".join(f"[{self.sizes.get(count, count)}]" for count in dims)
+
+    def structure(self, structure: Structure) -> list[str]:
+        """A structure as a type."""
+        members = [line for each in structure.members for line in self._member(each)]
+        members = members or ["    int none; /* C has no structure without members */"]
+        return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {structure.name};"]
+
+    def _member(self, field: Field) -> list[str]:
+        declared = f"    {self.declared(field.type, field.name)};"
+        line = f"{declared} /* {field.meaning} */" if field.meaning else declared
+        return [line] if len(line) <= WIDTH + 40 else [*self.remark(field.meaning, "    "), declared]
+
+    def table(self, table: Table) -> list[str]:
+        """Constant structures and their type."""
+        many = len(table.rows) > 1
+        rows = [line for row in table.rows for line in self._row(table.structure, row, many)]
+        return [
+            *self.structure(table.structure),
+            "",
+            *self.remark(table.meaning),
+            f"static const {table.structure.name} {table.name}{f'[{len(table.rows)}]' if many else ''} = {{",
+            *rows,
+            "};",
+        ]
+
+    def _row(self, structure: Structure, row: tuple[float, ...], braces: bool) -> list[str]:
+        numbers, members = list(row), []
+        for field in structure.members:
+            if isinstance(field.type, Array):
+                parts = [f"REAL({numbers.pop(0)!r})" for _ in range(field.type.dims[0])]
+                members.append(f"{{{', '.join(parts)}}}")
+            else:
+                members.append(f"REAL({numbers.pop(0)!r})")
+        if braces:
+            return self.lines("    ", f"{{{', '.join(members)}}},")
+        return [line for each in members for line in self.lines("    ", f"{each},")]
+
+    # ------------------------------------------------------------ expressions
+
+    def number(self, value: int | float) -> str:
+        if isinstance(value, int):
+            return str(value)
+        if value == 0.5:
+            return "STEWART_HALF"
+        return f"REAL({int(value) if value.is_integer() and abs(value) < 1e9 else repr(value)})"
+
+    def constant(self, name: str) -> str:
+        return _PLAIN.get(name, f"STEWART_{name}")
+
+    def name(self, name: str) -> str:
+        return f"*{name}" if name in self.numbers else name
+
+    def element(self, array: str, index: list[str]) -> str:
+        return array + "".join(f"[{each}]" for each in index)
+
+    def _text(self, node: Expression) -> tuple[str, int]:
+        match node:
+            case Name(name) if name in self.numbers:
+                return f"*{name}", SIGN
+            case Call("anywhere", (test,)):
+                return self._text(test)
+            case Member(Name(owner), name) if owner in self.pointers:
+                return f"{owner}->{name}", ATOM
+            case From(array, index):
+                return f"&{self.text(array, ATOM)}[{self.text(index)}]", SIGN
+            case As(Count(), Number(number)):
+                return f"{number}U", ATOM
+            case As(Pointer() as kind, value):
+                return f"(const {self.declared(kind, '').strip()}){self._address(value)}", SIGN
+            case As(kind, value):
+                return f"({self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
+            case Binary("*" | "/" as operator, left, right):
+                return f"{self._operand(left, node)}{operator}{self._operand(right, node, 1)}", PRODUCT
+            case Binary(operator, left, right):
+                return f"{self._operand(left, node)} {operator} {self._operand(right, node, 1)}", SUM
+            case Compare(operator, left, right):
+                return f"{self._operand(left, node)} {operator} {self._operand(right, node)}", COMPARE
+            case Both(left, right):
+                return f"{self._operand(left, node)} && {self._operand(right, node)}", AND
+            case Either(left, right):
+                return f"{self._operand(left, node)} || {self._operand(right, node)}", OR
+        return super()._text(node)
+
+    def _operand(self, value: Expression, whole: Expression, more: int = 0) -> str:
+        match whole:
+            case Binary(operator):
+                level = _LEVEL[operator] + more
+                # A factor with a sign of its own stands in parentheses.
+                level = ATOM if level >= PRODUCT and isinstance(value, Negative) else level
+                apart = isinstance(value, Binary) and value.operator != operator
+            case Compare():
+                level, apart = SUM, isinstance(value, Binary)
+            case _:
+                alike = isinstance(value, type(whole))
+                level, apart = (OR if alike else COMPARE), not alike
+        return self.text(value, SIGN if self.brackets and apart else level)
+
+    def select(self, node: Select) -> str:
+        test = self.text(node.test, ATOM if self.brackets else COMPARE)
+        return f"{test} ? {self.text(node.yes, SELECT + 1)} : {self.text(node.no)}"
+
+    def call(self, node: Call) -> str:
+        function = self.functions_by_name.get(node.function)
+        if function is None:
+            name = _BUILT_IN.get(node.function, node.function)
+            return f"{name}({', '.join(map(self.text, node.arguments))})"
+        pairs = zip(function.arguments, node.arguments, strict=True)
+        passed = (self._passed(argument, value) for argument, value in pairs)
+        return f"{node.function}({', '.join(passed)})"
+
+    def _passed(self, argument: Argument, value: Expression) -> str:
+        number = isinstance(argument.type, Real | Integer | Count)
+        if isinstance(value, Name) and value.name in self.numbers and argument.changed:
+            return value.name
+        if isinstance(argument.type, Record) or (number and argument.changed):
+            return self._address(value)
+        return self.text(value)
+
+    def _address(self, value: Expression) -> str:
+        if isinstance(value, Select):
+            return f"{self.text(value.test)} ? {self._address(value.yes)} : {self._address(value.no)}"
+        is_address = isinstance(value, From) or (isinstance(value, Name) and value.name in self.pointers)
+        return self.text(value) if is_address else f"&{self.text(value, ATOM)}"
+
+    # ------------------------------------------------------------ statements
+
+    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+        """Statements as lines; constants that are loaded from one array are declared together."""
+        lines: list[str] = []
+        statements = _called_apart(statements) if self.brackets else statements
+        for owner, run in groupby(statements, _loaded_from):
+            found = list(run)
+            if owner is None or len(found) == 1:
+                lines += super().body(found, depth)
+            else:
+                loads = ", ".join(f"{each.name} = {self.text(each.value)}" for each in found)  # type: ignore[union-attr, arg-type]
+                const = "const " if isinstance(found[0], Let) else ""
+                lines += self.lines(self.indent * depth, f"{const}stewart_real {loads};")
+        return lines
+
+    def let(self, node: Let) -> str:
+        if isinstance(node.type, Pointer) and isinstance(node.type.item, Real):
+            const = "const " if isinstance(node.value, As) else ""
+            return f"{const}{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
+        if isinstance(node.type, Pointer):
+            self.pointers.add(node.name)
+            value = self._address(node.value)
+            return f"const {self.declared(node.type, f'const {node.name}')} = {value};"
+        return f"const {self.declared(node.type, node.name)} = {self.text(node.value)};"
+
+    def variable(self, node: Variable) -> str:
+        declared = self.declared(node.type, node.name)
+        if node.value is not None:
+            return f"{declared} = {self.text(node.value)};"
+        if node.blank:
+            return f"{declared};"
+        return f"{declared} = {'REAL(0)' if node.type == Real() else self.zero(node.type)};"
+
+    def zero(self, kind: Type) -> str:
+        """Zeros of a type, each of its own: compilers of C++ warn of fewer."""
+        match kind:
+            case Array(item, (count, *others)):
+                inner = Array(item, tuple(others)) if others else item
+                return f"{{{', '.join([self.zero(inner)] * count)}}}"
+            case Record(name) if name in self.structures:
+                return f"{{{', '.join(self.zero(each.type) for each in self.structures[name].members)}}}"
+            case Record():
+                return "{0}"
+        return "0"
+
+    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+        left, right = (
+            f"*{each.name}" if isinstance(each, Name) and each.name in self.pointers else self.text(each)
+            for each in (target, value)
+        )
+        return self.lines(before, f"{left} = {right};")
+
+    def do(self, call: Call) -> str:
+        function = self.functions_by_name.get(call.function)
+        unread = "" if function is None or function.result is None else "(void)"
+        return unread + self.call(call)
+
+    def loop(self, node: For) -> str:
+        index = node.index
+        first, last = self.text(node.first), self.text(node.last)
+        if node.down:
+            end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
+            return f"for ({index} = {first}; {index} {end}; --{index})"
+        step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
+        return f"for ({index} = {first}; {index} < {last}; {step})"
+
+    def condition(self, test: str) -> str:
+        return f"if ({test})"
+
+    def more(self, before: str, node: Statement, depth: int) -> list[str]:
+        assert isinstance(node, Switch)
+        others = ["#else", *self.body(node.otherwise, depth)] if node.otherwise else []
+        return [f"#if defined({node.macro})", *self.body(node.body, depth), *others, "#endif"]
+
+    # ------------------------------------------------------------ functions
+
+    def function(self, function: Function) -> list[str]:
+        """A definition; those of the interface have their comments where they are declared."""
+        self._enter(function)
+        apart = "STEWART_APART " if function.apart else ""
+        static = "" if function.public else f"{apart}static "
+        used = {each.name for each in names_in(function.body)}
+        return [
+            *([] if function.public else self.remark(function.meaning)),
+            *self._head(static, function, ""),
+            "{",
+            *self._indices(function),
+            *(f"    (void){each.name};" for each in function.arguments if each.name not in used),
+            *self.body(function.body),
+            "}",
+        ]
+
+    def declaration(self, function: Function) -> list[str]:
+        """A function of the interface with its comment, as a header has it."""
+        checked = "" if function.result is None else "STEWART_NODISCARD "
+        return [*self.remark(function.meaning), *self._head(checked, function, ";")]
+
+    def _enter(self, function: Function) -> None:
+        """Sets which names are addresses."""
+        self.functions_by_name[function.name] = function
+        arguments = function.arguments
+        self.pointers = {each.name for each in arguments if isinstance(each.type, Record)}
+        self.numbers = {
+            each.name for each in arguments if each.changed and isinstance(each.type, Real | Integer | Count)
+        }
+
+    def _head(self, before: str, function: Function, end: str) -> list[str]:
+        result = "void" if function.result is None else self.declared(function.result, "").strip()
+        arguments = ", ".join(map(self.argument, function.arguments)) or "void"
+        line = f"{before}{result} {function.name}({arguments}){end}"
+        if len(line) <= WIDTH:
+            return [line]
+        # Blanks within an argument are hidden from the wrapping.
+        text = ", ".join(map(self.argument, function.arguments)).replace(" ", "\0").replace(",\0", ", ")
+        rest = textwrap.wrap(f"{text}){end}", WIDTH - 4, break_on_hyphens=False)
+        return [f"{before}{result} {function.name}(", *(f"    {each}".replace("\0", " ") for each in rest)]
+
+    def argument(self, argument: Argument) -> str:
+        """An argument as it is declared."""
+        name, kind = argument.name, argument.type
+        const = "" if argument.changed else "const "
+        alone = "STEWART_RESTRICT " if argument.alone else ""
+        match kind:
+            case Array(item, (_, *others)) if alone:
+                pointer = f"*{alone}{name}"
+                text = self.declared(item, f"({pointer}){self._dims(tuple(others))}" if others else pointer)
+                return text if others else const + text
+            case Array(_, dims):
+                return (const if len(dims) == 1 else "") + self.declared(kind, name)
+            case Pointer() | Record():
+                item = kind.item if isinstance(kind, Pointer) else kind
+                return const + self.declared(item, f"*{alone}{name}")
+        return self.declared(kind, f"*{name}" if argument.changed else name)
+
+    def _indices(self, function: Function) -> list[str]:
+        loops = [each for each in statements(function.body) if isinstance(each, For)]
+        by_type = [
+            (kind, sorted({each.index for each in loops if each.type == kind}))
+            for kind in (Count(), Integer())
+        ]
+        return [
+            f"    {_NAMES[type(kind)]} {names};"
+            for kind, found in by_type
+            for names in (found if self.brackets else filter(None, [", ".join(found)]))
+        ]
+
+
+def _called_apart(statements: Iterable[Statement]) -> Iterator[Statement]:
+    """Structures that functions return assigned: initialised, MISRA C's checker takes them for parts."""
+    for node in statements:
+        match node:
+            case Let(value=Call(), type=Record()) | Variable(value=Call(), type=Record()):
+                assert node.value is not None
+                yield Variable(node.name, node.type, blank=True)
+                yield Assign(Name(node.name), node.value)
+            case _:
+                yield node
+
+
+def _loaded_from(node: Statement) -> tuple[type, Expression] | None:
+    """The array of which a constant, or a variable at first, is one element."""
+    if isinstance(node, Let | Variable) and isinstance(node.value, Element):
+        return type(node), node.value.array
+    return None
