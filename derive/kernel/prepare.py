@@ -26,6 +26,7 @@ from .nodes import (
     Expression,
     Field,
     Function,
+    Integer,
     Member,
     Name,
     Number,
@@ -69,7 +70,7 @@ SINGULAR_STATUS = Function(
         Argument("L", Array(Real(), (6,))),
         Argument("reach", Array(Real(), (6,))),
     ),
-    None,
+    Integer(),
     (),
 )
 

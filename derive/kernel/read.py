@@ -162,7 +162,7 @@ class _Reader:
         typed = [each for each in typed if self.given.get(each[0]) is not False]
         self.types = {name: kind for name, kind, _ in typed}
         read = self.body(tree.body[1:])
-        changed = _changed(read, self.functions)
+        changed = _changed(read, self.functions, self.is_address)
         arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
         result = None if _is_none(tree.returns) else self.annotated(tree.returns)
         paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
@@ -447,8 +447,17 @@ class _Reader:
         named = next(each for each in self.structures.values() if each.name == record.name)
         return next(each.type for each in named.members if each.name == name)
 
+    def is_address(self, node: Expression) -> bool:
+        """Whether a member of an argument is an address: what is there is no part of the argument."""
+        if not isinstance(node, Member) or not isinstance(node.owner, Name):
+            return False
+        owner = self.types.get(node.owner.name)
+        return isinstance(owner, Record) and isinstance(self.member(owner, node.name), Pointer)
 
-def _changed(body: tuple[Statement, ...], functions: Mapping[str, Function]) -> set[str]:
+
+def _changed(
+    body: tuple[Statement, ...], functions: Mapping[str, Function], is_address: Callable[[Expression], bool]
+) -> set[str]:
     """Names that are assigned to after their first value, in part, or by a function that changes them."""
     found: set[str] = set()
     for each in statements(body):
@@ -457,7 +466,7 @@ def _changed(body: tuple[Statement, ...], functions: Mapping[str, Function]) -> 
         for call in calls_in(each):
             arguments = functions[call.function].arguments if call.function in functions else ()
             pairs = zip(call.arguments, arguments, strict=False)
-            found |= {_root(value) for value, to in pairs if to.changed}
+            found |= {_root(value) for value, to in pairs if to.changed and not is_address(value)}
     return found
 
 
