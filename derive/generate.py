@@ -13,18 +13,23 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import bounds, c, lanes, numpy, numpy_motion
+from .emit import bounds, c, lanes, numpy
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
+from .kernel.constants import STATUS
+from .kernel.nodes import Constant, Program, parts_of
+from .kernel.outputs import FORCES, OUTPUTS, program
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
 from .package import fidelity_table
 from .package.header import common_header
+from .package.languages import python_arithmetic, python_module
 from .package.layout import layout
+from .package.words import template
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -92,6 +97,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files = {
         "c/stewart.h": common_header(version),
         "assembly.py": numpy.assembly(version),
+        "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
         "__init__.py": _PACKAGE.format(version=version),
     }
     for form in FORMULATIONS:
@@ -107,6 +113,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{fast}.c"] = lanes.source(forces, version)
         models[form.kernel_name] = lanes.model_numbers(forces)
         files[f"{form.kernel_name}.py"] = numpy.module(built, counts, force_counts, version)
+        arrays = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
+        files[f"{form.kernel_name}_arrays.py"] = python_module(arrays, _imported(arrays), version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
     models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
@@ -120,9 +128,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
-    files |= {f"c/{name}": text for name, text in made.items()}
     files["interface.py"] = layout(models, version)
-    return files
+    return files | {f"c/{name}": text for name, text in made.items()}
 
 
 def _error_bounds(version: str) -> dict[str, str]:
@@ -166,6 +173,14 @@ def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
+@cache
+def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "general") -> Program:
+    """Some of ``kernel.outputs.OUTPUTS`` as one program; what is not of the forces is of ``exact`` alone."""
+    built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
+    sums = () if outputs == (FORCES,) else reduced_motion()
+    return program(built, sums, outputs)
+
+
 def motion_files(functions: Collection[str]) -> dict[str, str]:
     """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.motion.FUNCTIONS`` and what those need.
 
@@ -186,11 +201,36 @@ def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), prepared_model(EXACT)
     sources = _motion_files(model, version, motion_text.FUNCTIONS)
+    rows = [f'    "{each.name}": {motion_text.sum_operations(each).total},' for each in built]
     return {
-        f"{EXACT.kernel_name}_motion.py": numpy_motion.module(built, model, version),
+        f"{EXACT.kernel_name}_operations.py": template(
+            "python_operations.py", {"version": version, "rows": "\n".join(rows)}
+        ),
         **{f"c/{file}": text for file, text in sources.items()},
     }
 
+
+def _imported(program: Program) -> str:
+    """The import of what a program on arrays names in the module that they share."""
+    named = {
+        each.name
+        for function in program.functions
+        for each in parts_of(function.body)
+        if isinstance(each, Constant)
+    }
+    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
+
+
+_ARITHMETIC = '''\
+"""What the modules on arrays share: status codes, constants, and the functions of an array namespace.
+
+Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
+"""
+
+from typing import Any
+
+'''
 
 _PACKAGE = '''\
 """Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.

@@ -19,7 +19,7 @@ from . import native
 from .forces import ForceKernel, prepare
 from .generated.interface import OUTPUTS as _OUTPUTS
 from .generated.interface import STRUCTS
-from .kernel import MOTION, NumpyKernel, address, contiguous, loaded, module
+from .kernel import MOTION, address, contiguous, loaded, module, stored
 from .motion import Motion
 from .robot import Robot
 
@@ -113,27 +113,56 @@ class OneState:
 
 @dataclass(frozen=True, eq=False)
 class NumpyClosedForm:
-    """The NumPy kernels of the closed form with one robot."""
+    """The NumPy kernels of the closed form with one robot: those of arrays, with the C's bits.
+
+    real: type of real numbers.
+    """
 
     robot: Robot
+    real: type[np.floating[Any]] = np.float64
+    _on: Any = field(init=False, repr=False)
+    _model: Any = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Prepare the robot's constants."""
+        source, on = module(f"{NAME}_arrays"), module("arithmetic").Arithmetic(np, self.real)
+        with np.errstate(all="ignore"):
+            model = source.prepare(on, robot_structure(source.Robot(), self.robot))
+        object.__setattr__(self, "_on", on)
+        object.__setattr__(self, "_model", model)
 
     def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
+        source = module(f"{NAME}_arrays")
+        given = source.motion_of(self._on, **vars(loaded(motion)))
+        forces = [] if F is None else [[F[..., i] for i in range(6)]]
         with np.errstate(all="ignore"):
-            return self._run(what, motion, F)
+            result = getattr(source, what)(self._on, self._model, given, *forces)
+        shape = motion.t.shape[:-1]
+        found = {name: _stacked(value, shape) for name, value in vars(result).items()}
+        if "alpha" in found:
+            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
+        return {name: found[name] for name in OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}
 
-    def _run(self, what: What, motion: Motion, F: Array | None) -> dict[str, Any]:
-        generated = module(f"{NAME}_motion")
-        given = loaded(motion)
-        if what == "derivatives":
-            forces = NumpyKernel.prepare(self.robot, NAME).forces(motion)
-            found = generated.derivatives(self.robot, given, forces.F)
-            return {"F": np.where((found["status"] == 0)[..., None], forces.F, np.nan), **found}
-        if what == "linearisation":
-            acceleration = generated.forward_dynamics(self.robot, given, F)["acceleration"]
-            given.a, given.alpha = acceleration[..., :3], acceleration[..., 3:]
-            found = generated.linearisation(self.robot, given, F)
-            acceleration = np.where((found["status"] == 0)[..., None], acceleration, np.nan)
-            return {"acceleration": acceleration, **found}
-        arguments = () if F is None else (F,)
-        return dict(getattr(generated, what)(self.robot, given, *arguments))
+
+def robot_structure(made: Any, robot: Any) -> Any:
+    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
+    for i, leg in enumerate(made.leg):
+        for name in vars(leg):
+            setattr(leg, name, _parts(getattr(robot, name)[i]))
+    for name in vars(made).keys() - {"leg"}:
+        setattr(made, name, _parts(getattr(robot, name)))
+    return made
+
+
+def _parts(value: Any) -> Any:
+    """A quantity of no or one index as it is stored, a number or a list of them."""
+    held = stored(np.asarray(value))
+    return list(held) if held.shape else held[()]
+
+
+def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Lists of arrays, one for each component, as one array (*shape, ...)."""
+    if isinstance(value, list):
+        return np.stack([_stacked(each, shape) for each in value], axis=len(shape))
+    return np.broadcast_to(value, shape)

@@ -66,7 +66,7 @@ def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
 def robot_numbers(robot: Robot) -> Array:
     """The robot as the numbers of ``struct stewart_robot``, in its order."""
     legs = np.concatenate([_columns(getattr(robot, name)) for name in _LEG], axis=1)
-    platform = [np.ravel(_stored(np.asarray(getattr(robot, name)))) for name in _PLATFORM]
+    platform = [np.ravel(stored(np.asarray(getattr(robot, name)))) for name in _PLATFORM]
     return np.concatenate([legs.ravel(), *platform])
 
 
@@ -88,10 +88,10 @@ def overflows(robot: Robot, precision: str) -> ValueError:
 
 
 def _columns(values: Array) -> Array:
-    return _stored(values).reshape(6, -1)
+    return stored(values).reshape(6, -1)
 
 
-def _stored(values: Array) -> Array:
+def stored(values: Array) -> Array:
     """A symmetric tensor as its six stored components; anything else unchanged."""
     return values[..., *_UPPER] if values.shape[-2:] == (3, 3) else values
 

@@ -3,7 +3,7 @@
 All dynamics come from the blocks; what is done around them is read from ``kernel.written.every_output``.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from .. import notation as n
 from ..block import Block, Quantity, Step
@@ -188,13 +188,16 @@ class _Source:
         yield filled("singular_status.c")
         yield read(written.pose_forces)
         yield read(written.pose_reactions)
-        for each in (written.inverse_dynamics, written.joint_reactions):
-            yield read(each, f"{self.name}_{each.__name__}", public=True)
-        for each, to in (
-            ("forces", written.inverse_dynamics_batch),
-            ("reactions", written.joint_reactions_batch),
-        ):
-            yield read(to, f"{self.name}_{to.__name__}", public=True, given={"COPIED": _copied(each)})
+        single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
+        for one in single:
+            yield read(one, f"{self.name}_{one.__name__}", public=True)
+        batches: dict[str, Callable[..., object]] = {
+            "forces": written.inverse_dynamics_batch,
+            "reactions": written.joint_reactions_batch,
+        }
+        for results, batch in batches.items():
+            given: dict[str, Given] = {"COPIED": _copied(results)}
+            yield read(batch, f"{self.name}_{batch.__name__}", public=True, given=given)
 
 
 def _terms(name: str, block: Block) -> Structure:

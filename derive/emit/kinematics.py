@@ -6,7 +6,7 @@ One pose at a time, for processors without vector registers, and the legs of man
 from collections.abc import Iterable
 
 from ..block import Block
-from ..kernel.constants import SEARCH
+from ..kernel.constants import LIMITS
 from ..kernel.kinematics import legs_program, rotation_program, search_program
 from ..kernel.nodes import Program
 from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
@@ -37,7 +37,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
-        max_steps=SEARCH["MAX_STEPS"][0],
+        max_steps=LIMITS["MAX_STEPS"][0],
         steps=_listed(STEPS["double"]),
         float_steps=_listed(STEPS["float"]),
     )

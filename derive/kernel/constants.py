@@ -5,18 +5,11 @@ from math import sqrt
 from ..emit.lane_scale import LARGEST, SMALLEST
 from .interface import STATUS as OF_INTERFACE
 
-STATUS = {
-    name: (code, meaning)
-    for name, code, meaning in OF_INTERFACE
-    if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
-}
+STATUS = {name: (code, meaning) for name, code, meaning in OF_INTERFACE if name != "BAD_ARGUMENT"}
 """Code and meaning by name, of what kernels without pointers and searches return."""
 
-SEARCH = {
-    "NOT_CONVERGED": next((code, says) for name, code, says in OF_INTERFACE if name == "NOT_CONVERGED"),
-    "MAX_STEPS": (30, "steps after which the search of a pose ends"),
-}
-INTEGERS = STATUS | SEARCH
+LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
+INTEGERS = STATUS | LIMITS
 """Whole numbers that written functions may use."""
 
 PRECISIONS = {

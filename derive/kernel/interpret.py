@@ -146,11 +146,8 @@ class Interpreter:
                 known[name] = value
             case Member(owner, name):
                 setattr(self._value(owner, known), name, value)
-            case Element(array, (*before, last)):
-                found = self._value(array, known)
-                for index in before:
-                    found = found[self._value(index, known)]
-                found[self._value(last, known)] = value
+            case Element(array, index):
+                self._put(self._value(array, known), [self._value(each, known) for each in index], value)
 
     def _value(self, value: Expression, known: dict[str, Any]) -> Any:
         of = self._value
@@ -164,10 +161,7 @@ class Interpreter:
             case Member(owner, name):
                 return getattr(of(owner, known), name)
             case Element(array, index):
-                found = of(array, known)
-                for each in index:
-                    found = found[of(each, known)]
-                return found
+                return self._at(of(array, known), [of(each, known) for each in index])
             case Not(inner):
                 return self.arithmetic.where(of(inner, known), False, True)
             case Negative(inner):
@@ -186,6 +180,28 @@ class Interpreter:
                 found = [of(each, known) for each in arguments]
                 built_in = getattr(self.arithmetic, name, None)
                 return self.run(name, *found) if built_in is None else built_in(*found)
+
+    def _at(self, array: Any, index: list[Any]) -> Any:
+        """An element; where poses side by side differ in it, a selection."""
+        if not index:
+            return array
+        first, *others = index
+        if isinstance(first, int):
+            return self._at(array[first], others)
+        found, *more = (self._at(each, others) for each in array)
+        for i, each in enumerate(more, 1):
+            found = self._select(first == i, each, found)
+        return found
+
+    def _put(self, array: Any, index: list[Any], value: Any) -> None:
+        first, *others = index
+        if others and isinstance(first, int):
+            self._put(array[first], others, value)
+        elif isinstance(first, int):
+            array[first] = value
+        else:
+            for i, each in enumerate(array):
+                self._put(array, [i, *others], self._select(first == i, value, self._at(each, others)))
 
     def _select(self, test: Any, yes: Any, no: Any) -> Any:
         if isinstance(yes, SimpleNamespace):

@@ -1,8 +1,7 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import reduce
-from math import prod
 
 import sympy as sp
 
@@ -17,7 +16,9 @@ from .nodes import (
     Element,
     Expression,
     Field,
+    For,
     Function,
+    Integer,
     Let,
     Member,
     Name,
@@ -117,16 +118,33 @@ def component(owner: Expression, quantity: Quantity, index: int) -> Expression:
     return Element(member, (Number(index),)) if quantity.shape else member
 
 
-def elements(owner: Expression, kind: Structure) -> list[Expression]:
-    """Every number of a structure, in the order in which they are stored."""
-    found: list[Expression] = []
+Place = Callable[[Expression], Expression]
+"""From a structure to one of its numbers."""
+
+
+def each_number(kind: Structure, statement: Callable[[Place], Statement]) -> list[Statement]:
+    """A statement for each real number of a structure, in loops over arrays."""
+    found = []
     for field in kind.members:
-        member = Member(owner, field.name)
-        if isinstance(field.type, Array):
-            found += [Element(member, (Number(i),)) for i in range(prod(field.type.dims))]
-        else:
-            found.append(member)
+        if field.type == Integer():
+            continue
+        dims = field.type.dims if isinstance(field.type, Array) else ()
+        body = statement(_place(field.name, len(dims)))
+        for index, count in reversed(list(zip(_INDICES, dims, strict=False))):
+            body = For(index, Number(0), Number(count), (body,))
+        found.append(body)
     return found
+
+
+_INDICES = "ij"
+
+
+def _place(member: str, count: int) -> Place:
+    def place(owner: Expression) -> Expression:
+        found = Member(owner, member)
+        return Element(found, tuple(map(Name, _INDICES[:count]))) if count else found
+
+    return place
 
 
 def block_function(block: Block, name: str, result: str, arguments: Arguments) -> Function:

@@ -1,26 +1,34 @@
 """The prepared model as a tree: structures of a robot's constants, and the functions that fill them."""
 
+from functools import reduce
+
 from .. import notation as n
 from .. import prepared as p
 from ..block import Quantity
 from ..regroup import ForceKernel
-from .lower import Arguments, block_function, elements, structure
+from .lower import Arguments, Place, block_function, each_number, structure
 from .nodes import (
     Argument,
     Array,
     Assign,
     Binary,
+    Compare,
+    Constant,
+    Either,
     Element,
     Expression,
     Field,
+    For,
     Function,
     Integer,
+    Let,
     Member,
     Name,
     Number,
     Real,
     Record,
     Return,
+    Select,
     Statement,
     Structure,
     Variable,
@@ -90,24 +98,72 @@ def block_arguments(kernel: ForceKernel, *more: tuple[str, str, tuple[Quantity, 
 
 def sum_function(name: str, meaning: str, total: Structure, more: str) -> Function:
     """Adds each number of ``total`` and the one of the same name in a structure of type ``more``."""
-    owners = (Name("out"), Name("total"), Name("more"))
-    parts = zip(*(elements(owner, total) for owner in owners), strict=True)
-    sums: list[Statement] = [Assign(target, Binary("+", before, term)) for target, before, term in parts]
+    out, before, term = Name("out"), Name("total"), Name("more")
+    sums = each_number(total, lambda at: Assign(at(out), Binary("+", at(before), at(term))))
     return Function(
         name,
         meaning,
         (Argument("total", Record(total.name)), Argument("more", Record(more))),
         Record(total.name),
-        (Variable("out", Record(total.name)), *sums, Return(owners[0])),
+        (Variable("out", Record(total.name)), *sums, Return(out)),
+    )
+
+
+def legs_function(name: str, total: Structure, pose: str, legs: str) -> Function:
+    """Adds the parts of the six legs, one after the other, to that of the pose."""
+    out, own = Name("out"), Name("pose")
+    parts = [Element(Member(Name("legs"), "leg"), (Number(i),)) for i in range(6)]
+
+    def added(at: Place) -> Statement:
+        of_legs = reduce(lambda before, leg: Binary("+", before, leg), map(at, parts))
+        return Assign(at(out), Binary("+", at(own), of_legs))
+
+    return Function(
+        name,
+        "The sums over platform and legs.",
+        (Argument("pose", Record(pose)), Argument("legs", Record(legs))),
+        Record(total.name),
+        (Variable("out", Record(total.name)), *each_number(total, added), Return(out)),
+    )
+
+
+def checked_function(name: str, result: Structure) -> Function:
+    """A result with NaN for its numbers where its status is not OK, or one of them is not finite."""
+    out, found, lost, status = Name("out"), Name("found"), Name("lost"), Name("status")
+    fine = Compare("==", status, Constant("OK"))
+    said = Member(found, "status")
+    known = Either(Compare("!=", said, Constant("OK")), Compare("==", lost, Number(0.0)))
+    return Function(
+        name,
+        "The result, with NaN where its status is not OK, which it is not where a number is not finite.",
+        (Argument("found", Record(result.name)),),
+        Record(result.name),
+        (
+            Variable("out", Record(result.name)),
+            Variable("lost", Real(), Number(0.0)),
+            *each_number(
+                result, lambda at: Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(found))))
+            ),
+            Let("status", Select(known, said, Constant("NOT_FINITE"))),
+            *each_number(result, lambda at: Assign(at(out), Select(fine, at(found), Constant("NAN")))),
+            Assign(Member(out, "status"), status),
+            Return(out),
+        ),
     )
 
 
 def _lost_digits(structures: dict[str, Structure]) -> Function:
     model, lost = Name("model"), Name("lost")
-    legs: list[Expression] = [Element(Member(model, "leg"), (Number(i),)) for i in range(6)]
-    numbers = [each for leg in legs for each in elements(leg, structures["LegConstants"])]
-    numbers += elements(Member(model, "platform"), structures["Platform"])
-    body = [Assign(lost, Binary("+", lost, Binary("*", Number(0.0), each))) for each in numbers]
+    leg = Element(Member(model, "leg"), (Name("leg"),))
+
+    def checked(owner: Expression, kind: str) -> tuple[Statement, ...]:
+        def added(at: Place) -> Statement:
+            return Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(owner))))
+
+        return tuple(each_number(structures[kind], added))
+
+    legs = For("leg", Number(0), Number(6), checked(leg, "LegConstants"))
+    body = (legs, *checked(Member(model, "platform"), "Platform"))
     return Function(
         "lost_digits",
         "Zero as long as all constants are finite.",

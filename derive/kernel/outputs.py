@@ -1,7 +1,8 @@
 """Every output that kernels have as trees: the structures, blocks and written functions that each needs."""
 
-from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -13,24 +14,33 @@ from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
 from .lower import Arguments, block_function, stored_type, structure
-from .model import STATUS_FIELD, block_arguments, model_functions, model_structures, sum_function
+from .model import (
+    STATUS_FIELD,
+    block_arguments,
+    checked_function,
+    legs_function,
+    model_functions,
+    model_structures,
+)
 from .nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type
-from .written import closed_form, forces, legs, solve
+from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
-OUTPUTS = (FORCES, EQUATIONS, FORWARD)
+OUTPUTS = (FORCES, EQUATIONS, "bias", FORWARD, "joint_inertia", "derivatives", "linearisation")
 
 Written = Callable[..., Any]
 
 
 @dataclass(frozen=True)
-class Part:
-    """What one output adds to a program."""
+class Text:
+    """A written function, and what some of its names stand for."""
 
-    structures: list[Structure]
-    blocks: list[Function]
-    sums: list[tuple[str, str, str]]
-    written: dict[str, Written]
+    written: Written
+    names: read.Names = field(default_factory=dict)
+
+
+Definition = Structure | Text | Callable[[], Function]
+"""What a name stands for; blocks are lowered where they are needed."""
 
 
 def program(
@@ -44,38 +54,75 @@ def program(
     unknown = [each for each in outputs if each not in OUTPUTS]
     if unknown:
         raise ValueError(f"outputs: expected some of {', '.join(OUTPUTS)}, got {unknown[0]}")
-    by_name = {each.name: each for each in sums}
-    parts = [
-        Part(
-            model_structures(kernel),
-            [],
-            [],
-            {"per_length_of": forces.per_length_of, "prepare": forces.prepare} | _LEGS,
-        )
-    ]
-    if FORCES in outputs:
-        parts.append(_forces(kernel))
-    if EQUATIONS in outputs:
-        parts.append(_equations(kernel, by_name["equations"]))
-    if FORWARD in outputs:
-        parts.append(_forward(kernel, by_name["forward_dynamics"], by_name["joint_rows"]))
-    structures = {each.name: each for part in parts for each in part.structures}
-    functions = {each.name: each for each in model_functions(kernel, structures)}
-    for part in parts:
-        functions |= {each.name: each for each in part.blocks}
-        for name, total, more in part.sums:
-            functions[name] = sum_function(name, "The sums with one part more.", structures[total], more)
-    for name, text in {name: text for part in parts for name, text in part.written.items()}.items():
-        functions[name] = read.function(text, structures, functions, name, name in ("prepare", *outputs))
-    return Program(kernel.name, tuple(structures.values()), tuple(functions.values()))
+    of_model = {each.name: each for each in model_structures(kernel)}
+    known = _texts(kernel) | _of_forces(kernel) | _NAMED
+    for each in sums:
+        known |= _of_sums(kernel, each)
+    functions = {each.name: each for each in model_functions(kernel, of_model)}
+    needed = _Needed(known, ("prepare", *outputs), of_model, functions)
+    for name in needed.public:
+        needed.add(name)
+    return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
 
 
-_LEGS: dict[str, Written] = {"fault_of": legs.fault_of, "reach_of": legs.reach_of}
+@dataclass(frozen=True)
+class _Needed:
+    """Structures and functions that are needed, each after those that it needs."""
+
+    known: Mapping[str, Definition]
+    public: tuple[str, ...]
+    structures: dict[str, Structure]
+    functions: dict[str, Function]
+
+    def add(self, name: str) -> None:
+        """What a name stands for, with what that needs; nothing where it stands for nothing."""
+        found = self._found(name)
+        if found is None or name in self.structures or name in self.functions:
+            return
+        if isinstance(found, Structure):
+            self._add_types(member.type for member in found.members)
+            self.structures[name] = found
+        elif isinstance(found, Text):
+            for each in read.used(found.written, found.names):
+                if each != name:
+                    self.add(each)
+            public = name in self.public
+            self.functions[name] = read.function(
+                found.written, self.structures, self.functions, name, public, names=found.names
+            )
+        else:
+            made = found()
+            self._add_types(argument.type for argument in made.arguments)
+            self._add_types([] if made.result is None else [made.result])
+            self.functions[name] = made
+
+    def _add_types(self, types: Iterable[Type]) -> None:
+        for each in types:
+            kind = each.item if isinstance(each, Array) else each
+            if isinstance(kind, Record):
+                self.add(kind.name)
+
+    def _found(self, name: str) -> Definition | None:
+        """The definition of a name, or of what ends in a width."""
+        text, _, width = name.rpartition("_")
+        found = self.known.get(text)
+        if name not in self.known and width.isdigit() and isinstance(found, Text):
+            return Text(found.written, {"WIDTH": int(width)})
+        return self.known.get(name)
+
+
+def _texts(kernel: ForceKernel) -> dict[str, Definition]:
+    """Every written function by its name."""
+    modules = (legs, solve, forces, closed_form, joint_rows)
+    found: dict[str, Definition] = {
+        name: Text(text) for module in modules for name, text in vars(module).items() if callable(text)
+    }
+    if kernel.leg_near_pole is None:
+        found["find_legs"] = Text(forces.find_legs_of_one_form)
+    return found
+
+
 _LEG_OUTPUTS = (n.q, n.L, n.k3, n.D, n.H_force, n.c_force, n.c_moment)
-
-
-def _result(name: str, meaning: str, *members: Field) -> Structure:
-    return Structure(name, meaning, (*members, STATUS_FIELD))
 
 
 def _numbers(*dims: int) -> Type:
@@ -89,8 +136,8 @@ def _quantities(block: Block) -> tuple[Quantity, ...]:
 # ---------------------------------------------------------------- forces
 
 
-def _forces(kernel: ForceKernel) -> Part:
-    """The actuator forces; moments about platform point 1."""
+def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
+    """Blocks of the actuator forces; moments about platform point 1."""
     blocks = [kernel.leg] if kernel.leg_near_pole is None else [kernel.leg, kernel.leg_near_pole]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
@@ -100,41 +147,28 @@ def _forces(kernel: ForceKernel) -> Part:
     own: Arguments = {"leg": ("LegTerms", (n.q, n.H_force, n.c_force))}
     tip: Arguments = {"sums": ("Sums", (p.q_1,))}
     right: Arguments = {"shared": ("SharedTerms", (n.c_force, n.c_moment))}
-    names = zip(("leg_terms", "leg_near_terms"), of_legs, strict=False)
-    return Part(
-        [
-            structure("SharedTerms", "What a pose has for all legs.", shared),
-            structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),
-            structure("ShiftTerms", "The platform's part of c about platform point 1.", [p.c_tip]),
-            structure("MomentTerms", "A leg's moments about platform point 1.", _quantities(moments)),
-            structure(
-                "Sums",
-                "H, c, and what moments are made with.",
-                (n.c_force, n.c_moment, p.q_1),
-                Field("H", _numbers(6, 6), "1 and m: from x to the wrench on the platform, (36)"),
-                Field("arm", _numbers(6, 3), "m: arms of the moments"),
-            ),
-            _result(
-                "Forces",
-                "Actuator forces of one pose.",
-                Field("F", _numbers(6), "N: positive when they extend the leg, (37)"),
-            ),
-        ],
-        [
-            block_function(kernel.shared, "shared_terms", "SharedTerms", of_pose),
-            *(block_function(block, name, "LegTerms", arguments) for name, block in names),
-            block_function(kernel.shift, "shift", "ShiftTerms", tip | right),
-            block_function(moments, "moments_of", "MomentTerms", own | tip),
-        ],
-        [],
-        {
-            "leg_of": forces.leg_of if len(of_legs) > 1 else forces.leg_of_one_form,
-            "add_leg": forces.add_leg,
-            "eliminate": solve.eliminate,
-            "singular_status": solve.singular_status,
-            "forces": forces.forces,
-        },
+    structures = (
+        structure("SharedTerms", "What a pose has for all legs.", shared),
+        structure("LegTerms", "What a leg has.", _LEG_OUTPUTS),
+        structure("ShiftTerms", "The platform's part of c about platform point 1.", [p.c_tip]),
+        structure("MomentTerms", "A leg's moments about platform point 1.", _quantities(moments)),
+        structure(
+            "Sums",
+            "H, c, and what moments are made with.",
+            (n.c_force, n.c_moment, p.q_1),
+            Field("leg", Array(Record("LegTerms"), (6,)), "the legs"),
+            Field("H", _numbers(6, 6), "1 and m: from x to the wrench on the platform, (36)"),
+            Field("arm", _numbers(6, 3), "m: arms of the moments"),
+        ),
     )
+    names = zip(("leg_terms", "leg_near_terms"), of_legs, strict=False)
+    found: dict[str, Definition] = {each.name: each for each in structures}
+    found |= {name: partial(block_function, block, name, "LegTerms", arguments) for name, block in names}
+    return found | {
+        "shared_terms": partial(block_function, kernel.shared, "shared_terms", "SharedTerms", of_pose),
+        "shift": partial(block_function, kernel.shift, "shift", "ShiftTerms", tip | right),
+        "moments_of": partial(block_function, moments, "moments_of", "MomentTerms", own | tip),
+    }
 
 
 def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
@@ -148,37 +182,62 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-def _sum_part(kernel: ForceKernel, sums: m.SumKernel, name: str, prefix: str) -> Part:
-    """Blocks and sums of one kernel: prefix and ``_pose``, ``_leg``, ``_more``, ``_total``."""
+_GIVEN = (m.F_LEG, m.NET, m.TURNED)
+_PREFIX = {"forward_dynamics": "forward"}
+
+
+def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
+    """One kernel of the closed form: blocks and sums, by their names."""
+    prefix = _PREFIX.get(sums.name, sums.name)
+    name = "".join(word.capitalize() for word in prefix.split("_"))
+    of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
     pose = _quantities(sums.pose)
-    arguments = block_arguments(kernel)
-    of_pose = {each: arguments[each] for each in ("platform", "motion")}
-    if set(sums.leg.inputs) & set(pose):
-        arguments |= {"pose": (f"{name}Pose", tuple(q for q in pose if q in sums.leg.inputs))}
-    if m.F_LEG in sums.leg.inputs:
-        arguments |= {"F": ("", (m.F_LEG,))}
-    legs_of = {"leg": sums.leg} if sums.near is None else {"leg": sums.leg, "near": sums.near}
-    return Part(
-        [
-            structure(f"{name}Pose", "The pose's own part.", pose),
-            structure(f"{name}Leg", "A leg's part.", _quantities(sums.leg)),
-            structure(f"{name}Sums", "Sums over the machine.", sums.summed),
-        ],
-        [
-            block_function(sums.pose, f"{prefix}_pose", f"{name}Pose", of_pose),
-            *(
-                block_function(block, f"{prefix}_{which}", f"{name}Leg", arguments)
-                for which, block in legs_of.items()
+    arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", _GIVEN))
+    before = {each: arguments[each] for each in ("platform", "motion")}
+    total = structure(of_sums, "Sums over the machine.", sums.summed)
+    given = {"Sums": of_sums, "Legs": of_legs, "Pose": of_pose}
+    given |= {f"{part}_terms": f"{prefix}_{part}" for part in ("pose", "leg", "near")}
+    given |= {"legs_of": f"{prefix}_legs", "total": f"{prefix}_total"}
+    blocks = {"pose": (sums.pose, of_pose, before), "leg": (sums.leg, of_leg, arguments)}
+    if sums.near is not None:
+        blocks["near"] = (sums.near, of_leg, arguments)
+    found: dict[str, Definition] = {
+        of_pose: structure(of_pose, "The pose's own part.", pose),
+        of_leg: structure(of_leg, "A leg's part.", _quantities(sums.leg)),
+        of_sums: total,
+        of_legs: Structure(
+            of_legs,
+            "The legs.",
+            (
+                Field("given", Array(Record("LegInputs"), (6,)), "what blocks are given"),
+                Field("leg", Array(Record(of_leg), (6,)), "their parts"),
+                Field("reach", _numbers(6), "m: size of the vectors that each is the sum of"),
+                Field("leaning", Integer(), "1 where one is near its joint singularity"),
+                STATUS_FIELD,
             ),
-        ],
-        [(f"{prefix}_more", f"{name}Sums", f"{name}Leg"), (f"{prefix}_total", f"{name}Sums", f"{name}Pose")],
-        {},
-    )
+        ),
+        f"{prefix}_total": partial(legs_function, f"{prefix}_total", total, of_pose, of_legs),
+        f"{prefix}_legs": Text(closed_form.legs_of, given),
+        f"{prefix}_sums": Text(
+            closed_form.sums if sums.near is None else closed_form.sums_of_two_forms, given
+        ),
+    }
+    for part, (block, result, reads) in blocks.items():
+        found[f"{prefix}_{part}"] = partial(block_function, block, f"{prefix}_{part}", result, reads)
+    return found
 
 
-def _equations(kernel: ForceKernel, sums: m.SumKernel) -> Part:
-    part = _sum_part(kernel, sums, "Equations", "equations")
-    result = _result(
+def _result(name: str, meaning: str, *members: Field) -> Structure:
+    return Structure(name, meaning, (*members, STATUS_FIELD))
+
+
+RESULTS = {
+    "forces": _result(
+        "Forces",
+        "Actuator forces of one pose.",
+        Field("F", _numbers(6), "N: positive when they extend the leg, (37)"),
+    ),
+    "equations": _result(
         "Equations",
         "M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext].",
         Field("M", _numbers(6, 6), "kg, kg m, kg m^2: inertia"),
@@ -187,65 +246,63 @@ def _equations(kernel: ForceKernel, sums: m.SumKernel) -> Part:
         Field("friction", _numbers(6), "N, N m: friction"),
         Field("bias", _numbers(6), "N, N m: C [v; omega] + g + friction"),
         Field("H", _numbers(6, 6), "1 and m: from F to the wrench on the platform"),
-    )
-    written: dict[str, Written] = {
-        "place_symmetric": closed_form.place_symmetric,
-        "place_inertia": closed_form.place_inertia,
-        "equations": closed_form.equations,
-    }
-    return replace(part, structures=[*part.structures, result], written=written)
+        Field("H_dot", _numbers(6, 6), "1/s and m/s: its rate"),
+    ),
+    "bias": _result("Bias", "C [v; omega] + g + friction.", Field("bias", _numbers(6), "N, N m: the sum")),
+    "forward_dynamics": _result(
+        "Accelerations",
+        "Accelerations of the platform.",
+        Field("a", stored_type(n.a), "m/s^2: acceleration of the reference point"),
+        Field("alpha", stored_type(n.alpha), "rad/s^2: angular acceleration"),
+    ),
+    "joint_inertia": _result(
+        "JointInertia",
+        "Inertia that the actuators feel.",
+        Field("inertia", _numbers(6, 6), "kg: H^-1 M H^-T"),
+    ),
+    "derivatives": _result(
+        "Derivatives",
+        "Actuator forces and their derivatives.",
+        Field("F", _numbers(6), "N: of inverse dynamics"),
+        Field("by_pose", _numbers(6, 6), "N/m, N: by [dt; dphi]"),
+        Field("by_twist", _numbers(6, 6), "N s/m, N s: by [v; omega]"),
+        Field("by_acceleration", _numbers(6, 6), "kg, kg m: by [a; alpha]"),
+    ),
+    "linearisation": _result(
+        "Linearisation",
+        "Forward dynamics and its linearisation.",
+        Field("a", stored_type(n.a), "m/s^2: acceleration of the reference point"),
+        Field("alpha", stored_type(n.alpha), "rad/s^2: angular acceleration"),
+        Field("A", _numbers(12, 12), "by [dt; dphi; dv; domega]"),
+        Field("B", _numbers(12, 6), "by the actuator forces"),
+    ),
+}
+"""The structure that each output fills."""
 
-
-def _forward(kernel: ForceKernel, sums: m.SumKernel, rows: m.SumKernel) -> Part:
-    part = _sum_part(kernel, sums, "Forward", "forward")
-    apart = _sum_part(kernel, rows, "JointRows", "joint_rows")
-    structures = [
-        *part.structures,
-        *apart.structures,
-        Structure(
-            "RowBlock",
-            "Three rows of A.",
-            (
-                Field("extent", _numbers(3), "root of the inertia in each row"),
-                Field("weight", _numbers(3, 3), "1: their inertia over these"),
-            ),
+_STRUCTURES = (
+    structure("LegInputs", "What a leg's blocks are given.", _GIVEN),
+    Structure(
+        "Rows",
+        "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
+        (
+            Field("given", Array(Record("LegInputs"), (6,)), "what the derivatives are given of the legs"),
+            Field("extent", _numbers(24), "root of the inertia in each row"),
+            Field("weight", _numbers(24, 3), "1: W in blocks of three rows"),
+            Field("row", _numbers(24, 6), "A, each row times the root of its inertia; then L and U"),
+            Field("share", _numbers(24, 6), "each row as a sum of the six that serve as coordinates"),
+            Field("inertia", _numbers(6, 6), "M in these coordinates"),
+            Field("order", Array(Integer(), (24,)), "number of the row in each place"),
+            Field("column", Array(Integer(), (6,)), "number of the column in each place"),
+            Field("length", Real(), "m: moments and rotations are measured by it"),
         ),
-        Structure(
-            "Rows",
-            "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
-            (
-                Field("leg", Array(Record("JointRowsLeg"), (6,)), "what legs have"),
-                Field("block", Array(Record("RowBlock"), (8,)), "of legs, and two of the platform"),
-                Field("row", _numbers(24, 6), "A, each row times the root of its inertia; then multipliers"),
-                Field("share", _numbers(24, 6), "each row as a sum of the six that serve as coordinates"),
-                Field("factors", _numbers(6, 6), "L and U of these six, columns exchanged"),
-                Field("column", Array(Integer(), (6,)), "number of the column in each place"),
-                Field("place", _numbers(6, 24), "1 where a row is the one picked in a place, else 0"),
-                Field("chosen", _numbers(24), "1 of a row that was picked, else 0"),
-                Field("length", Real(), "m: moments and rotations are measured by it"),
-            ),
-        ),
-        _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
-        _result(
-            "Accelerations",
-            "Accelerations of the platform.",
-            Field("a", stored_type(n.a), "m/s^2: acceleration of the reference point"),
-            Field("alpha", stored_type(n.alpha), "rad/s^2: angular acceleration"),
-        ),
-    ]
-    names = (
-        "weigh",
-        "make_rows",
-        "pick_rows",
-        "balance_rows",
-        "solve_rows",
-        "forward_apart",
-        "forward_dynamics",
-    )
-    written: dict[str, Written] = {
-        "place_symmetric": closed_form.place_symmetric,
-        "place_inertia": closed_form.place_inertia,
-        "solve_definite": solve.solve_definite,
-    }
-    written |= {name: getattr(closed_form, name) for name in names}
-    return Part(structures, [*part.blocks, *apart.blocks], [*part.sums, *apart.sums], written)
+    ),
+    _result("Apart", "What the rows give.", Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha")),
+    _result(
+        "SlopesApart",
+        "What the rows give of a linearisation.",
+        Field("x", _numbers(6), "m/s^2, rad/s^2: a and alpha"),
+        Field("A", _numbers(6, 24), "the rows solved"),
+    ),
+)
+_NAMED: dict[str, Definition] = {each.name: each for each in (*RESULTS.values(), *_STRUCTURES)}
+_NAMED |= {f"checked_{of}": partial(checked_function, f"checked_{of}", each) for of, each in RESULTS.items()}

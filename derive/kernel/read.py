@@ -22,6 +22,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import reduce
+from types import MappingProxyType
 from typing import Any, cast
 
 from .constants import INTEGERS, NAMES
@@ -68,6 +69,9 @@ from .nodes import (
     statements,
 )
 
+Names = Mapping[str, str | int]
+"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
+
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
 _COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
@@ -84,15 +88,60 @@ def function(
     name: str = "",
     public: bool = False,
     given: Mapping[str, Given] | None = None,
+    names: Names = MappingProxyType({}),
 ) -> Function:
     """A Python function as a tree.
 
     structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
-    statements by the names that stand for them. Raises ValueError for what is not allowed.
+    statements by the names that stand for them. names: what other names of the text stand for. Raises
+    ValueError for what is not allowed.
     """
+    tree = _parsed(written, names)
+    return _Reader(structures, functions, tree, given or {}).function(name or tree.name, public)
+
+
+def used(written: Callable[..., Any], names: Names = MappingProxyType({})) -> list[str]:
+    """Names of the structures and functions that a text uses, in its order."""
+    tree = _parsed(written, names)
+    typed = [each.annotation for each in tree.args.args] + [tree.returns]
+    quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    called = [_called(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    return list(dict.fromkeys([*quoted, *called]))
+
+
+def _parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
     tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
     assert isinstance(tree, ast.FunctionDef)
-    return _Reader(structures, functions, tree, given or {}).function(name or tree.name, public)
+    for each in tree.args.args:
+        each.annotation = _quoted(each.annotation, names)
+    tree.returns = _quoted(tree.returns, names)
+    made = _Renamed(names).visit(tree)
+    assert isinstance(made, ast.FunctionDef)
+    return made
+
+
+def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        made = _Renamed(names).visit(ast.parse(node.value, mode="eval").body)
+        return ast.Constant(ast.unparse(made))
+    return node
+
+
+class _Renamed(ast.NodeTransformer):
+    """Puts what names stand for in their place and at the end of others: ``solve_WIDTH`` is ``solve_24``."""
+
+    def __init__(self, names: Names) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """A name or a number in its place."""
+        if isinstance(value := self.names.get(node.id), int):
+            return ast.Constant(value)
+        name = node.id if value is None else value
+        for key, number in self.names.items():
+            if isinstance(number, int) and name.endswith(f"_{key}"):
+                name = f"{name.removesuffix(key)}{number}"
+        return ast.Name(name, node.ctx)
 
 
 class _Reader:

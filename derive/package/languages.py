@@ -7,8 +7,9 @@ from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
-from ..kernel.constants import PRECISIONS, STATUS, constants
-from ..kernel.nodes import Program
+from ..kernel import outputs
+from ..kernel.constants import INTEGERS, NAMES, PRECISIONS, constants
+from ..kernel.nodes import Array, Program
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
@@ -54,16 +55,20 @@ class Contents:
 
 
 RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
-    "forces": {"F": (6,)},
-    "equations": {"M": (6, 6), "C": (6, 6), "g": (6,), "friction": (6,), "bias": (6,), "H": (6, 6)},
-    "forward_dynamics": {"a": (3,), "alpha": (3,)},
+    output: {each.name: each.type.dims for each in result.members if isinstance(each.type, Array)}
+    for output, result in outputs.RESULTS.items()
 }
 """Members of each output that are compared."""
 
+FORCED = ("forward_dynamics", "linearisation")
+"""Outputs that take the actuator forces."""
+
 
 def statuses(line: str) -> str:
-    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
+    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(
+        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
+    )
 
 
 def numbers_of(precision: str, line: str) -> str:
@@ -133,7 +138,7 @@ class Language(ABC):
             "version": kit.version,
             "crate": kit.symbol,
             "first": kit.outputs[0],
-            "force": self.no_force if kit.outputs[0] == "forward_dynamics" else "",
+            "force": self.no_force if kit.outputs[0] in FORCED else "",
             **more,
         }
 
@@ -155,6 +160,25 @@ class Language(ABC):
 def _assigned(indent: str, owner: str, quantity: Quantity, values: Sequence[float], one: str) -> str:
     text = one.format(", ".join(map(repr, values))) if quantity.shape else repr(values[0])
     return f"{indent}{owner}.{quantity.name} = {text}{';' if one.endswith('.') else ''}".replace("].;", "];")
+
+
+def python_arithmetic() -> str:
+    """Status codes, constants and the class ``Arithmetic`` of modules on arrays."""
+    found = {name: constants(name) for name in PRECISIONS}
+    return template(
+        "python_arithmetic.py",
+        {
+            "statuses": statuses("{name} = {code}  # {meaning}"),
+            "constants": "\n".join(f"    {name!r}: {values!r}," for name, values in found.items()),
+            "declared": "\n".join(f"    {name}: float" for name in NAMES),
+        },
+    )
+
+
+def python_module(program: Program, arithmetic: str, version: str) -> str:
+    """A program as a module on arrays; ``arithmetic`` defines or imports the names of that text."""
+    text = Python(program).source()
+    return template("python_arrays.py", {"arithmetic": arithmetic, "program": text, "version": version})
 
 
 class PythonKit(Language):
@@ -179,15 +203,7 @@ class PythonKit(Language):
         fill = self.assignments(kit, "made", "leg[{0}]", "    ", "[{}]")
         calls = "\n".join(f'print("{output}", vars({self.call(kit, output)}))' for output in kit.outputs)
         return {
-            "stewart_arrays.py": template(
-                "python_arrays.py",
-                self.values(
-                    kit,
-                    program=Python(kit.program).source(),
-                    statuses=statuses("{name} = {code}  # {meaning}"),
-                    constants="\n".join(f"    {each!r}: {constants(each)!r}," for each in PRECISIONS),
-                ),
-            ),
+            "stewart_arrays.py": python_module(kit.program, python_arithmetic(), kit.version),
             "robot.py": template("python_robot.py", self.values(kit, numbers=fill)),
             "self_test.py": template("python_test.py", self.values(kit, tests=tests)),
             "example.py": template(
@@ -197,7 +213,7 @@ class PythonKit(Language):
         }
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", F" if output == "forward_dynamics" else ""
+        F = ", F" if output in FORCED else ""
         return f"stewart_arrays.{output}(on, model, motion{F})"
 
 
@@ -252,7 +268,7 @@ class MatlabKit(Language):
         ]
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", zeros(6, 1)" if output == "forward_dynamics" else ""
+        F = ", zeros(6, 1)" if output in FORCED else ""
         return f"stewart.{output}(model, motion{F})"
 
 
@@ -313,7 +329,7 @@ class RustKit(Language):
         return "\n".join([*lines, "}", ""])
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", &[0.0; 6]" if output == "forward_dynamics" else ""
+        F = ", &[0.0; 6]" if output in FORCED else ""
         return f"{output}(&model, &motion{F})"
 
 

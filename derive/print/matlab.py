@@ -120,8 +120,9 @@ class Matlab(Printer):
         return self.lines(before, f"{left} = {self.text(value)};")
 
     def do(self, call: Call) -> str:
-        function = self.functions_by_name[call.function]
-        return f"{self._results(call, [] if function.result is None else ['~'])} = {self.call(call)}"
+        function = self.functions_by_name.get(call.function)
+        unused = ["~"] if function is not None and function.result is not None else []
+        return f"{self._results(call, unused)} = {self.call(call)}"
 
     def loop(self, node: For) -> str:
         first, last = self.text(node.first), self.text(node.last)

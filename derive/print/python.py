@@ -1,21 +1,36 @@
 """Python on arrays of the array API: every number may be an array of one value for each pose."""
 
+from collections.abc import Iterable, Mapping
+from itertools import groupby
+from types import MappingProxyType
+
 from ..kernel.constants import INTEGERS
 from ..kernel.nodes import (
+    Argument,
     Array,
+    Assign,
     Call,
+    Element,
+    Expression,
+    Field,
     For,
     Function,
     Integer,
     Let,
+    Member,
+    Name,
+    Number,
     Program,
     Record,
     Select,
+    Statement,
     Structure,
     Type,
     Variable,
+    names_in,
+    statements,
 )
-from .spelling import Printer
+from .spelling import ATOM, WIDTH, Printer, remark
 
 
 class Python(Printer):
@@ -40,14 +55,7 @@ class Python(Printer):
 
     def structure(self, structure: Structure) -> list[str]:
         """A class whose members are zero at first."""
-        members = [
-            line
-            for each in structure.members
-            for line in (
-                *([f"        # {each.meaning}"] if each.meaning else []),
-                f"        self.{each.name}: Any = {self.zero(each.type)}",
-            )
-        ]
+        members = [line for each in structure.members for line in self._member(each)]
         return [
             f"class {structure.name}:",
             f'    """{structure.meaning}"""',
@@ -55,6 +63,11 @@ class Python(Printer):
             "    def __init__(self) -> None:",
             *members,
         ]
+
+    def _member(self, member: Field) -> list[str]:
+        line = f"        self.{member.name}: Any = {self.zero(member.type)}"
+        said = f"  # {member.meaning}" if member.meaning else ""
+        return [line + said] if len(line + said) <= WIDTH else [f"        {said.strip()}", line]
 
     def zero(self, kind: Type) -> str:
         """Zeros of a type."""
@@ -82,6 +95,23 @@ class Python(Printer):
     def element(self, array: str, index: list[str]) -> str:
         return array + "".join(f"[{each}]" for each in index)
 
+    def _text(self, node: Expression) -> tuple[str, int]:
+        if isinstance(node, Element) and self.varies(node):
+            return f"on.at({', '.join(map(self.text, (node.array, *node.index)))})", ATOM
+        return super()._text(node)
+
+    def varies(self, node: Element) -> bool:
+        """Whether poses differ in the element that is meant: an index that is no loop's, nor handed in."""
+        return not all(each.name in self.fixed for each in names_in(node.index))
+
+    fixed: frozenset[str] = frozenset()
+
+    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+        if isinstance(target, Element) and self.varies(target):
+            parts = ", ".join(map(self.text, (target.array, value, *target.index)))
+            return self.lines(before, f"on.put({parts})")
+        return super().assign(before, target, value)
+
     def select(self, node: Select) -> str:
         values = ", ".join(self.text(each) for each in (node.test, node.yes, node.no))
         return f"on.where({values})"
@@ -93,6 +123,44 @@ class Python(Printer):
         return f"on.{node.function}({', '.join(arguments)})"
 
     # ------------------------------------------------------------ statements
+
+    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+        """Statements as lines; elements of one array that are loaded, or stored, in turn on one of them."""
+        lines: list[str] = []
+        for array, run in groupby(statements, _array):
+            found = list(run)
+            together = self._together(self.indent * depth, array, found) if len(found) > 1 else []
+            lines += together or super().body(found, depth)
+        return lines
+
+    def _together(self, before: str, array: Expression | None, found: list[Statement]) -> list[str]:
+        """Elements that are loaded or stored by one statement; none where they cannot be."""
+        whole = array is not None and self._is_whole(array, [_element(each) for each in found])
+        values = [each.value for each in found if isinstance(each, Let | Assign)]
+        text = ", ".join(map(self.text, values))
+        if all(isinstance(each, Let) for each in found):
+            names = ", ".join(each.name for each in found if isinstance(each, Let))
+            line = f"{before}{names} = {self.text(array) if whole and array is not None else text}"
+            return [line] if len(line) <= WIDTH else []
+        if not whole or array is None or {*names_in(array)} & {*names_in(tuple(values))}:
+            return []
+        return super().lines(before, f"{self.text(array)} = [{text}]")
+
+    def _is_whole(self, array: Expression, elements: list[Element | None]) -> bool:
+        """Whether these are all elements of a structure's member, in their order."""
+        if not isinstance(array, Member) or not isinstance(array.owner, Name):
+            return False
+        dims = [
+            each.type.dims
+            for structure in self.program.structures
+            if structure.name == self.records.get(array.owner.name)
+            for each in structure.members
+            if each.name == array.name and isinstance(each.type, Array)
+        ]
+        found = [each.index for each in elements if each is not None]
+        return dims == [(len(found),)] and found == [(Number(i),) for i in range(len(found))]
+
+    records: Mapping[str, str] = MappingProxyType({})
 
     def let(self, node: Let) -> str:
         return f"{node.name} = {self.text(node.value)}"
@@ -110,6 +178,11 @@ class Python(Printer):
         return f"if {test}"
 
     def function(self, function: Function) -> list[str]:
+        loops = {each.index for each in statements(function.body) if isinstance(each, For)}
+        made = [each for each in function.body if isinstance(each, Variable)]
+        known: list[Argument | Variable] = [*function.arguments, *made]
+        self.records = {each.name: each.type.name for each in known if isinstance(each.type, Record)}
+        self.fixed = frozenset(loops | {each.name for each in function.arguments if each.type == Integer()})
         arguments = ", ".join(["on: Arithmetic", *(f"{each.name}: Any" for each in function.arguments)])
         result = "None" if function.result is None else "Any"
         given = [
@@ -117,7 +190,7 @@ class Python(Printer):
         ]
         return [
             *self.lines("", f"def {function.name}({arguments}) -> {result}:"),
-            f'    """{function.meaning}"""',
+            *_docstring(function.meaning),
             *given,
             *self.body(function.body),
         ]
@@ -125,7 +198,24 @@ class Python(Printer):
     def lines(self, before: str, text: str) -> list[str]:
         """In parentheses where an assignment needs more than one line."""
         left, sign, right = text.partition(" = ")
-        if len(before) + len(text) <= 108 or not sign or text.startswith("def "):
+        if len(before) + len(text) <= WIDTH or not sign or text.startswith("def "):
             return [before + text]
-        inner = before + self.indent
-        return [f"{before}{left} = (", *super().lines(inner, right), f"{before})"]
+        return super().lines(before, f"{left} = ({right})")
+
+
+def _docstring(meaning: str) -> list[str]:
+    first, *others = remark(meaning, WIDTH - 10)
+    lines = [f'    """{first}', *(f"    {line}".rstrip() for line in others)]
+    return [*lines, '    """'] if others else [f'{lines[0]}"""']
+
+
+def _element(node: Statement) -> Element | None:
+    """The element that is loaded as a constant, or stored."""
+    value = node.value if isinstance(node, Let) else node.target if isinstance(node, Assign) else None
+    return value if isinstance(value, Element) else None
+
+
+def _array(node: Statement) -> Expression | None:
+    """The array of that element."""
+    element = _element(node)
+    return None if element is None else element.array

@@ -20,7 +20,7 @@ from ..kernel.nodes import (
     names_in,
     statements,
 )
-from .spelling import SUM, Printer
+from .spelling import SUM, WIDTH, Printer, remark
 
 
 class Rust(Printer):
@@ -152,7 +152,7 @@ class Rust(Printer):
         result = "" if function.result is None else f" -> {self.type(function.result)}"
         visible = "pub " if function.public else ""
         return [
-            *self.lines("/// ", function.meaning),
+            *(f"/// {line}".rstrip() for line in remark(function.meaning, WIDTH - 4)),
             *self.lines("", f"{visible}fn {function.name}({arguments}){result} {{"),
             *self.body(function.body),
             "}",

@@ -1,5 +1,6 @@
 """What printers of languages with infix operators share: precedence, lines, indentation."""
 
+import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
@@ -221,6 +222,12 @@ def _level(node: Expression) -> int:
 
 def _breaks(line: str, word: str) -> bool:
     return word in ("+", "-", "*", "/", "?", ":", "&&", "||") or line.endswith((",", "("))
+
+
+def remark(meaning: str, width: int) -> list[str]:
+    """What a function is for, as lines; an empty one before each further paragraph."""
+    paragraphs = [textwrap.wrap(each, width, break_on_hyphens=False) for each in meaning.split("\n\n")]
+    return [line for i, each in enumerate(paragraphs) for line in ([""] * bool(i) + each)]
 
 
 def written_to(function: Function) -> list[str]:

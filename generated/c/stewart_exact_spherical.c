@@ -619,7 +619,7 @@ static int solve(stewart_real A[6][7], stewart_real x[6])
             }
         }
     }
-    for (i = 5; i > -1; --i) {
+    for (i = 5; i >= 0; --i) {
         stewart_real sum = A[i][6];
         for (j = i + 1; j < 6; ++j) {
             sum = sum - A[i][j]*x[j];

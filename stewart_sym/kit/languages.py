@@ -6,22 +6,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import option, shown
-from ..derive.fidelity import FIDELITIES
-from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import prepared_model, reduced_fidelity, reduced_motion
+from ..derive.formulation import FORMULATIONS
+from ..derive.generate import output_program
 from ..derive.kernel.nodes import Program
-from ..derive.kernel.outputs import program
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
 from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
 from ..fidelity import resolved
+from ..kernel import kernel_name
 from ..robot import Robot
-from .choice import Choice, options
+from .choice import STEMS, Choice, options
 from .parts import generator, robot_numbers
 from .vectors import Vector, vectors
 
-GROUPS = {"forces": ("forces",), "motion": ("equations", "forward_dynamics")}
+GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives")}
 """Outputs of each group of functions."""
 
 
@@ -34,9 +33,10 @@ def check(choice: Choice) -> None:
             raise ValueError(
                 f"functions: {choice.language}: expected some of {', '.join(GROUPS)}, got {shown(name)}"
             )
-    if "motion" in choice.functions and choice.level != "general":
+    closed = [name for name in choice.functions if name != "forces"]
+    if closed and choice.level != "general":
         raise ValueError(
-            f"fidelity: {choice.language}: expected general with the function motion, got {choice.level}"
+            f"fidelity: {choice.language}: expected general with the function {closed[0]}, got {choice.level}"
         )
     if choice.precision not in language.precisions:
         expected = " or ".join(language.precisions)
@@ -72,16 +72,9 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
 
 
 def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
-    level = FIDELITIES[resolved(robot, choice.formulation, choice.level)]
-    general = level.name == "general"
-    form = next(
-        each
-        for each in FORMULATIONS
-        if each.name == choice.formulation and each.base_joint == robot.base_joint
-    )
-    kernel = prepared_model(form) if general else reduced_fidelity(level)
-    sums = reduced_motion() if form == EXACT else ()
-    return program(kernel, sums, outputs)
+    level = resolved(robot, choice.formulation, choice.level)
+    name = kernel_name(choice.formulation, robot.base_joint if level == "general" else "universal")
+    return output_program(next(each for each in FORMULATIONS if each.kernel_name == name), outputs, level)
 
 
 def _test(vector: Vector) -> Test:
@@ -100,9 +93,10 @@ _MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 def _members(function: str, values: Mapping[str, NDArray[np.float64]]) -> dict[str, list[float]]:
-    if function == "forward_dynamics":
-        return {"a": _plain(values["acceleration"][:3]), "alpha": _plain(values["acceleration"][3:])}
-    return {name: _plain(values[name]) for name in RESULTS[function]}
+    parts = dict(values)
+    if "acceleration" in parts:
+        parts["a"], parts["alpha"] = np.split(parts["acceleration"], 2)
+    return {name: _plain(parts[name]) for name in RESULTS[function]}
 
 
 def _plain(values: NDArray[np.float64]) -> list[float]:

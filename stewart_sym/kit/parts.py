@@ -191,7 +191,7 @@ _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", 
 
 
 def _before_solves(stem: str) -> str:
-    counts: Mapping[str, int] = module(f"{EXACT.kernel_name}_motion").OPERATIONS
+    counts: Mapping[str, int] = module(f"{EXACT.kernel_name}_operations").OPERATIONS
     count = sum(counts[name] for name in _SUMS.get(stem, (stem,)))
     return f"{count:,}" if stem in ("equations", "bias") else f"{count:,} and the solves"
 

@@ -5,7 +5,7 @@ modules, which run on arrays of objects; kinematics from (1)-(5). Every reading 
 of one pose as stored and hands out what the C writes, flat, in the order of its struct. Knows no file.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType, SimpleNamespace
@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..closed_form import robot_structure
 from ..derive.generate import reduced_rotation
 from ..derive.regroup import ForceKernel
 from ..kernel import MOTION, kernel_name, module
@@ -39,7 +40,8 @@ Found = dict[str, Objects]
 LEG_FIELDS = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
 PLATFORM_FIELDS = ("M", "R_0", "I_p", "g")
 
-_ROWS = tuple(f"{part}_{axis}" for part in ("force", "moment") for axis in "xyz")
+# What the blocks of the modules on arrays take from an arithmetic.
+_ON = SimpleNamespace(sqrt=Running.sqrt)
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
 _ORTHONORMAL = ("R", "k")
 NEAR_POLE = 1 / 64
@@ -98,34 +100,34 @@ class Readings:
 
     def equations(self, at: Numbers) -> Found:
         """M, C, g, friction, bias, H, H_dot."""
-        total, leg = self._sums("equations", at)
+        total, legs = self._sums("equations", _motion(at))
         C = np.block([[_matrix(total, f"C_{row}{column}") for column in "vw"] for row in "vw"])
         g, friction = _wrench(total, "g"), _wrench(total, "friction")
         twist = array(np.concatenate([at["v"], at["omega"]]))
         found = {"M": _inertia(total), "C": C, "g": g, "friction": friction, "bias": g + friction + C @ twist}
-        return _flat({**found, "H": _columns(leg, "H"), "H_dot": _columns(leg, "H_dot")})
+        return _flat({**found, "H": _columns(legs, "H"), "H_dot": _columns(legs, "H_dot")})
 
     def bias(self, at: Numbers) -> Found:
         """C [v; omega] + g + friction."""
-        return {"bias": _wrench(self._sums("bias", at)[0], "bias")}
+        return {"bias": _wrench(self._sums("bias", _motion(at))[0], "bias")}
 
     def forward_dynamics(self, at: Numbers) -> Found:
         """acceleration [a; alpha] under F (6,) of ``at``."""
-        total, _ = self._sums("forward_dynamics", at, array(at["F"]))
+        total, _ = self._sums("forward", _motion(at), array(at["F"]))
         return {"acceleration": solve_definite(_inertia(total), _wrench(total, "right")[:, None])[:, 0]}
 
     def joint_inertia(self, at: Numbers) -> Found:
         """H^-1 M H^-T."""
-        total, leg = self._sums("equations", at)
-        H = _columns(leg, "H")
+        total, legs = self._sums("equations", _motion(at))
+        H = _columns(legs, "H")
         return _flat({"inertia": solve(H, solve(H, _inertia(total)).T)})
 
     def derivatives(self, at: Numbers) -> Found:
         """F and its derivatives by_pose, by_twist, by_acceleration."""
         F = self.forces(at)["F"]
-        total, leg = self._sums("derivatives", at, F)
+        total, legs = self._sums("derivatives", _motion(at), F)
         right = np.concatenate([*_slopes(total), _inertia(total)], axis=1)
-        by = np.split(solve(_columns(leg, "H"), right), 3, axis=1)
+        by = np.split(solve(_columns(legs, "H"), right), 3, axis=1)
         names = ("by_pose", "by_twist", "by_acceleration")
         return _flat({"F": F, **dict(zip(names, by, strict=True))})
 
@@ -134,8 +136,8 @@ class Readings:
         acceleration = self.forward_dynamics(at)["acceleration"]
         moving = _motion(at)
         moving.a, moving.alpha = acceleration[:3], acceleration[3:]
-        total, leg = self._sums_of("derivatives", moving, array(at["F"]))
-        right = np.concatenate([*_slopes(total), _columns(leg, "H")], axis=1)
+        total, legs = self._sums("derivatives", moving, array(at["F"]))
+        right = np.concatenate([*_slopes(total), _columns(legs, "H")], axis=1)
         x = solve_definite(_inertia(total), right)
         A, B = array(0, (12, 12)), array(0, (12, 6))
         A[:6, 6:] = array(np.eye(6, dtype=np.int64))
@@ -218,28 +220,31 @@ class Readings:
 
     # ------------------------------------------------------------ sums of the closed form
 
-    def _sums(self, what: str, at: Numbers, F: Objects | None = None) -> tuple[Found, Found]:
-        return self._sums_of(what, _motion(at), F)
-
-    def _sums_of(self, what: str, motion: SimpleNamespace, F: Objects | None) -> tuple[Found, Found]:
-        """Sums over the machine, and what each leg hands out, (6,)."""
+    def _sums(self, kernel: str, motion: SimpleNamespace, F: Objects | None = None) -> tuple[Any, Any]:
+        """Sums over the machine, and what each leg has, as structures of the module on arrays."""
         source = self._closed_form
-        of_platform, of_leg = (getattr(source, f"{_BLOCKS[what]}_of_{part}") for part in ("platform", "leg"))
-        leg, platform = self._prepared
-        shared = of_platform(platform, motion)
-        pose = {name: np.asarray(value, dtype=object) for name, value in shared.items()}
-        parts = {name: array(value, (6,)) for name, value in of_leg(leg, platform, pose, motion, F).items()}
-        total = {name: pose[name] + _six(parts[name]) for name in pose if name in parts}
-        return total, parts
+        block = {part: getattr(source, f"{kernel}_{part}") for part in ("pose", "leg", "total")}
+        stored = SimpleNamespace(**{**vars(motion), "R": motion.R.ravel()})
+        pose = block["pose"](_ON, self._model.platform, stored)
+        legs = SimpleNamespace(leg=[])
+        for i, leg in enumerate(self._model.leg):
+            given = SimpleNamespace(F=None if F is None else F[i])
+            legs.leg.append(block["leg"](_ON, leg, self._model.platform, stored, pose, given))
+        return block["total"](_ON, pose, legs), legs.leg
 
     @cached_property
-    def _prepared(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        found: tuple[dict[str, Any], dict[str, Any]] = self._closed_form.prepared(self._objects)
-        return found
+    def _model(self) -> SimpleNamespace:
+        source = self._closed_form
+        robot = robot_structure(source.Robot(), self._objects)
+        legs, total = [], source.Added()
+        for leg in robot.leg:
+            legs.append(source.prepare_leg(_ON, robot, leg))
+            total = source.add_up(_ON, total, legs[-1])
+        return SimpleNamespace(leg=legs, platform=source.prepare_platform(_ON, robot, total))
 
     @property
     def _closed_form(self) -> ModuleType:
-        return module(f"{kernel_name(self.formulation, self.base_joint)}_motion")
+        return module(f"{kernel_name(self.formulation, self.base_joint)}_arrays")
 
     # ------------------------------------------------------------ numbers
 
@@ -297,14 +302,6 @@ def _rounded_once(constants: Mapping[str, Any]) -> dict[str, Any]:
     return {name: Running(running(value).value, rounded=True) for name, value in constants.items()}
 
 
-_BLOCKS = {
-    "equations": "equations",
-    "bias": "bias",
-    "forward_dynamics": "forward",
-    "derivatives": "derivatives",
-}
-
-
 def _number(name: str, value: Any, folded: bool = False) -> Running:
     return Running(value, HALF_UNIT * (name in _ORTHONORMAL), rounded=folded)
 
@@ -338,26 +335,18 @@ def _flat(found: Mapping[str, Any]) -> Found:
     return {name: array(value).ravel() for name, value in found.items()}
 
 
-def _six(parts: Objects) -> Running:
-    total: Running = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
+def _matrix(total: Any, name: str) -> Objects:
+    """A 3x3 matrix from its components, six of a symmetric one."""
+    parts = array(getattr(total, name))
+    return (parts if len(parts) == 9 else parts[[0, 1, 2, 1, 3, 4, 2, 4, 5]]).reshape(3, 3)
 
 
-def _matrix(total: Found, name: str, symmetric: bool = False) -> Objects:
-    """A 3x3 matrix from its components."""
-    keys = [(min(i, j), max(i, j)) if symmetric else (i, j) for i in range(3) for j in range(3)]
-    return array([total[f"{name}_{'xyz'[i]}{'xyz'[j]}"] for i, j in keys]).reshape(3, 3)
-
-
-def _inertia(total: Found) -> Objects:
-    vw = _matrix(total, "M_vw")
-    vv, ww = (_matrix(total, name, symmetric=True) for name in ("M_vv", "M_ww"))
+def _inertia(total: Any) -> Objects:
+    vv, vw, ww = (_matrix(total, name) for name in ("M_vv", "M_vw", "M_ww"))
     return np.block([[vv, vw], [vw.T, ww]])
 
 
-def _slopes(total: Found) -> tuple[Objects, Objects]:
+def _slopes(total: Any) -> tuple[Objects, Objects]:
     """Derivatives of the wrench by pose and by twist."""
     pose, twist = (
         np.block([[_matrix(total, f"W_{row}{column}") for column in columns] for row in "fm"])
@@ -366,13 +355,13 @@ def _slopes(total: Found) -> tuple[Objects, Objects]:
     return pose, twist
 
 
-def _wrench(total: Found, name: str) -> Objects:
-    return array([total[f"{name}_{row}"] for row in _ROWS])
+def _wrench(total: Any, name: str) -> Objects:
+    return array([*getattr(total, f"{name}_force"), *getattr(total, f"{name}_moment")])
 
 
-def _columns(leg: Found, name: str) -> Objects:
+def _columns(legs: Sequence[Any], name: str) -> Objects:
     """Rows of force and moment, one column a leg."""
-    return np.array([leg[f"{name}_{row}"] for row in _ROWS], dtype=object)
+    return np.stack([_wrench(leg, name) for leg in legs], axis=-1)
 
 
 def _turned(by: Objects, R: Objects) -> Objects:

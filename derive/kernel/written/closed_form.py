@@ -1,357 +1,288 @@
-"""Equations of motion and forward dynamics around their blocks, in the part of Python that ``read`` reads.
+"""The closed form around its blocks, in the part of Python that ``read`` reads.
 
-Where M's factors lose digits, near a joint singularity or with a very short or very heavy leg, the legs'
-inertia stays in their joint coordinates: M = A^T W A with three rows of A for each leg and six of the
-platform, and weights W of about one in blocks of three. Elimination with complete pivoting picks the six
-stiffest rows, and their accelerations become the unknowns: no large number is added to a small one.
+``sums``, ``sums_of_two_forms`` and ``legs_of`` serve each of its kernels: ``Sums``, ``Legs`` and the blocks
+stand for those of one. The names of functions with a width, as ``solve_definite_24``, end in it.
 """
 
 
-def equations(model: "Model", motion: "Motion") -> "Equations":
-    """M, C, g, friction and bias of M [a; alpha] + C [v; omega] + g + friction = H F + external wrench."""
-    out = Equations()
-    total = EquationsSums()
-    close = EquationsSums()
+def legs_of(model: "Model", motion: "Motion", pose: "Pose", legs: "Legs") -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
     status = model.status
     leaning = 0
-    pose = equations_pose(model.platform, motion)
     for i in range(6):
-        leg = equations_leg(model.leg[i], model.platform, motion)
-        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i].b, motion.t, leg.q))
+        legs.leg[i] = leg_terms(model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
         status = where(status == OK, fault, status)
-        leaning = where(leg.k3 < LEANING, 1, leaning)
-        total = equations_more(total, leg)
-        for j in range(3):
-            out.H[j][i] = leg.H_force[j]
-            out.H[j + 3][i] = leg.H_moment[j]
-    if anywhere(leaning == 1):
+        leaning = where(legs.leg[i].k3 > LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def sums(model: "Model", motion: "Motion", legs: "Legs") -> "Sums":
+    """Sums over platform and legs."""
+    pose = pose_terms(model.platform, motion)
+    legs_of(model, motion, pose, legs)
+    return total(pose, legs)
+
+
+def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs") -> "Sums":
+    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    pose = pose_terms(model.platform, motion)
+    legs_of(model, motion, pose, legs)
+    if anywhere(legs.leaning == 1):
         for i in range(6):
-            near = equations_near(model.leg[i], model.platform, motion)
-            close = equations_more(close, near)
-        total = where(leaning == 1, close, total)
-    sums = equations_total(total, pose)
+            near = near_terms(model.leg[i], model.platform, motion, pose, legs.given[i])
+            legs.leg[i] = where(legs.leaning == 1, near, legs.leg[i])
+    return total(pose, legs)
+
+
+def equations(model: "Model", motion: "Motion") -> "Equations":
+    """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads."""
+    out = Equations()
+    legs = EquationsLegs()
+    summed = equations_sums(model, motion, legs)
+    place_inertia_6(summed.M_vv, summed.M_vw, summed.M_ww, 0, out.M)
+    place_blocks_6(summed.C_vv, summed.C_vw, summed.C_wv, summed.C_ww, 0, out.C)
     for i in range(3):
-        out.g[i] = sums.g_force[i]
-        out.g[i + 3] = sums.g_moment[i]
-        out.friction[i] = sums.friction_force[i]
-        out.friction[i + 3] = sums.friction_moment[i]
-        for j in range(3):
-            out.C[i][j] = sums.C_vv[3 * i + j]
-            out.C[i][j + 3] = sums.C_vw[3 * i + j]
-            out.C[i + 3][j] = sums.C_wv[3 * i + j]
-            out.C[i + 3][j + 3] = sums.C_ww[3 * i + j]
-    place_inertia(sums.M_vv, sums.M_vw, sums.M_ww, out.M)
-    for i in range(6):
-        coriolis = 0.0
-        for j in range(3):
-            coriolis = coriolis + out.C[i][j] * motion.v[j]
-        for j in range(3):
-            coriolis = coriolis + out.C[i][j + 3] * motion.omega[j]
-        out.bias[i] = out.g[i] + out.friction[i] + coriolis
-        lost = 0.0 * out.bias[i]
+        out.g[i] = summed.g_force[i]
+        out.g[i + 3] = summed.g_moment[i]
+        out.friction[i] = summed.friction_force[i]
+        out.friction[i + 3] = summed.friction_moment[i]
         for j in range(6):
-            lost = lost + 0.0 * out.M[i][j]
-        status = where((status != OK) | (lost == 0.0), status, NOT_FINITE)
+            out.H[i][j] = legs.leg[j].H_force[i]
+            out.H[i + 3][j] = legs.leg[j].H_moment[i]
+            out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
+            out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
     for i in range(6):
-        out.g[i] = where(status == OK, out.g[i], NAN)
-        out.friction[i] = where(status == OK, out.friction[i], NAN)
-        out.bias[i] = where(status == OK, out.bias[i], NAN)
-        for j in range(6):
-            out.M[i][j] = where(status == OK, out.M[i][j], NAN)
-            out.C[i][j] = where(status == OK, out.C[i][j], NAN)
-            out.H[i][j] = where(status == OK, out.H[i][j], NAN)
-    out.status = status
-    return out
+        total_bias = out.g[i] + out.friction[i]
+        for j in range(3):
+            total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
+        out.bias[i] = total_bias
+    out.status = legs.status
+    return checked_equations(out)
 
 
-def place_inertia(vv: "array(6)", vw: "array(9)", ww: "array(6)", M: "array(6, 6)") -> None:
-    """M from its parts: symmetric ones as xx xy xz yy yz zz."""
+def bias(model: "Model", motion: "Motion") -> "Bias":
+    """C [v; omega] + g + friction without C."""
+    out = Bias()
+    legs = BiasLegs()
+    summed = bias_sums(model, motion, legs)
     for i in range(3):
-        for j in range(3):
-            M[i][j + 3] = vw[3 * i + j]
-            M[j + 3][i] = vw[3 * i + j]
-    place_symmetric(vv, 0, M)
-    place_symmetric(ww, 3, M)
-
-
-def place_symmetric(parts: "array(6)", first: "Integer", M: "array(6, 6)") -> None:
-    """A symmetric 3 x 3 block on the diagonal, from xx xy xz yy yz zz."""
-    M[first][first] = parts[0]
-    M[first][first + 1] = parts[1]
-    M[first][first + 2] = parts[2]
-    M[first + 1][first] = parts[1]
-    M[first + 1][first + 1] = parts[3]
-    M[first + 1][first + 2] = parts[4]
-    M[first + 2][first] = parts[2]
-    M[first + 2][first + 1] = parts[4]
-    M[first + 2][first + 2] = parts[5]
+        out.bias[i] = summed.bias_force[i]
+        out.bias[i + 3] = summed.bias_moment[i]
+    out.status = legs.status
+    return checked_bias(out)
 
 
 def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accelerations":
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read."""
     out = Accelerations()
-    total = ForwardSums()
-    M = array(6, 6)
-    x = array(6)
-    status = model.status
-    pose = forward_pose(model.platform, motion)
+    legs = ForwardLegs()
+    A = array(6, 8)
     for i in range(6):
-        leg = forward_leg(model.leg[i], model.platform, motion, pose, F[i])
-        fault = fault_of(leg.L, leg.k3, reach_of(model.leg[i].b, motion.t, leg.q))
-        status = where(status == OK, fault, status)
-        total = forward_more(total, leg)
-    sums = forward_total(total, pose)
-    place_inertia(sums.M_vv, sums.M_vw, sums.M_ww, M)
+        legs.given[i].F = F[i]
+    summed = forward_sums(model, motion, legs)
+    status = legs.status
+    place_inertia_8(summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
     for i in range(3):
-        x[i] = sums.right_force[i]
-        x[i + 3] = sums.right_moment[i]
-    lost = solve_definite(M, x, KEPT)
-    if anywhere((status == OK) & (lost == INDEFINITE)):
-        apart = forward_apart(model, motion, F)
+        A[i][6] = summed.right_force[i]
+        A[i + 3][6] = summed.right_moment[i]
+    fault = solve_definite_8(A, KEPT)
+    if anywhere((status == OK) & (fault == INDEFINITE)):
+        by = Rows()
+        apart = forward_apart(model, motion, F, by)
         for i in range(6):
-            x[i] = where(lost == INDEFINITE, apart.x[i], x[i])
-        lost = where(lost == INDEFINITE, apart.status, lost)
-    status = where(status == OK, lost, status)
-    for i in range(6):
-        status = where((status != OK) | (size(x[i]) <= MAX), status, NOT_FINITE)
+            A[i][6] = where(fault == INDEFINITE, apart.x[i], A[i][6])
+        fault = where(fault == INDEFINITE, apart.status, fault)
     for i in range(3):
-        out.a[i] = where(status == OK, x[i], NAN)
-        out.alpha[i] = where(status == OK, x[i + 3], NAN)
+        out.a[i] = A[i][6]
+        out.alpha[i] = A[i + 3][6]
+    out.status = where(status == OK, fault, status)
+    return checked_forward_dynamics(out)
+
+
+def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
+    """Inertia that the actuators feel, H^-1 M H^-T."""
+    out = JointInertia()
+    legs = EquationsLegs()
+    A = array(6, 12)
+    half = array(6, 6)
+    summed = equations_sums(model, motion, legs)
+    status = legs.status
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+    place_inertia_12(summed.M_vv, summed.M_vw, summed.M_ww, 6, A)
+    scale_moments_12(model.per_length, A)
+    close = solve_pivoted_12(A)
+    for i in range(6):
+        close = where(legs.leg[i].L > SHORT_SHARE * legs.reach[i], close, 1)
+        for j in range(6):
+            half[i][j] = A[i][j + 6]
+    if anywhere((status == OK) & (close == 1)):
+        found = columns_status(model, motion, legs)
+        status = where((status == OK) & (close == 1), found, status)
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+            A[i][j + 6] = half[j][i]
+            A[i + 3][j + 6] = half[j][i + 3]
+    scale_moments_12(model.per_length, A)
+    solve_pivoted_12(A)
+    for i in range(6):
+        for j in range(6):
+            out.inertia[i][j] = (A[i][j + 6] + A[j][i + 6]) * 0.5
     out.status = status
+    return checked_joint_inertia(out)
+
+
+def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "Integer":
+    """Whether H is singular to rounding."""
+    H = array(6, 6)
+    arm = array(6, 3)
+    L = array(6)
+    for i in range(6):
+        L[i] = legs.leg[i].L
+        for j in range(3):
+            H[j][i] = legs.leg[i].H_force[j]
+            H[j + 3][i] = legs.leg[i].H_moment[j]
+            plane = motion.R[3 * j] * model.leg[i].p[0] + motion.R[3 * j + 1] * model.leg[i].p[1]
+            arm[i][j] = plane + motion.R[3 * j + 2] * model.leg[i].p[2]
+    return singular_status(H, arm, L, legs.reach)
+
+
+def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
+    """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
+    out = Derivatives()
+    legs = DerivativesLegs()
+    A = array(6, 24)
+    acting = forces(model, motion)
+    for i in range(6):
+        legs.given[i].F = acting.F[i]
+    summed = derivatives_sums(model, motion, legs)
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+    place_blocks_24(summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
+    place_blocks_24(summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
+    place_inertia_24(summed.M_vv, summed.M_vw, summed.M_ww, 18, A)
+    scale_moments_24(model.per_length, A)
+    solve_pivoted_24(A)
+    for i in range(6):
+        out.F[i] = acting.F[i]
+        for j in range(6):
+            out.by_pose[i][j] = A[i][j + 6]
+            out.by_twist[i][j] = A[i][j + 12]
+            out.by_acceleration[i][j] = A[i][j + 18]
+    out.status = where(acting.status == OK, legs.status, acting.status)
+    return checked_derivatives(out)
+
+
+def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisation":
+    """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
+    out = Linearisation()
+    legs = DerivativesLegs()
+    A = array(6, 24)
+    moved = forward_dynamics(model, motion, F)
+    status = moved.status
+    moving = with_acceleration(motion, moved.a, moved.alpha)
+    for i in range(6):
+        legs.given[i].F = F[i]
+    summed = derivatives_sums(model, moving, legs)
+    place_inertia_24(summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
+    place_blocks_24(summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
+    place_blocks_24(summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
+    for i in range(3):
+        for j in range(6):
+            A[i][j + 18] = legs.leg[j].H_force[i]
+            A[i + 3][j + 18] = legs.leg[j].H_moment[i]
+    fault = solve_definite_24(A, KEPT)
+    if anywhere((status == OK) & (fault == INDEFINITE)):
+        apart = slopes_apart(model, motion, moving, F)
+        for i in range(6):
+            for j in range(6, 24):
+                A[i][j] = where(fault == INDEFINITE, apart.A[i][j], A[i][j])
+        for i in range(3):
+            moved.a[i] = where(fault == INDEFINITE, apart.x[i], moved.a[i])
+            moved.alpha[i] = where(fault == INDEFINITE, apart.x[i + 3], moved.alpha[i])
+        fault = where(fault == INDEFINITE, apart.status, fault)
+    for i in range(3):
+        out.a[i] = moved.a[i]
+        out.alpha[i] = moved.alpha[i]
+    for i in range(6):
+        out.A[i][i + 6] = 1.0
+        for j in range(12):
+            out.A[i + 6][j] = -A[i][j + 6]
+        for j in range(6):
+            out.B[i + 6][j] = A[i][j + 18]
+    out.A[3][4] = -motion.omega[2]
+    out.A[3][5] = motion.omega[1]
+    out.A[4][3] = motion.omega[2]
+    out.A[4][5] = -motion.omega[0]
+    out.A[5][3] = -motion.omega[1]
+    out.A[5][4] = motion.omega[0]
+    out.status = where(status == OK, fault, status)
+    return checked_linearisation(out)
+
+
+def with_acceleration(motion: "Motion", a: "array(3)", alpha: "array(3)") -> "Motion":
+    """The motion with these accelerations."""
+    out = Motion()
+    for i in range(9):
+        out.R[i] = motion.R[i]
+    for i in range(3):
+        out.t[i] = motion.t[i]
+        out.omega[i] = motion.omega[i]
+        out.v[i] = motion.v[i]
+        out.alpha[i] = alpha[i]
+        out.a[i] = a[i]
+        out.F_ext[i] = motion.F_ext[i]
+        out.M_ext[i] = motion.M_ext[i]
     return out
 
 
-def weigh(inertia: "array(6)", extent: "array(3)", weight: "array(3, 3)") -> None:
-    """Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of these sizes."""
-    weight[0][0] = inertia[0] / extent[0] / extent[0]
-    weight[0][1] = inertia[1] / extent[0] / extent[1]
-    weight[0][2] = inertia[2] / extent[0] / extent[2]
-    weight[1][0] = inertia[1] / extent[1] / extent[0]
-    weight[1][1] = inertia[3] / extent[1] / extent[1]
-    weight[1][2] = inertia[4] / extent[1] / extent[2]
-    weight[2][0] = inertia[2] / extent[2] / extent[0]
-    weight[2][1] = inertia[4] / extent[2] / extent[1]
-    weight[2][2] = inertia[5] / extent[2] / extent[2]
-
-
-def forward_apart(model: "Model", motion: "Motion", F: "array(6)") -> "Apart":
-    """Forward dynamics in the accelerations of the six stiffest rows."""
-    out = Apart()
-    by = Rows()
-    total = JointRowsSums()
-    pose = joint_rows_pose(model.platform, motion)
-    for i in range(6):
-        by.leg[i] = joint_rows_leg(model.leg[i], model.platform, motion, pose, F[i])
-        total = joint_rows_more(total, by.leg[i])
-    sums = joint_rows_total(total, pose)
-    make_rows(sums, by)
-    pick_rows(by)
-    solve_rows(sums, by, out)
-    return out
-
-
-def make_rows(sums: "JointRowsSums", by: "Rows") -> None:
-    """Rows and weights: each row of A carries the root of its inertia, so that weights are of about one."""
-    mass = sums.M_vv[0]
-    c = array(3)
-    about = array(6)
-    whole = array(6)
-    heaviest = size(mass)
-    length = 0.0
-    for i in range(6):
-        rho = by.leg[i].L * by.leg[i].k3
-        for j in range(3):
-            length = larger(size(by.leg[i].row_w[j]), length)
-        heaviest = larger(size(by.leg[i].M_xi[3]) / by.leg[i].L / by.leg[i].L, heaviest)
-        heaviest = larger(size(by.leg[i].M_xi[5]) / rho / rho, heaviest)
-    least = larger(EPSILON * sqrt(heaviest), SHORTEST)
-    by.length = where(length > 0.0, length, 1.0)
-    for i in range(6):
-        reach = least * by.leg[i].L
-        theta = larger(sqrt(size(by.leg[i].M_xi[3])), reach)
-        phi = larger(sqrt(size(by.leg[i].M_xi[5])), reach * by.leg[i].k3)
-        along = larger(size(by.leg[i].M_xi[1]) / theta, size(by.leg[i].M_xi[2]) / phi)
-        along = larger(along, sqrt(size(by.leg[i].M_xi[0])))
-        by.block[i].extent[0] = larger(along, least)
-        by.block[i].extent[1] = theta
-        by.block[i].extent[2] = phi
-        weigh(by.leg[i].M_xi, by.block[i].extent, by.block[i].weight)
-        for j in range(3):
-            for k in range(3):
-                by.row[3 * i + j][k] = by.block[i].extent[j] * by.leg[i].row_v[3 * j + k]
-                by.row[3 * i + j][k + 3] = by.block[i].extent[j] * (by.leg[i].row_w[3 * j + k] / by.length)
-    heft = larger(sqrt(size(mass)), least)
-    per_mass = where(mass > 0.0, 1.0 / mass, 0.0)
-    c[0] = sums.M_vw[5] * per_mass
-    c[1] = -sums.M_vw[2] * per_mass
-    c[2] = sums.M_vw[1] * per_mass
-    square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2]
-    about[0] = sums.M_ww[0] - mass * (square - c[0] * c[0])
-    about[1] = sums.M_ww[1] + mass * (c[0] * c[1])
-    about[2] = sums.M_ww[2] + mass * (c[0] * c[2])
-    about[3] = sums.M_ww[3] - mass * (square - c[1] * c[1])
-    about[4] = sums.M_ww[4] + mass * (c[1] * c[2])
-    about[5] = sums.M_ww[5] - mass * (square - c[2] * c[2])
-    whole[0] = mass
-    whole[3] = mass
-    whole[5] = mass
-    by.block[7].extent[0] = larger(sqrt(size(about[0])), least * by.length)
-    by.block[7].extent[1] = larger(sqrt(size(about[3])), least * by.length)
-    by.block[7].extent[2] = larger(sqrt(size(about[5])), least * by.length)
+def place_inertia(
+    vv: "array(6)", vw: "array(9)", ww: "array(6)", first: "Integer", A: "array(6, WIDTH)"
+) -> None:
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz."""
     for i in range(3):
-        by.block[6].extent[i] = heft
-        by.row[18 + i][i] = heft
-        by.row[21 + i][i + 3] = by.block[7].extent[i] / by.length
-    by.row[18][4] = heft * (c[2] / by.length)
-    by.row[18][5] = -heft * (c[1] / by.length)
-    by.row[19][5] = heft * (c[0] / by.length)
-    by.row[19][3] = -heft * (c[2] / by.length)
-    by.row[20][3] = heft * (c[1] / by.length)
-    by.row[20][4] = -heft * (c[0] / by.length)
-    weigh(whole, by.block[6].extent, by.block[6].weight)
-    weigh(about, by.block[7].extent, by.block[7].weight)
-
-
-def pick_rows(by: "Rows") -> None:
-    """Picks six rows as coordinates by elimination with complete pivoting; the others are sums of them.
-
-    ``chosen``: 1 of a row that was picked, else 0; ``pivot``, ``column``: number of the row picked and of the
-    column exchanged with it; ``factors``: L and U of the six.
-    """
-    for k in range(6):
-        by.column[k] = k
-    for k in range(6):
-        best = -1.0
-        row = 0
-        across = 0
-        for i in range(24):
-            for j in range(k, 6):
-                entry = where(by.chosen[i] > 0.0, -1.0, size(by.row[i][j]))
-                row = where(entry > best, i, row)
-                across = where(entry > best, j, across)
-                best = larger(entry, best)
-        held = by.column[k]
-        for j in range(k + 1, 6):
-            by.column[k] = where(across == j, by.column[j], by.column[k])
-            by.column[j] = where(across == j, held, by.column[j])
-            for i in range(24):
-                moved = by.row[i][k]
-                by.row[i][k] = where(across == j, by.row[i][j], by.row[i][k])
-                by.row[i][j] = where(across == j, moved, by.row[i][j])
-            for i in range(k):
-                moved_up = by.factors[i][k]
-                by.factors[i][k] = where(across == j, by.factors[i][j], by.factors[i][k])
-                by.factors[i][j] = where(across == j, moved_up, by.factors[i][j])
-        for i in range(24):
-            by.chosen[i] = where(row == i, 1.0, by.chosen[i])
-            by.place[k][i] = where(row == i, 1.0, 0.0)
-            for j in range(6):
-                by.factors[k][j] = where(row == i, by.row[i][j], by.factors[k][j])
-        for i in range(24):
-            factor = by.row[i][k] / by.factors[k][k]
-            by.row[i][k] = where(by.chosen[i] > 0.0, by.row[i][k], factor)
-            for j in range(k + 1, 6):
-                less = by.row[i][j] - factor * by.factors[k][j]
-                by.row[i][j] = where(by.chosen[i] > 0.0, by.row[i][j], less)
-    for i in range(24):
-        for j in reversed(range(6)):
-            part = by.row[i][j]
-            for k in range(j + 1, 6):
-                part = part - by.share[i][k] * by.factors[k][j]
-            by.share[i][j] = part
-        for j in range(6):
-            by.share[i][j] = where(by.chosen[i] > 0.0, by.place[j][i], by.share[i][j])
-
-
-def balance_rows(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "array(24)") -> None:
-    """Accelerations of the coordinates' rows under which each block balances their forces.
-
-    ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
-    them, else 0; ``moved`` is 0 of all others.
-    """
-    W = array(3, 3)
-    for i in range(24):
-        moved[i] = force[i]
-    for b in range(8):
-        for i in range(3):
-            for j in range(3):
-                W[i][j] = by.block[b].weight[i][j]
-        for k in range(3):
-            heavy = where(W[k][k] > KEPT, 1.0, 0.0)
-            balanced[3 * b + k] = heavy * by.chosen[3 * b + k]
-            pivot = where(balanced[3 * b + k] > 0.0, W[k][k], 1.0)
-            for i in range(k + 1, 3):
-                factor = balanced[3 * b + k] * W[i][k] / pivot
-                moved[3 * b + i] = moved[3 * b + i] - factor * moved[3 * b + k]
-                for j in range(k + 1, 3):
-                    W[i][j] = W[i][j] - factor * W[k][j]
-        for k in reversed(range(3)):
-            for j in range(k + 1, 3):
-                moved[3 * b + k] = moved[3 * b + k] - W[k][j] * moved[3 * b + j]
-            divisor = where(balanced[3 * b + k] > 0.0, W[k][k], 1.0)
-            moved[3 * b + k] = where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / divisor, 0.0)
-
-
-def solve_rows(sums: "JointRowsSums", by: "Rows", out: "Apart") -> None:
-    """Solves for the accelerations of the six coordinates, from those that balance their own forces."""
-    force = array(24)
-    balanced = array(24)
-    start = array(6)
-    moved = array(24)
-    rest = array(24)
-    wrench = array(6)
-    y = array(6)
-    inertia = array(6, 6)
-    for i in range(6):
         for j in range(3):
-            force[3 * i + j] = by.leg[i].tau[j] / by.block[i].extent[j]
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[j + 3][first + i] = vw[3 * i + j]
+    place_symmetric_WIDTH(vv, 0, first, A)
+    place_symmetric_WIDTH(ww, 3, first + 3, A)
+
+
+def place_symmetric(parts: "array(6)", row: "Integer", column: "Integer", A: "array(6, WIDTH)") -> None:
+    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
     for i in range(3):
-        wrench[i] = sums.right_force[i]
-        wrench[i + 3] = sums.right_moment[i] / by.length
-    balance_rows(by, force, moved, balanced)
-    for k in range(6):
-        for i in range(24):
-            start[k] = where(by.place[k][i] > 0.0, moved[i], start[k])
-        for j in range(6):
-            y[k] = where(by.column[k] == j, wrench[j], y[k])
-    for i in range(24):
-        moved[i] = 0.0
-        for k in range(6):
-            moved[i] = moved[i] + by.share[i][k] * start[k]
-    for b in range(8):
-        for i in range(3):
-            rest[3 * b + i] = where(balanced[3 * b + i] > 0.0, 0.0, force[3 * b + i])
-            for j in range(3):
-                less = rest[3 * b + i] - by.block[b].weight[i][j] * moved[3 * b + j]
-                own = (balanced[3 * b + i] > 0.0) & (balanced[3 * b + j] > 0.0)
-                rest[3 * b + i] = where(own, rest[3 * b + i], less)
-    for k in range(6):
-        for j in range(k):
-            y[k] = y[k] - by.factors[j][k] * y[j]
-        y[k] = y[k] / by.factors[k][k]
-    for k in reversed(range(6)):
-        for j in range(k + 1, 6):
-            y[k] = y[k] - by.factors[j][k] * y[j]
-    for k in range(6):
-        for i in range(24):
-            y[k] = y[k] - by.share[i][k] * rest[i]
-    for b in range(8):
-        for i in range(3):
-            for j in range(3):
-                for k in range(6):
-                    weighed = by.share[3 * b + i][k] * by.block[b].weight[i][j]
-                    for n in range(6):
-                        inertia[k][n] = inertia[k][n] + weighed * by.share[3 * b + j][n]
-    out.status = solve_definite(inertia, y, ROUNDING)
-    for k in range(6):
-        y[k] = y[k] - start[k]
-        for j in range(k):
-            y[k] = y[k] - by.factors[k][j] * y[j]
-    for k in reversed(range(6)):
-        for j in range(k + 1, 6):
-            y[k] = y[k] - by.factors[k][j] * y[j]
-        y[k] = y[k] / by.factors[k][k]
-    for k in range(6):
-        for j in range(6):
-            unit = where(j < 3, 1.0, by.length)
-            out.x[j] = where(by.column[k] == j, y[k] / unit, out.x[j])
+        A[row][column + i] = parts[i]
+        A[row + i][column] = parts[i]
+    A[row + 1][column + 1] = parts[3]
+    A[row + 1][column + 2] = parts[4]
+    A[row + 2][column + 1] = parts[4]
+    A[row + 2][column + 2] = parts[5]
+
+
+def place_blocks(
+    vv: "array(9)", vw: "array(9)", wv: "array(9)", ww: "array(9)", first: "Integer", A: "array(6, WIDTH)"
+) -> None:
+    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j] = vv[3 * i + j]
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[i + 3][first + j] = wv[3 * i + j]
+            A[i + 3][first + j + 3] = ww[3 * i + j]
+
+
+def scale_moments(per_length: "Real", A: "array(6, WIDTH)") -> None:
+    """Takes moments over a length."""
+    if anywhere(per_length != 1.0):
+        for i in range(3, 6):
+            for j in range(WIDTH):
+                A[i][j] = A[i][j] * per_length

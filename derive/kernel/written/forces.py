@@ -1,19 +1,22 @@
 """Preparation of a robot's constants, and the actuator forces."""
 
 
-def leg_of(model: "Model", i: "Integer", motion: "Motion", shared: "SharedTerms") -> "LegTerms":
-    """One leg, by the block that suits its distance from its joint singularity."""
-    leg = leg_terms(model.leg[i], model.platform, motion, shared)
-    near = leg.k3 <= NEAR_POLE
-    if anywhere(near):
-        other = leg_near_terms(model.leg[i], model.platform, motion, shared)
-        leg = where(near, other, leg)
-    return leg
+def find_legs(model: "Model", motion: "Motion", shared: "SharedTerms", sums: "Sums") -> None:
+    """The legs, all by the block that suits a pose in which one is near its joint singularity, if one is."""
+    near = 0
+    for i in range(6):
+        sums.leg[i] = leg_terms(model.leg[i], model.platform, motion, shared)
+        near = where(sums.leg[i].k3 > NEAR_POLE, near, 1)
+    if anywhere(near == 1):
+        for i in range(6):
+            other = leg_near_terms(model.leg[i], model.platform, motion, shared)
+            sums.leg[i] = where(near == 1, other, sums.leg[i])
 
 
-def leg_of_one_form(model: "Model", i: "Integer", motion: "Motion", shared: "SharedTerms") -> "LegTerms":
-    """One leg."""
-    return leg_terms(model.leg[i], model.platform, motion, shared)
+def find_legs_of_one_form(model: "Model", motion: "Motion", shared: "SharedTerms", sums: "Sums") -> None:
+    """The legs."""
+    for i in range(6):
+        sums.leg[i] = leg_terms(model.leg[i], model.platform, motion, shared)
 
 
 def add_leg(leg: "LegTerms", i: "Integer", shared: "SharedTerms", sums: "Sums") -> None:
@@ -48,8 +51,9 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
     status = model.status
     suspect = 0
     shared = shared_terms(model.platform, motion)
+    find_legs(model, motion, shared, sums)
     for i in range(6):
-        leg = leg_of(model, i, motion, shared)
+        leg = sums.leg[i]
         reach[i] = reach_of(model.leg[i].b, motion.t, leg.q)
         fault = fault_of(leg.L, leg.k3, reach[i])
         status = where(status == OK, fault, status)

@@ -91,24 +91,64 @@ def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: 
     return where(lost == 0.0, where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
 
 
-def solve_definite(M: "array(6, 6)", x: "array(6)", kept: "Real") -> "Integer":
-    """x of M x = x by L D L^T; INDEFINITE where a pivot is not more than ``kept`` of its diagonal number."""
+def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
     scale = array(6)
+    inverse = array(6)
     status = OK
     for k in range(6):
-        scale[k] = M[k][k]
+        scale[k] = A[k][k]
     for k in range(6):
-        fault = where(size(M[k][k]) <= MAX, INDEFINITE, NOT_FINITE)
-        fault = where(M[k][k] > kept * scale[k], OK, fault)
+        fault = where(size(A[k][k]) <= MAX, INDEFINITE, NOT_FINITE)
+        fault = where(A[k][k] > kept * scale[k], OK, fault)
         status = where(status == OK, fault, status)
-        inverse = 1.0 / M[k][k]
-        for i in range(k + 1, 6):
-            factor = M[i][k] * inverse
-            for j in range(k + 1, 6):
-                M[i][j] = M[i][j] - factor * M[k][j]
-            x[i] = x[i] - factor * x[k]
-    for k in reversed(range(6)):
-        for j in range(k + 1, 6):
-            x[k] = x[k] - M[k][j] * x[j]
-        x[k] = x[k] / M[k][k]
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_WIDTH(A, k, inverse[k])
+    substitute_back_WIDTH(A, inverse)
     return status
+
+
+def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
+    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+    where a pivot is small."""
+    inverse = array(6)
+    suspect = 0
+    for k in range(6):
+        pivot = k
+        most = size(A[k][k])
+        for i in range(k + 1, 6):
+            entry = size(A[i][k])
+            pivot = where(entry > most, i, pivot)
+            most = where(entry > most, entry, most)
+        if anywhere(pivot != k):
+            for j in range(WIDTH):
+                upper = A[k][j]
+                A[k][j] = A[pivot][j]
+                A[pivot][j] = upper
+        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_WIDTH(A, k, inverse[k])
+    substitute_back_WIDTH(A, inverse)
+    return suspect
+
+
+def clear_below(A: "array(6, WIDTH)", k: "Integer", inverse: "Real") -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(WIDTH):
+            A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
+    """Back substitution; inverse: of the pivots."""
+    for k in reversed(range(6)):
+        for j in range(6, WIDTH):
+            A[k][j] = A[k][j] * inverse[k]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, WIDTH):
+                A[i][j] = A[i][j] - factor * A[k][j]

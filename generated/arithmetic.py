@@ -1,0 +1,121 @@
+"""What the modules on arrays share: status codes, constants, and the functions of an array namespace.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
+"""
+
+from typing import Any
+
+OK = 0  # solved
+NOT_FINITE = 1  # an input is not finite, or a result overflows
+SHORT_LEG = 2  # a leg has length zero
+POLE = 3  # a leg lies along the fixed axis of its universal joint
+SINGULAR = 4  # H is singular: no leg forces can hold the platform
+INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
+NOT_CONVERGED = 7  # no pose with these leg lengths was found
+MAX_STEPS = 30  # steps after which the search of a pose ends
+
+CONSTANTS = {
+    'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.015625, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
+    'float': {'EPSILON': 1.1920928955078125e-07, 'MAX': 3.4028234663852886e+38, 'ROUNDING': 1.9073486328125e-06, 'POLE_SINE': 0.00048828125, 'NEAR_POLE': 0.015625, 'SHORTEST': 1.5700925054761787e-16, 'SUSPECT': 0.0078125, 'SHORT_SHARE': 0.0625, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
+}
+
+
+class Arithmetic:
+    """Functions of an array namespace, and the constants of its real numbers.
+
+    xp: the namespace, such as ``numpy`` or ``jax.numpy``; real: its type of real numbers; None: ``xp.float64``
+    or, where that is switched off, what the namespace takes in its place.
+    """
+
+    NAN: float
+    LANES: float
+    BAD_ARGUMENT: float
+    EPSILON: float
+    MAX: float
+    ROUNDING: float
+    POLE_SINE: float
+    NEAR_POLE: float
+    SHORTEST: float
+    SUSPECT: float
+    SHORT_SHARE: float
+    SMALLEST: float
+    LARGEST: float
+    KEPT: float
+    LEANING: float
+
+    def __init__(self, xp: Any, real: Any = None) -> None:
+        self.xp = xp
+        self.type = xp.asarray(0.0, dtype=xp.float64 if real is None else real).dtype
+        double = float(xp.finfo(self.type).eps) < 2.0**-40
+        self.NAN = float("nan")
+        vars(self).update(CONSTANTS["double" if double else "float"])
+
+    def real(self, value: Any) -> Any:
+        """A number as an array."""
+        return value if hasattr(value, "shape") else self.xp.asarray(value, dtype=self.type)
+
+    def arrays(self, value: Any) -> Any:
+        """Every real number of a structure or list as an array, so that division by zero gives no error."""
+        if isinstance(value, list):
+            return [self.arrays(each) for each in value]
+        if hasattr(value, "shape") or isinstance(value, int):
+            return value
+        if isinstance(value, float):
+            return self.real(value)
+        made = type(value)()
+        for name, each in vars(value).items():
+            setattr(made, name, self.arrays(each))
+        return made
+
+    def sqrt(self, value: Any) -> Any:
+        """The square root."""
+        return self.xp.sqrt(self.real(value))
+
+    def size(self, value: Any) -> Any:
+        """The absolute value."""
+        return self.xp.abs(value) if hasattr(value, "shape") else abs(value)
+
+    def larger(self, one: Any, other: Any) -> Any:
+        """The larger of two numbers; the other one where one is NaN."""
+        return self.where(one > other, one, other)
+
+    def where(self, test: Any, yes: Any, no: Any) -> Any:
+        """``yes`` where the test holds, else ``no``: of numbers, and of lists and structures part by part."""
+        if isinstance(test, bool):
+            return yes if test else no
+        if isinstance(yes, list):
+            return [self.where(test, one, other) for one, other in zip(yes, no, strict=True)]
+        if hasattr(yes, "__dict__") and not hasattr(yes, "shape"):
+            made = type(yes)()
+            for name, value in vars(yes).items():
+                setattr(made, name, self.where(test, value, getattr(no, name)))
+            return made
+        whole = all(isinstance(each, int) or "int" in str(getattr(each, "dtype", "")) for each in (yes, no))
+        kind = self.xp.int32 if whole else self.type
+        return self.xp.where(test, *(self.xp.asarray(each, dtype=kind) for each in (yes, no)))
+
+    def at(self, array: Any, first: Any, *others: Any) -> Any:
+        """An element of an array, in which poses may differ."""
+        if isinstance(first, int):
+            return self.at(array[first], *others) if others else array[first]
+        found, *more = (self.at(each, *others) if others else each for each in array)
+        for i, each in enumerate(more, 1):
+            found = self.where(first == i, each, found)
+        return found
+
+    def put(self, array: Any, value: Any, first: Any, *others: Any) -> None:
+        """Puts a value into an element of an array, in which poses may differ."""
+        for i in [first] if isinstance(first, int) else range(len(array)):
+            here = True if isinstance(first, int) else first == i
+            if others:
+                self.put(array[i], self.where(here, value, self.at(array[i], *others)), *others)
+            else:
+                array[i] = self.where(here, value, array[i])
+
+    def anywhere(self, test: Any) -> bool:
+        """Whether a test holds for any pose; true where arrays have no values yet, as under ``jit`` and ``vmap``."""
+        try:
+            return bool(self.xp.any(test)) if hasattr(test, "shape") else bool(test)
+        except (TypeError, RuntimeError):
+            return True

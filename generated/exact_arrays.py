@@ -1,0 +1,6032 @@
+"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
+
+Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
+square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+"""
+
+from typing import Any
+
+from .arithmetic import INDEFINITE, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+
+
+class Leg:
+    """One leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+
+
+class Robot:
+    """The machine."""
+
+    def __init__(self) -> None:
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = [Leg() for _ in range(6)]  # the legs
+
+
+class Motion:
+    """Motion of the platform and its load."""
+
+    def __init__(self) -> None:
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+
+
+class LegConstants:
+    """Prepared constants of one leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
+        self.h2_x: Any = 0.0  # kg m: 2 h_x
+        self.h2_y: Any = 0.0  # kg m: 2 h_y
+        self.h2_z: Any = 0.0  # kg m: 2 h_z
+        # kg m: first moments of both parts, about the base and the platform point, leg frame
+        self.w: Any = [0.0] * 3
+        self.J: Any = [0.0] * 6  # kg m^2: inertias of the parts about base and platform point, leg frame
+        self.J2_xz: Any = 0.0  # kg m^2: 2 J_xz
+        self.dJ_zx: Any = 0.0  # kg m^2: J_zz - J_xx
+        self.g_k: Any = 0.0  # m/s^2: gravity along the fixed axis
+        self.g_x_k: Any = [0.0] * 3  # m/s^2: g x k, base frame
+        self.C_us: Any = 0.0  # N m s: C_u + C_s
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Added:
+    """What the legs add to the platform's constants."""
+
+    def __init__(self) -> None:
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Platform:
+    """Constants of the platform."""
+
+    def __init__(self) -> None:
+        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
+        self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.dJ_P: Any = [0.0] * 3  # kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx
+        self.C_P: Any = 0.0  # N m s: friction of all spherical joints
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+
+
+class Model:
+    """A robot's constants, prepared once."""
+
+    def __init__(self) -> None:
+        self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
+        self.platform: Any = Platform()  # the platform
+        self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class Forces:
+    """Actuator forces of one pose."""
+
+    def __init__(self) -> None:
+        self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class LegTerms:
+    """What a leg has."""
+
+    def __init__(self) -> None:
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+        self.D: Any = 0.0  # N: known part of the actuator force
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class Sums:
+    """H, c, and what moments are made with."""
+
+    def __init__(self) -> None:
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+        self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
+        self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
+        self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
+
+
+class SharedTerms:
+    """What a pose has for all legs."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class ShiftTerms:
+    """The platform's part of c about platform point 1."""
+
+    def __init__(self) -> None:
+        self.c_tip: Any = [0.0] * 3  # N m: the platform's part of c, moment rows, about platform point 1
+
+
+class MomentTerms:
+    """A leg's moments about platform point 1."""
+
+    def __init__(self) -> None:
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        # N m: moment of the leg's part of c, force rows, about platform point 1
+        self.arm_c: Any = [0.0] * 3
+
+
+class Equations:
+    """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]."""
+
+    def __init__(self) -> None:
+        self.M: Any = [[0.0] * 6 for _ in range(6)]  # kg, kg m, kg m^2: inertia
+        self.C: Any = [[0.0] * 6 for _ in range(6)]  # kg/s, kg m/s, kg m^2/s: Coriolis matrix
+        self.g: Any = [0.0] * 6  # N, N m: gravity
+        self.friction: Any = [0.0] * 6  # N, N m: friction
+        self.bias: Any = [0.0] * 6  # N, N m: C [v; omega] + g + friction
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from F to the wrench on the platform
+        self.H_dot: Any = [[0.0] * 6 for _ in range(6)]  # 1/s and m/s: its rate
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class LegInputs:
+    """What a leg's blocks are given."""
+
+    def __init__(self) -> None:
+        self.F: Any = 0.0  # N: actuator force of the leg
+        # N, N m: generalised forces of the leg less the actuator's, along L, theta, phi
+        self.net: Any = [0.0] * 3
+        # m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone
+        self.turned: Any = [0.0] * 3
+
+
+class EquationsLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.C_vv: Any = [0.0] * 9  # kg/s: Coriolis matrix, force by v
+        self.C_vw: Any = [0.0] * 9  # kg m/s: Coriolis matrix, force by omega
+        self.C_wv: Any = [0.0] * 9  # kg m/s: Coriolis matrix, moment by v
+        self.C_ww: Any = [0.0] * 9  # kg m^2/s: Coriolis matrix, moment by omega
+        self.g_force: Any = [0.0] * 3  # N: gravity, force
+        self.g_moment: Any = [0.0] * 3  # N m: gravity, moment
+        self.friction_force: Any = [0.0] * 3  # N: friction, force
+        self.friction_moment: Any = [0.0] * 3  # N m: friction, moment
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        self.H_dot_force: Any = [0.0] * 3  # 1/s: rate of the leg's column of H, force rows
+        self.H_dot_moment: Any = [0.0] * 3  # m/s: rate of the leg's column of H, moment rows
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class EquationsLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [EquationsLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class EquationsSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.C_vv: Any = [0.0] * 9  # kg/s: Coriolis matrix, force by v
+        self.C_vw: Any = [0.0] * 9  # kg m/s: Coriolis matrix, force by omega
+        self.C_wv: Any = [0.0] * 9  # kg m/s: Coriolis matrix, moment by v
+        self.C_ww: Any = [0.0] * 9  # kg m^2/s: Coriolis matrix, moment by omega
+        self.g_force: Any = [0.0] * 3  # N: gravity, force
+        self.g_moment: Any = [0.0] * 3  # N m: gravity, moment
+        self.friction_force: Any = [0.0] * 3  # N: friction, force
+        self.friction_moment: Any = [0.0] * 3  # N m: friction, moment
+
+
+class EquationsPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.C_vv: Any = [0.0] * 9  # kg/s: Coriolis matrix, force by v
+        self.C_vw: Any = [0.0] * 9  # kg m/s: Coriolis matrix, force by omega
+        self.C_wv: Any = [0.0] * 9  # kg m/s: Coriolis matrix, moment by v
+        self.C_ww: Any = [0.0] * 9  # kg m^2/s: Coriolis matrix, moment by omega
+        self.g_force: Any = [0.0] * 3  # N: gravity, force
+        self.g_moment: Any = [0.0] * 3  # N m: gravity, moment
+        self.friction_force: Any = [0.0] * 3  # N: friction, force
+        self.friction_moment: Any = [0.0] * 3  # N m: friction, moment
+
+
+class Bias:
+    """C [v; omega] + g + friction."""
+
+    def __init__(self) -> None:
+        self.bias: Any = [0.0] * 6  # N, N m: the sum
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class BiasLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.bias_force: Any = [0.0] * 3  # N: C twist + g + friction, force
+        self.bias_moment: Any = [0.0] * 3  # N m: C twist + g + friction, moment
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class BiasLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [BiasLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class BiasSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.bias_force: Any = [0.0] * 3  # N: C twist + g + friction, force
+        self.bias_moment: Any = [0.0] * 3  # N m: C twist + g + friction, moment
+
+
+class BiasPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.B_0: Any = [0.0] * 9  # 1/s^2: [omega]x [omega]x
+        self.bias_force: Any = [0.0] * 3  # N: C twist + g + friction, force
+        self.bias_moment: Any = [0.0] * 3  # N m: C twist + g + friction, moment
+
+
+class Accelerations:
+    """Accelerations of the platform."""
+
+    def __init__(self) -> None:
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class ForwardLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class ForwardLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [ForwardLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class ForwardSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+
+
+class ForwardPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.B_0: Any = [0.0] * 9  # 1/s^2: [omega]x [omega]x
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+
+
+class Rows:
+    """M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what the derivatives are given of the legs
+        self.extent: Any = [0.0] * 24  # root of the inertia in each row
+        self.weight: Any = [[0.0] * 3 for _ in range(24)]  # 1: W in blocks of three rows
+        # A, each row times the root of its inertia; then L and U
+        self.row: Any = [[0.0] * 6 for _ in range(24)]
+        # each row as a sum of the six that serve as coordinates
+        self.share: Any = [[0.0] * 6 for _ in range(24)]
+        self.inertia: Any = [[0.0] * 6 for _ in range(6)]  # M in these coordinates
+        self.order: Any = [0] * 24  # number of the row in each place
+        self.column: Any = [0] * 6  # number of the column in each place
+        self.length: Any = 0.0  # m: moments and rotations are measured by it
+
+
+class Apart:
+    """What the rows give."""
+
+    def __init__(self) -> None:
+        self.x: Any = [0.0] * 6  # m/s^2, rad/s^2: a and alpha
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class JointRowsLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+        self.M_xi: Any = [0.0] * 6  # kg, kg m, kg m^2: inertia of the joint coordinates, rows L, theta, phi
+        self.row_v: Any = [0.0] * 9  # 1, 1/m: gradients of L, theta, phi by position
+        self.row_w: Any = [0.0] * 9  # m, 1: gradients of L, theta, phi by rotation
+        # N, N m: generalised forces less the actuator's without accelerations of the platform
+        self.tau: Any = [0.0] * 3
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class JointRowsLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [JointRowsLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class JointRowsSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+
+
+class JointRowsPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.B_0: Any = [0.0] * 9  # 1/s^2: [omega]x [omega]x
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.right_force: Any = [0.0] * 3  # N: H F + external wrench - bias, force
+        self.right_moment: Any = [0.0] * 3  # N m: H F + external wrench - bias, moment
+
+
+class JointInertia:
+    """Inertia that the actuators feel."""
+
+    def __init__(self) -> None:
+        self.inertia: Any = [[0.0] * 6 for _ in range(6)]  # kg: H^-1 M H^-T
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class Derivatives:
+    """Actuator forces and their derivatives."""
+
+    def __init__(self) -> None:
+        self.F: Any = [0.0] * 6  # N: of inverse dynamics
+        self.by_pose: Any = [[0.0] * 6 for _ in range(6)]  # N/m, N: by [dt; dphi]
+        self.by_twist: Any = [[0.0] * 6 for _ in range(6)]  # N s/m, N s: by [v; omega]
+        self.by_acceleration: Any = [[0.0] * 6 for _ in range(6)]  # kg, kg m: by [a; alpha]
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class DerivativesLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class DerivativesLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [DerivativesLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class DerivativesSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+
+
+class DerivativesPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+
+
+class Linearisation:
+    """Forward dynamics and its linearisation."""
+
+    def __init__(self) -> None:
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration
+        self.A: Any = [[0.0] * 12 for _ in range(12)]  # by [dt; dphi; dv; domega]
+        self.B: Any = [[0.0] * 6 for _ in range(12)]  # by the actuator forces
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class SlopesApart:
+    """What the rows give of a linearisation."""
+
+    def __init__(self) -> None:
+        self.x: Any = [0.0] * 6  # m/s^2, rad/s^2: a and alpha
+        self.A: Any = [[0.0] * 24 for _ in range(6)]  # the rows solved
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class JointSlopesLeg:
+    """A leg's part."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+        self.tau_t: Any = [0.0] * 9  # N, N m per unit: generalised forces by dt, row for row
+        self.tau_r: Any = [0.0] * 9  # N, N m per unit: generalised forces by dphi, row for row
+        self.tau_v: Any = [0.0] * 9  # N, N m per unit: generalised forces by v, row for row
+        self.tau_w: Any = [0.0] * 9  # N, N m per unit: generalised forces by omega, row for row
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class JointSlopesLegs:
+    """The legs."""
+
+    def __init__(self) -> None:
+        self.given: Any = [LegInputs() for _ in range(6)]  # what blocks are given
+        self.leg: Any = [JointSlopesLeg() for _ in range(6)]  # their parts
+        self.reach: Any = [0.0] * 6  # m: size of the vectors that each is the sum of
+        self.leaning: Any = 0  # 1 where one is near its joint singularity
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class JointSlopesSums:
+    """Sums over the machine."""
+
+    def __init__(self) -> None:
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+
+
+class JointSlopesPose:
+    """The pose's own part."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.M_vv: Any = [0.0] * 6  # kg: inertia, force by a
+        self.M_vw: Any = [0.0] * 9  # kg m: inertia, force by alpha
+        self.M_ww: Any = [0.0] * 6  # kg m^2: inertia, moment by alpha
+        self.W_ft: Any = [0.0] * 9  # N/m: force by dt
+        self.W_fr: Any = [0.0] * 9  # N: force by dphi
+        self.W_mt: Any = [0.0] * 9  # N: moment by dt
+        self.W_mr: Any = [0.0] * 9  # N m: moment by dphi
+        self.W_fv: Any = [0.0] * 9  # N s/m: force by v
+        self.W_fw: Any = [0.0] * 9  # N s: force by omega
+        self.W_mv: Any = [0.0] * 9  # N s: moment by v
+        self.W_mw: Any = [0.0] * 9  # N m s: moment by omega
+
+
+def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
+    """Constants of one leg, and what it adds to the platform: 96 (55 mul, 39 add, 1 div, 1 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    m_d = leg.m_d
+    r_d0_x, r_d0_y, r_d0_z = leg.r_d0
+    I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz = leg.I_d0
+    m_u = leg.m_u
+    r_u0_x, r_u0_y, r_u0_z = leg.r_u0
+    I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    g_x, g_y, g_z = robot.g
+    k_size = on.sqrt(k_x * k_x + k_y * k_y + k_z * k_z)
+    inv_k_size = 1.0 / k_size
+    # fixed axis, of length one
+    k_unit_x = inv_k_size * k_x
+    k_unit_y = inv_k_size * k_y
+    k_unit_z = inv_k_size * k_z
+    c1 = m_u * r_u0_x
+    h_x = c1
+    c2 = m_u * r_u0_y
+    h_y = c2
+    h_z = m_u * r_u0_z
+    c3 = m_d * r_d0_x
+    w_x = c3 + h_x
+    c4 = m_d * r_d0_y
+    w_y = c4 + h_y
+    w_z = h_z + m_d * r_d0_z
+    c5 = r_d0_y * r_d0_y
+    c6 = r_d0_z * r_d0_z
+    c7 = r_u0_y * r_u0_y
+    c8 = r_u0_z * r_u0_z
+    J_xx = I_d0_xx + I_u0_xx + m_d * (c5 + c6) + m_u * (c7 + c8)
+    J_xy = I_d0_xy + I_u0_xy - c1 * r_u0_y - c3 * r_d0_y
+    J_xz = I_d0_xz + I_u0_xz - c1 * r_u0_z - c3 * r_d0_z
+    c9 = r_d0_x * r_d0_x
+    c10 = r_u0_x * r_u0_x
+    J_yy = I_d0_yy + I_u0_yy + m_d * (c6 + c9) + m_u * (c10 + c8)
+    J_yz = I_d0_yz + I_u0_yz - c2 * r_u0_z - c4 * r_d0_z
+    J_zz = I_d0_zz + I_u0_zz + m_d * (c5 + c9) + m_u * (c10 + c7)
+    c11 = m_u * p_x
+    c12 = m_u * p_y
+    c13 = p_y * p_y
+    c14 = p_z * p_z
+    c15 = p_x * p_x
+    out = LegConstants()
+    out.b = [b_x, b_y, b_z]
+    out.p = [p_x, p_y, p_z]
+    out.k = [k_unit_x, k_unit_y, k_unit_z]
+    out.C_p = C_p
+    out.C_s = C_s
+    out.h = [h_x, h_y, h_z]
+    out.h2_x = 2.0 * h_x
+    out.h2_y = 2.0 * h_y
+    out.h2_z = 2.0 * h_z
+    out.w = [w_x, w_y, w_z]
+    out.J = [J_xx, J_xy, J_xz, J_yy, J_yz, J_zz]
+    out.J2_xz = 2.0 * J_xz
+    out.dJ_zx = J_zz - J_xx
+    out.g_k = g_x * k_unit_x + g_y * k_unit_y + g_z * k_unit_z
+    out.g_x_k = [g_y * k_unit_z - g_z * k_unit_y, g_z * k_unit_x - g_x * k_unit_z, g_x * k_unit_y - g_y * k_unit_x]
+    out.C_us = C_s + C_u
+    out.m_u = m_u
+    out.M_add = m_u
+    out.h_add = [c11, c12, m_u * p_z]
+    out.J_add = [m_u * (c13 + c14), -c11 * p_y, -c11 * p_z, m_u * (c14 + c15), -c12 * p_z, m_u * (c13 + c15)]
+    out.C_add = C_s
+    return out
+
+
+def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
+    """Constants of the platform: 34 (12 mul, 22 add, 0 div, 0 sqrt)."""
+    M = robot.M
+    R_0_x, R_0_y, R_0_z = robot.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
+    g_x, g_y, g_z = robot.g
+    M_add = total.M_add
+    h_add_x, h_add_y, h_add_z = total.h_add
+    J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
+    C_add = total.C_add
+    c1 = R_0_y * R_0_y
+    c2 = R_0_z * R_0_z
+    J_P_xx = I_p_xx + J_add_xx + M * (c1 + c2)
+    c3 = M * R_0_x
+    J_P_xy = I_p_xy + J_add_xy - R_0_y * c3
+    J_P_xz = I_p_xz + J_add_xz - R_0_z * c3
+    c4 = R_0_x * R_0_x
+    J_P_yy = I_p_yy + J_add_yy + M * (c2 + c4)
+    c5 = M * R_0_y
+    J_P_yz = I_p_yz + J_add_yz - R_0_z * c5
+    J_P_zz = I_p_zz + J_add_zz + M * (c1 + c4)
+    out = Platform()
+    out.M_P = M + M_add
+    out.h_P = [c3 + h_add_x, c5 + h_add_y, M * R_0_z + h_add_z]
+    out.J_P = [J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz]
+    out.dJ_P = [J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx]
+    out.C_P = C_add
+    out.g = [g_x, g_y, g_z]
+    out.M = M
+    out.R_0 = [R_0_x, R_0_y, R_0_z]
+    out.I_p = [I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz]
+    return out
+
+
+def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
+    """What the legs add to the platform, with one leg more."""
+    out = Added()
+    out.M_add = total.M_add + more.M_add
+    for i in range(3):
+        out.h_add[i] = total.h_add[i] + more.h_add[i]
+    for i in range(6):
+        out.J_add[i] = total.J_add[i] + more.J_add[i]
+    out.C_add = total.C_add + more.C_add
+    return out
+
+
+def lost_digits(on: Arithmetic, model: Any) -> Any:
+    """Zero as long as all constants are finite."""
+    lost = 0.0
+    for leg in range(6):
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].b[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].p[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].k[i]
+        lost = lost + 0.0 * model.leg[leg].C_p
+        lost = lost + 0.0 * model.leg[leg].C_s
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h[i]
+        lost = lost + 0.0 * model.leg[leg].h2_x
+        lost = lost + 0.0 * model.leg[leg].h2_y
+        lost = lost + 0.0 * model.leg[leg].h2_z
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].w[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J[i]
+        lost = lost + 0.0 * model.leg[leg].J2_xz
+        lost = lost + 0.0 * model.leg[leg].dJ_zx
+        lost = lost + 0.0 * model.leg[leg].g_k
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].g_x_k[i]
+        lost = lost + 0.0 * model.leg[leg].C_us
+        lost = lost + 0.0 * model.leg[leg].m_u
+        lost = lost + 0.0 * model.leg[leg].M_add
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h_add[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J_add[i]
+        lost = lost + 0.0 * model.leg[leg].C_add
+    lost = lost + 0.0 * model.platform.M_P
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.h_P[i]
+    for i in range(6):
+        lost = lost + 0.0 * model.platform.J_P[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.dJ_P[i]
+    lost = lost + 0.0 * model.platform.C_P
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.g[i]
+    lost = lost + 0.0 * model.platform.M
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.R_0[i]
+    for i in range(6):
+        lost = lost + 0.0 * model.platform.I_p[i]
+    return lost
+
+
+def per_length_of(on: Arithmetic, extent: Any) -> Any:
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
+    unit = 1.0
+    for turn in range(100):
+        unit = on.where(unit < extent, 2.0 * unit, unit)
+    for turn in range(100):
+        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
+    return on.where((extent >= on.SMALLEST) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+
+
+def prepare(on: Arithmetic, robot: Any) -> Any:
+    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    robot = on.arrays(robot)
+    model = Model()
+    total = Added()
+    for i in range(6):
+        found = prepare_leg(on, robot, robot.leg[i])
+        model.leg[i] = found
+        total = add_up(on, total, found)
+    model.platform = prepare_platform(on, robot, total)
+    extent = 0.0
+    for i in range(6):
+        for j in range(3):
+            extent = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
+    model.per_length = per_length_of(on, extent)
+    model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
+    return model
+
+
+def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """B and the platform's part of c, (7), (30)-(35): 180 (93 mul, 87 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    dJ_P_x, dJ_P_y, dJ_P_z = platform.dJ_P
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_xy = omega_xy - alpha_z
+    B_xz = alpha_y + omega_xz
+    B_yx = alpha_z + omega_xy
+    B_yy = -omega_xx - omega_zz
+    B_yz = omega_yz - alpha_x
+    B_zx = omega_xz - alpha_y
+    B_zy = alpha_x + omega_yz
+    B_zz = -omega_xx - omega_yy
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    # (33) g - a
+    fall_x = g_x - a_x
+    fall_y = g_y - a_y
+    fall_z = g_z - a_z
+    # angular velocity, platform frame
+    omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
+    omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
+    omega_P_z = R_xz * omega_x + R_yz * omega_y + R_zz * omega_z
+    # angular acceleration, platform frame
+    alpha_P_x = R_xx * alpha_x + R_yx * alpha_y + R_zx * alpha_z
+    alpha_P_y = R_xy * alpha_x + R_yy * alpha_y + R_zy * alpha_z
+    alpha_P_z = R_xz * alpha_x + R_yz * alpha_y + R_zz * alpha_z
+    P_xy = omega_P_x * omega_P_y
+    P_xz = omega_P_x * omega_P_z
+    P_yz = omega_P_y * omega_P_z
+    P_xx = omega_P_x * omega_P_x
+    P_yy = omega_P_y * omega_P_y
+    P_zz = omega_P_z * omega_P_z
+    # (34) external moment less I alpha + omega x I omega, platform frame
+    M_P_load_x = (J_P_xy * (P_xz - alpha_P_y) + M_ext_x - J_P_xx * alpha_P_x - J_P_xz * (P_xy + alpha_P_z) - J_P_yz
+        * (P_yy - P_zz) - P_yz * dJ_P_x)
+    M_P_load_y = (J_P_yz * (P_xy - alpha_P_z) + M_ext_y - J_P_xy * (P_yz + alpha_P_x) - J_P_xz * (P_zz - P_xx)
+        - J_P_yy * alpha_P_y - P_xz * dJ_P_y)
+    M_P_load_z = (J_P_xz * (P_yz - alpha_P_x) + M_ext_z - J_P_xy * (P_xx - P_yy) - J_P_yz * (P_xz + alpha_P_y)
+        - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
+    out = SharedTerms()
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
+        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
+        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
+        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
+    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x
+        - fall_y * h_base_z, M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P
+        * omega_y - fall_z * h_base_x, M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x
+        - C_P * omega_z - fall_x * h_base_y]
+    return out
+
+
+def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
+    """One leg in joint coordinates: D, its column of H and its part of c: 265 (156 mul, 105 add, 2 div,
+    2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = shared.B
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    rho2 = k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(rho2 + zeta * zeta)
+    rho = on.sqrt(rho2)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    inv_rho = 1.0 / rho
+    # (10) second axis of the leg frame
+    y_x = inv_rho * k_cross_S_x
+    y_y = inv_rho * k_cross_S_y
+    y_z = inv_rho * k_cross_S_z
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) velocity of the platform point
+    S_dot_x = omega_y * q_z + v_x - omega_z * q_y
+    S_dot_y = omega_z * q_x + v_y - omega_x * q_z
+    S_dot_z = omega_x * q_y + v_z - omega_y * q_x
+    # (7) acceleration of the platform point
+    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
+    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
+    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = inv_rho * (L_dot * k1 - S_dot_x * k_x - S_dot_y * k_y - S_dot_z * k_z)
+    # L_dot / L
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    # rho_dot / rho
+    rho_share = L_share + lean
+    k33 = k3 * k3
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # (9) accelerations of the joint coordinates
+    theta_ddot = (inv_rho * (L_ddot * k1 - S_ddot_x * k_x - S_ddot_y * k_y - S_ddot_z * k_z) - theta_dot * (L_share
+        + rho_share))
+    phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - rho_share * two_phi_dot
+    k13 = k1 * k3
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    a2 = J2_xz - L * h2_z
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_theta = a1 * k13 + a2 * (0.5 - k33)
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    bend = L_dot * theta_dot
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    # (20) generalised forces about y and about k
+    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * theta_ddot + bend * h2_x + g_k
+        * w_n + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) - M_phi_theta * phi_dot2)
+    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * phi_ddot + two_phi_dot
+        * (L_dot * M_phi_L + M_phi_theta * theta_dot) - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z)
+        - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    # (21) K = Q_k k + Q_y y, up to a part along s
+    Q_k = -inv_rho * tau_y
+    Q_y = inv_rho * tau_k
+    # (21) force at the spherical joint, base frame
+    K_x = Q_k * k_x + Q_y * y_x
+    K_y = Q_k * k_y + Q_y * y_y
+    K_z = Q_k * k_z + Q_y * y_z
+    # (24) known part of the actuator force, to match
+    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - Q_k * k1 - h_x * theta_dot2 - k3_h * phi_ddot
+    c1 = C_s * phi_dot
+    c2 = C_s * theta_dot
+    out = LegTerms()
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    out.D = D
+    out.H_force = [s_x, s_y, s_z]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [c1 * k_x + c2 * y_x, c1 * k_y + c2 * y_y, c1 * k_z + c2 * y_z]
+    return out
+
+
+def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
+    """One leg in joint coordinates: D, its column of H and its part of c: 289 (173 mul, 112 add, 2 div,
+    2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = shared.B
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) velocity of the platform point
+    S_dot_x = omega_y * q_z + v_x - omega_z * q_y
+    S_dot_y = omega_z * q_x + v_y - omega_x * q_z
+    S_dot_z = omega_x * q_y + v_z - omega_y * q_x
+    # (7) acceleration of the platform point
+    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
+    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
+    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    # L_dot / L
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    k33 = k3 * k3
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c1 = k1 * k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c1 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
+    k13 = c1
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    c2 = L * h2_z
+    c3 = J2_xz - c2
+    a2 = c3
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    bend = L_dot * theta_dot
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    # (20) generalised forces about y and about k
+    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
+        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
+        + omega_y * y_y + omega_z * y_z))
+    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
+        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
+        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    # (21) K = Q_y y + Q_z z
+    Q_y = inv_rho * tau_k
+    Q_z = -inv_L * tau_y
+    # (21) force at the spherical joint, base frame
+    K_x = Q_y * y_x + Q_z * z_x
+    K_y = Q_y * y_y + Q_z * z_y
+    K_z = Q_y * y_z + Q_z * z_z
+    # (24) known part of the actuator force, to match
+    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    c4 = C_s * phi_dot
+    c5 = C_s * theta_dot
+    out = LegTerms()
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    out.D = D
+    out.H_force = [s_x, s_y, s_z]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [c4 * k_x + c5 * y_x, c4 * k_y + c5 * y_y, c4 * k_z + c5 * y_z]
+    return out
+
+
+def find_legs(on: Arithmetic, model: Any, motion: Any, shared: Any, sums: Any) -> None:
+    """The legs, all by the block that suits a pose in which one is near its joint singularity, if one
+    is.
+    """
+    near = 0
+    for i in range(6):
+        sums.leg[i] = leg_terms(on, model.leg[i], model.platform, motion, shared)
+        near = on.where(sums.leg[i].k3 > on.NEAR_POLE, near, 1)
+    if on.anywhere(near == 1):
+        for i in range(6):
+            other = leg_near_terms(on, model.leg[i], model.platform, motion, shared)
+            sums.leg[i] = on.where(near == 1, other, sums.leg[i])
+
+
+def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
+    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    suspect = 0
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(A[i][k]) > on.size(A[k][k])
+            for j in range(k, 7):
+                upper = A[k][j]
+                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
+                A[i][j] = on.where(larger_below, upper, A[i][j])
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        inverse = 1.0 / A[k][k]
+        x[k] = inverse
+        for i in range(k + 1, 6):
+            factor = A[i][k] * inverse
+            for j in range(k + 1, 7):
+                A[i][j] = A[i][j] - factor * A[k][j]
+    for i in range(5, -1, -1):
+        total = A[i][6]
+        for j in range(i + 1, 6):
+            total = total - A[i][j] * x[j]
+        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    reach = 0.0
+    for j in range(3):
+        reach = on.larger(on.size(q[j]), reach)
+        reach = on.larger(on.size(t[j]), reach)
+        reach = on.larger(on.size(b[j]), reach)
+    return reach
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    fault = OK
+    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    return on.where(L <= on.MAX, fault, NOT_FINITE)
+
+
+def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
+    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    c_force_x, c_force_y, c_force_z = shared.c_force
+    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
+    out = ShiftTerms()
+    out.c_tip = [c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y, c_force_z * q_1_x + c_moment_y - c_force_x
+        * q_1_z, c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x]
+    return out
+
+
+def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
+    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
+    q_x, q_y, q_z = leg.q
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    H_force_x, H_force_y, H_force_z = leg.H_force
+    c_force_x, c_force_y, c_force_z = leg.c_force
+    # platform point from platform point 1
+    arm_x = q_x - q_1_x
+    arm_y = q_y - q_1_y
+    arm_z = q_z - q_1_z
+    out = MomentTerms()
+    out.H_moment = [H_force_z * arm_y - H_force_y * arm_z, H_force_x * arm_z - H_force_z * arm_x, H_force_y
+        * arm_x - H_force_x * arm_y]
+    out.arm_c = [arm_y * c_force_z - arm_z * c_force_y, arm_z * c_force_x - arm_x * c_force_z, arm_x * c_force_y
+        - arm_y * c_force_x]
+    return out
+
+
+def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
+    """Adds a leg's column of H and its part of c, moments about platform point 1."""
+    if i == 0:
+        for j in range(3):
+            sums.q_1[j] = leg.q[j]
+        tip = shift(on, sums, shared)
+        for j in range(3):
+            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
+    if i != 0:
+        turned = moments_of(on, leg, sums)
+        for j in range(3):
+            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
+    for j in range(3):
+        sums.H[j][i] = leg.H_force[j]
+
+
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
+    Y = [[0.0] * 6 for _ in range(6)]
+    G = [[0.0] * 6 for _ in range(6)]
+    v = [0.0] * 6
+    grown = [0.0] * 6
+    extent = 0.0
+    for i in range(6):
+        v[i] = 1.0
+        for j in range(3):
+            extent = on.larger(on.size(arm[i][j]), extent)
+    lost = 0.0
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * H[i][j]
+            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
+            Y[i][j] = on.where(i == j, 1.0, 0.0)
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(H[i][k]) > on.size(H[k][k])
+            for j in range(6):
+                upper_h = H[k][j]
+                upper_y = Y[k][j]
+                H[k][j] = on.where(larger_below, H[i][j], H[k][j])
+                Y[k][j] = on.where(larger_below, Y[i][j], Y[k][j])
+                H[i][j] = on.where(larger_below, upper_h, H[i][j])
+                Y[i][j] = on.where(larger_below, upper_y, Y[i][j])
+        for i in range(6):
+            factor = on.where(i == k, 0.0, H[i][k] / H[k][k])
+            for j in range(6):
+                H[i][j] = H[i][j] - factor * H[k][j]
+                Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
+        for k in range(6):
+            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
+    least = 1.0
+    for turn in range(4):
+        worst = 0.0
+        greatest = 0.0
+        for i in range(6):
+            total = 0.0
+            for k in range(6):
+                total = total + G[i][k] * v[k]
+            share = total / v[i]
+            worst = on.where(share <= worst, worst, share)
+            greatest = on.larger(total, greatest)
+            grown[i] = total
+        least = on.where(worst <= least, worst, least)
+        for i in range(6):
+            v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+    return on.where(lost == 0.0, on.where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
+
+
+def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = Forces()
+    sums = Sums()
+    A = [[0.0] * 7 for _ in range(6)]
+    D = [0.0] * 6
+    L = [0.0] * 6
+    reach = [0.0] * 6
+    x = [0.0] * 6
+    status = model.status
+    suspect = 0
+    shared = shared_terms(on, model.platform, motion)
+    find_legs(on, model, motion, shared, sums)
+    for i in range(6):
+        leg = sums.leg[i]
+        reach[i] = reach_of(on, model.leg[i].b, motion.t, leg.q)
+        fault = fault_of(on, leg.L, leg.k3, reach[i])
+        status = on.where(status == OK, fault, status)
+        suspect = on.where(leg.L > on.SHORT_SHARE * reach[i], suspect, 1)
+        L[i] = leg.L
+        D[i] = leg.D
+        add_leg(on, leg, i, shared, sums)
+    for i in range(3):
+        A[i][6] = sums.c_force[i]
+        A[i + 3][6] = sums.c_moment[i] * model.per_length
+        for j in range(6):
+            A[i][j] = sums.H[i][j]
+            A[i + 3][j] = sums.H[i + 3][j] * model.per_length
+    small_pivot = eliminate(on, A, x)
+    suspect = on.where(small_pivot == 0, suspect, 1)
+    if on.anywhere(suspect == 1):
+        found = singular_status(on, sums.H, sums.arm, L, reach)
+        status = on.where((status == OK) & (suspect == 1), found, status)
+    for i in range(6):
+        out.F[i] = D[i] - x[i]
+        status = on.where((status != OK) | (on.size(out.F[i]) <= on.MAX), status, NOT_FINITE)
+    for i in range(6):
+        out.F[i] = on.where(status == OK, out.F[i], on.NAN)
+    out.status = status
+    return out
+
+
+def equations_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of M, C, g and friction: 152 (93 mul, 59 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    c1 = J_P_xx * R_xx + J_P_xy * R_xy + J_P_xz * R_xz
+    c2 = J_P_xy * R_xx + J_P_yy * R_xy + J_P_yz * R_xz
+    c3 = J_P_xz * R_xx + J_P_yz * R_xy + J_P_zz * R_xz
+    c4 = J_P_xx * R_yx + J_P_xy * R_yy + J_P_xz * R_yz
+    c5 = J_P_xy * R_yx + J_P_yy * R_yy + J_P_yz * R_yz
+    c6 = J_P_xz * R_yx + J_P_yz * R_yy + J_P_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c1 + R_xy * c2 + R_xz * c3
+    J_base_xy = R_yx * c1 + R_yy * c2 + R_yz * c3
+    J_base_xz = R_zx * c1 + R_zy * c2 + R_zz * c3
+    J_base_yy = R_yx * c4 + R_yy * c5 + R_yz * c6
+    J_base_yz = R_zx * c4 + R_zy * c5 + R_zz * c6
+    J_base_zz = (R_zx * (J_P_xx * R_zx + J_P_xy * R_zy + J_P_xz * R_zz) + R_zy * (J_P_xy * R_zx + J_P_yy * R_zy
+        + J_P_yz * R_zz) + R_zz * (J_P_xz * R_zx + J_P_yz * R_zy + J_P_zz * R_zz))
+    # (31) omega x h
+    w_h_x = h_base_z * omega_y - h_base_y * omega_z
+    w_h_y = h_base_x * omega_z - h_base_z * omega_x
+    w_h_z = h_base_y * omega_x - h_base_x * omega_y
+    half_trace = 0.5 * J_base_xx + 0.5 * J_base_yy + 0.5 * J_base_zz
+    c7 = J_base_xy * omega_z
+    c8 = J_base_xz * omega_y
+    c9 = half_trace * omega_z
+    c10 = half_trace * omega_y
+    c11 = -J_base_yz * omega_x
+    c12 = half_trace * omega_x
+    out = EquationsPose()
+    out.M_vv = [M_P, 0.0, 0.0, M_P, 0.0, M_P]
+    out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
+    out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
+    out.C_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.C_vw = [0.0, w_h_z, -w_h_y, -w_h_z, 0.0, w_h_x, w_h_y, -w_h_x, 0.0]
+    out.C_wv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.C_ww = [c8 - c7, J_base_yz * omega_y + c9 - J_base_yy * omega_z, J_base_zz * omega_y - J_base_yz * omega_z
+        - c10, J_base_xx * omega_z - J_base_xz * omega_x - c9, c11 + c7, J_base_xz * omega_z + c12 - J_base_zz
+        * omega_x, J_base_xy * omega_x + c10 - J_base_xx * omega_y, J_base_yy * omega_x - J_base_xy * omega_y
+        - c12, -c11 - c8]
+    out.g_force = [-M_P * g_x, -M_P * g_y, -M_P * g_z]
+    out.g_moment = [g_y * h_base_z - g_z * h_base_y, g_z * h_base_x - g_x * h_base_z, g_x * h_base_y - g_y * h_base_x]
+    out.friction_force = [0.0, 0.0, 0.0]
+    out.friction_moment = [C_P * omega_x, C_P * omega_y, C_P * omega_z]
+    return out
+
+
+def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of M, C, g and friction, its column of H and the column's rate: 678 (422 mul, 252
+    add, 2 div, 2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_z = leg.h2_x, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_xz, J_yy, J_yz, J_zz = leg.J
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    c1 = k3 * k3
+    k33 = c1
+    k13 = k1 * k3
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    a2 = J2_xz - L * h2_z
+    c2 = J_xy - L * h_y
+    a3 = c2
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    c3 = inv_L * inv_rho
+    c4 = inv_L * inv_L
+    # inertia at the tip, leg frame
+    m_leg_sy = -inv_rho * k3_h
+    m_leg_sz = -h_z * inv_L
+    m_leg_yy = M_phi * inv_rho * inv_rho
+    m_leg_yz = -M_mixed * c3
+    m_leg_zz = M_theta * c4
+    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
+    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
+    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
+    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
+    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    # inertia at the tip, base frame
+    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
+    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
+    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
+    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
+    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
+    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    c5 = h_x * theta_dot
+    C_xi_12 = -c5
+    c6 = c1 * h_x - h_z * k1 * k3
+    C_xi_13 = -c6 * phi_dot
+    C_xi_21 = c5
+    C_xi_22 = L_dot * h_x
+    c7 = 2.0 * L
+    c8 = 2.0 * J_xz - c7 * h_z
+    c9 = 0.5 * k1 * (c8 * k1 + 2.0 * k3 * (J_zz + c7 * h_x - J_xx)) - 0.5 * c1 * c8
+    C_xi_23 = -c9 * phi_dot
+    c10 = h_y * k1
+    C_xi_31 = c6 * phi_dot - c10 * theta_dot
+    C_xi_32 = c9 * phi_dot + theta_dot * (J_yz * k1 - c2 * k3) - L_dot * c10
+    C_xi_33 = L_dot * c6 + c9 * theta_dot
+    c11 = k3 * phi_dot
+    G_dot_12 = c11
+    G_dot_21 = -inv_L * theta_dot
+    c12 = k1 * phi_dot
+    G_dot_22 = c12 * inv_L
+    G_dot_23 = L_dot * c4
+    G_dot_31 = -c11 * inv_rho
+    G_dot_32 = -L_dot * c3 - inv_rho * kappa * theta_dot
+    G_dot_33 = c12 * inv_rho
+    C_leg_11 = G_dot_21 * h_z - G_dot_31 * k3_h
+    C_leg_12 = C_xi_13 * inv_rho + G_dot_22 * h_z - G_dot_32 * k3_h
+    C_leg_13 = G_dot_23 * h_z - C_xi_12 * inv_L - G_dot_33 * k3_h
+    C_leg_21 = inv_rho * (C_xi_31 + G_dot_21 * M_mixed + G_dot_31 * M_phi)
+    C_leg_22 = inv_rho * (C_xi_33 * inv_rho + G_dot_22 * M_mixed + G_dot_32 * M_phi - G_dot_12 * k3_h)
+    C_leg_23 = inv_rho * (G_dot_23 * M_mixed + G_dot_33 * M_phi + k3_h * theta_dot - C_xi_32 * inv_L)
+    C_leg_31 = -inv_L * (C_xi_21 + G_dot_21 * M_theta + G_dot_31 * M_mixed)
+    C_leg_32 = -inv_L * (C_xi_23 * inv_rho + G_dot_12 * h_z + G_dot_22 * M_theta + G_dot_32 * M_mixed)
+    C_leg_33 = -inv_L * (G_dot_23 * M_theta + G_dot_33 * M_mixed - C_xi_22 * inv_L - h_z * theta_dot)
+    C_tip_T_xs = C_leg_11 * s_x + C_leg_21 * y_x + C_leg_31 * z_x
+    C_tip_T_xy = C_leg_12 * s_x + C_leg_22 * y_x + C_leg_32 * z_x
+    C_tip_T_xz = C_leg_13 * s_x + C_leg_23 * y_x + C_leg_33 * z_x
+    C_tip_T_ys = C_leg_11 * s_y + C_leg_21 * y_y + C_leg_31 * z_y
+    C_tip_T_yy = C_leg_12 * s_y + C_leg_22 * y_y + C_leg_32 * z_y
+    C_tip_T_yz = C_leg_13 * s_y + C_leg_23 * y_y + C_leg_33 * z_y
+    C_tip_T_zs = C_leg_11 * s_z + C_leg_21 * y_z + C_leg_31 * z_z
+    C_tip_T_zy = C_leg_12 * s_z + C_leg_22 * y_z + C_leg_32 * z_z
+    C_tip_T_zz = C_leg_13 * s_z + C_leg_23 * y_z + C_leg_33 * z_z
+    # Coriolis matrix at the tip, base frame
+    C_tip_xx = C_tip_T_xs * s_x + C_tip_T_xy * y_x + C_tip_T_xz * z_x
+    C_tip_xy = C_tip_T_xs * s_y + C_tip_T_xy * y_y + C_tip_T_xz * z_y
+    C_tip_xz = C_tip_T_xs * s_z + C_tip_T_xy * y_z + C_tip_T_xz * z_z
+    C_tip_yx = C_tip_T_ys * s_x + C_tip_T_yy * y_x + C_tip_T_yz * z_x
+    C_tip_yy = C_tip_T_ys * s_y + C_tip_T_yy * y_y + C_tip_T_yz * z_y
+    C_tip_yz = C_tip_T_ys * s_z + C_tip_T_yy * y_z + C_tip_T_yz * z_z
+    C_tip_zx = C_tip_T_zs * s_x + C_tip_T_zy * y_x + C_tip_T_zz * z_x
+    C_tip_zy = C_tip_T_zs * s_y + C_tip_T_zy * y_y + C_tip_T_zz * z_y
+    C_tip_zz = C_tip_T_zs * s_z + C_tip_T_zy * y_z + C_tip_T_zz * z_z
+    c13 = C_tip_xy * q_z
+    c14 = m_xy * w_q_z
+    c15 = C_tip_xz * q_y
+    c16 = m_xz * w_q_y
+    C_q_xx = c15 + c16 - c13 - c14
+    c17 = C_tip_xx * q_z
+    C_q_xy = c17 + m_xx * w_q_z - C_tip_xz * q_x - m_xz * w_q_x
+    c18 = C_tip_xx * q_y
+    C_q_xz = C_tip_xy * q_x + m_xy * w_q_x - c18 - m_xx * w_q_y
+    c19 = C_tip_yy * q_z
+    C_q_yx = C_tip_yz * q_y + m_yz * w_q_y - c19 - m_yy * w_q_z
+    c20 = C_tip_yx * q_z
+    c21 = -C_tip_yz * q_x
+    c22 = -m_yz * w_q_x
+    C_q_yy = c14 + c20 + c21 + c22
+    c23 = -C_tip_yy * q_x
+    C_q_yz = m_yy * w_q_x - C_tip_yx * q_y - c23 - m_xy * w_q_y
+    c24 = -C_tip_zz * q_y
+    C_q_zx = m_zz * w_q_y - C_tip_zy * q_z - c24 - m_yz * w_q_z
+    c25 = -C_tip_zz * q_x
+    C_q_zy = C_tip_zx * q_z + c25 + m_xz * w_q_z - m_zz * w_q_x
+    c26 = C_tip_zx * q_y
+    c27 = -C_tip_zy * q_x
+    C_q_zz = -c16 - c22 - c26 - c27
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    c28 = inv_L * (g_k * w_n + gamma_n * w_k)
+    c29 = -gamma_n * w_y - gamma_y * w_n
+    # against gravity
+    held_x = c29 * inv_rho * y_x - c28 * z_x
+    held_y = c29 * inv_rho * y_y - c28 * z_y
+    held_z = c29 * inv_rho * y_z - c28 * z_z
+    c30 = L_dot * s_x
+    c31 = inv_rho * (C_us * phi_dot - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z))
+    c32 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
+    c33 = L_dot * s_y
+    c34 = L_dot * s_z
+    # against friction
+    rubbed_x = C_p * c30 + c31 * y_x - c32 * z_x
+    rubbed_y = C_p * c33 + c31 * y_y - c32 * z_y
+    rubbed_z = C_p * c34 + c31 * y_z - c32 * z_z
+    # (3) rate of s
+    s_dot_x = inv_L * (S_dot_x - c30)
+    s_dot_y = inv_L * (S_dot_y - c33)
+    s_dot_z = inv_L * (S_dot_z - c34)
+    c35 = m_xy * q_z
+    c36 = m_xz * q_y
+    c37 = -m_yz * q_x
+    # m [q]x
+    m_q_xx = c35 - c36
+    m_q_xy = m_xz * q_x - m_xx * q_z
+    m_q_xz = m_xx * q_y - m_xy * q_x
+    m_q_yx = m_yy * q_z - m_yz * q_y
+    m_q_yy = -c35 - c37
+    m_q_yz = m_xy * q_y - m_yy * q_x
+    m_q_zx = m_yz * q_z - m_zz * q_y
+    m_q_zy = m_zz * q_x - m_xz * q_z
+    m_q_zz = c36 + c37
+    out = EquationsLeg()
+    out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
+    out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
+    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.C_vv = [C_tip_xx, C_tip_xy, C_tip_xz, C_tip_yx, C_tip_yy, C_tip_yz, C_tip_zx, C_tip_zy, C_tip_zz]
+    out.C_vw = [C_q_xx, C_q_xy, C_q_xz, C_q_yx, C_q_yy, C_q_yz, C_q_zx, C_q_zy, C_q_zz]
+    out.C_wv = [c26 - c20, C_tip_zy * q_y - c19, -C_tip_yz * q_z - c24, c17 - C_tip_zx * q_x, c13 + c27,
+        C_tip_xz * q_z + c25, C_tip_yx * q_x - c18, -C_tip_xy * q_y - c23, -c15 - c21]
+    out.C_ww = [C_q_zx * q_y - C_q_yx * q_z, C_q_zy * q_y - C_q_yy * q_z, C_q_zz * q_y - C_q_yz * q_z,
+        C_q_xx * q_z - C_q_zx * q_x, C_q_xy * q_z - C_q_zy * q_x, C_q_xz * q_z - C_q_zz * q_x, C_q_yx * q_x
+        - C_q_xx * q_y, C_q_yy * q_x - C_q_xy * q_y, C_q_yz * q_x - C_q_xz * q_y]
+    out.g_force = [held_x, held_y, held_z]
+    out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
+    out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
+    out.friction_moment = [q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y, q_z * rubbed_x
+        - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z, q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot
+        * y_z) - q_y * rubbed_x]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.H_dot_force = [s_dot_x, s_dot_y, s_dot_z]
+    out.H_dot_moment = [q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z, q_z * s_dot_x + s_x * w_q_z
+        - q_x * s_dot_z - s_z * w_q_x, q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = equations_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def equations_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = EquationsSums()
+    for i in range(6):
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
+            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+    for i in range(9):
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
+            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+    for i in range(6):
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
+            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+    for i in range(9):
+        out.C_vv[i] = (pose.C_vv[i] + (legs.leg[0].C_vv[i] + legs.leg[1].C_vv[i] + legs.leg[2].C_vv[i] + legs.leg[3].C_vv[i]
+            + legs.leg[4].C_vv[i] + legs.leg[5].C_vv[i]))
+    for i in range(9):
+        out.C_vw[i] = (pose.C_vw[i] + (legs.leg[0].C_vw[i] + legs.leg[1].C_vw[i] + legs.leg[2].C_vw[i] + legs.leg[3].C_vw[i]
+            + legs.leg[4].C_vw[i] + legs.leg[5].C_vw[i]))
+    for i in range(9):
+        out.C_wv[i] = (pose.C_wv[i] + (legs.leg[0].C_wv[i] + legs.leg[1].C_wv[i] + legs.leg[2].C_wv[i] + legs.leg[3].C_wv[i]
+            + legs.leg[4].C_wv[i] + legs.leg[5].C_wv[i]))
+    for i in range(9):
+        out.C_ww[i] = (pose.C_ww[i] + (legs.leg[0].C_ww[i] + legs.leg[1].C_ww[i] + legs.leg[2].C_ww[i] + legs.leg[3].C_ww[i]
+            + legs.leg[4].C_ww[i] + legs.leg[5].C_ww[i]))
+    for i in range(3):
+        out.g_force[i] = (pose.g_force[i] + (legs.leg[0].g_force[i] + legs.leg[1].g_force[i] + legs.leg[2].g_force[i]
+            + legs.leg[3].g_force[i] + legs.leg[4].g_force[i] + legs.leg[5].g_force[i]))
+    for i in range(3):
+        out.g_moment[i] = (pose.g_moment[i] + (legs.leg[0].g_moment[i] + legs.leg[1].g_moment[i] + legs.leg[2].g_moment[i]
+            + legs.leg[3].g_moment[i] + legs.leg[4].g_moment[i] + legs.leg[5].g_moment[i]))
+    for i in range(3):
+        out.friction_force[i] = (pose.friction_force[i] + (legs.leg[0].friction_force[i] + legs.leg[1].friction_force[i]
+            + legs.leg[2].friction_force[i] + legs.leg[3].friction_force[i] + legs.leg[4].friction_force[i]
+            + legs.leg[5].friction_force[i]))
+    for i in range(3):
+        out.friction_moment[i] = (pose.friction_moment[i] + (legs.leg[0].friction_moment[i] + legs.leg[1].friction_moment[i]
+            + legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i] + legs.leg[4].friction_moment[i]
+            + legs.leg[5].friction_moment[i]))
+    return out
+
+
+def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of M, C, g and friction, its column of H and the column's rate: 698 (426 mul, 268
+    add, 2 div, 2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_z = leg.h2_x, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_xz, J_yy, J_yz, J_zz = leg.J
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    c1 = S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = c1 * inv_rho
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    k33 = k3 * k3
+    k13 = k1 * k3
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    a2 = J2_xz - L * h2_z
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    c2 = h_z * inv_L
+    c3 = inv_L * inv_L
+    # inertia at the tip, leg frame
+    m_leg_sy = -inv_rho * k3_h
+    m_leg_sz = -c2
+    m_leg_yy = M_phi * inv_rho * inv_rho
+    m_leg_yz = -M_mixed * inv_L * inv_rho
+    m_leg_zz = M_theta * c3
+    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
+    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
+    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
+    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
+    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    # inertia at the tip, base frame
+    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
+    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
+    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
+    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
+    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
+    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    inv_k3 = L * inv_rho
+    # (6) leg's turning about z
+    W_z = c1 * inv_L
+    c4 = W_z * inv_L
+    c5 = c4 * h_y
+    c6 = c5 - c2 * theta_dot
+    C_leg_11 = c6
+    c7 = c4 * h_x
+    c8 = L_dot * c3
+    c9 = c8 * h_y
+    c10 = inv_L * theta_dot
+    c11 = c10 * h_y
+    c12 = inv_k3 * k1
+    c13 = W_z * c2
+    C_leg_12 = c11 * c12 + 2.0 * c12 * c13 + c9 - c7
+    c14 = c10 * h_x - c12 * c5
+    C_leg_13 = c14 + c8 * h_z
+    c15 = c3 * theta_dot
+    c16 = J_yz * c15
+    c17 = J_xy * c15
+    c18 = W_z * c3
+    c19 = inv_k3 * inv_k3
+    c20 = J_xx * c19
+    c21 = 2.0 * J_xz
+    c22 = c18 * c21
+    c23 = J_xx - J_zz
+    C_leg_21 = (W_z * c23 * c3 + W_z * h_z * inv_L * inv_k3 * k1 - c12 * c17 - c12 * c22 - c16 - c18 * c20 - c7)
+    c24 = J_xy * c18
+    c25 = c8 * h_x
+    c26 = c19 * c5
+    c27 = inv_L * inv_L * inv_L
+    c28 = L_dot * c27
+    c29 = J_xz * c19
+    c30 = c12 * c28
+    c31 = J_yz * c18
+    c32 = c12 * c31
+    c33 = c19 * c24
+    c34 = J_xx * k1 * inv_k3 * inv_k3 * inv_k3
+    C_leg_22 = (L_dot * c23 * c27 + L_dot * c3 * h_z * inv_k3 * k1 + c19 * h_z * inv_L * theta_dot + c32 + c33
+        - c15 * c29 - c15 * c34 - c20 * c28 - c21 * c30 - c24 - c25 - c26)
+    c35 = c12 * c16
+    c36 = J_xy * c30 + J_yz * c28 + c18 * c29 - c13 * c19
+    C_leg_23 = c17 + c18 * c34 + c36 - c35
+    C_leg_31 = J_yy * c15 + c12 * c24 + c14 + c31
+    C_leg_32 = (c11 + c12 * c18 * (-J_yy - c23) + c13 + c17 * c19 + c35 + c36 - c11 * c19 - c12 * c9 - c17 - c22)
+    C_leg_33 = c24 + c26 - J_yy * c28 - c25 - c32 - c33 - c6
+    C_tip_T_xs = C_leg_11 * s_x + C_leg_21 * y_x + C_leg_31 * z_x
+    C_tip_T_xy = C_leg_12 * s_x + C_leg_22 * y_x + C_leg_32 * z_x
+    C_tip_T_xz = C_leg_13 * s_x + C_leg_23 * y_x + C_leg_33 * z_x
+    C_tip_T_ys = C_leg_11 * s_y + C_leg_21 * y_y + C_leg_31 * z_y
+    C_tip_T_yy = C_leg_12 * s_y + C_leg_22 * y_y + C_leg_32 * z_y
+    C_tip_T_yz = C_leg_13 * s_y + C_leg_23 * y_y + C_leg_33 * z_y
+    C_tip_T_zs = C_leg_11 * s_z + C_leg_21 * y_z + C_leg_31 * z_z
+    C_tip_T_zy = C_leg_12 * s_z + C_leg_22 * y_z + C_leg_32 * z_z
+    C_tip_T_zz = C_leg_13 * s_z + C_leg_23 * y_z + C_leg_33 * z_z
+    # Coriolis matrix at the tip, base frame
+    C_tip_xx = C_tip_T_xs * s_x + C_tip_T_xy * y_x + C_tip_T_xz * z_x
+    C_tip_xy = C_tip_T_xs * s_y + C_tip_T_xy * y_y + C_tip_T_xz * z_y
+    C_tip_xz = C_tip_T_xs * s_z + C_tip_T_xy * y_z + C_tip_T_xz * z_z
+    C_tip_yx = C_tip_T_ys * s_x + C_tip_T_yy * y_x + C_tip_T_yz * z_x
+    C_tip_yy = C_tip_T_ys * s_y + C_tip_T_yy * y_y + C_tip_T_yz * z_y
+    C_tip_yz = C_tip_T_ys * s_z + C_tip_T_yy * y_z + C_tip_T_yz * z_z
+    C_tip_zx = C_tip_T_zs * s_x + C_tip_T_zy * y_x + C_tip_T_zz * z_x
+    C_tip_zy = C_tip_T_zs * s_y + C_tip_T_zy * y_y + C_tip_T_zz * z_y
+    C_tip_zz = C_tip_T_zs * s_z + C_tip_T_zy * y_z + C_tip_T_zz * z_z
+    c37 = C_tip_xy * q_z
+    c38 = m_xy * w_q_z
+    c39 = C_tip_xz * q_y
+    c40 = m_xz * w_q_y
+    C_q_xx = c39 + c40 - c37 - c38
+    c41 = C_tip_xx * q_z
+    C_q_xy = c41 + m_xx * w_q_z - C_tip_xz * q_x - m_xz * w_q_x
+    c42 = C_tip_xx * q_y
+    C_q_xz = C_tip_xy * q_x + m_xy * w_q_x - c42 - m_xx * w_q_y
+    c43 = C_tip_yy * q_z
+    C_q_yx = C_tip_yz * q_y + m_yz * w_q_y - c43 - m_yy * w_q_z
+    c44 = C_tip_yx * q_z
+    c45 = -C_tip_yz * q_x
+    c46 = -m_yz * w_q_x
+    C_q_yy = c38 + c44 + c45 + c46
+    c47 = -C_tip_yy * q_x
+    C_q_yz = m_yy * w_q_x - C_tip_yx * q_y - c47 - m_xy * w_q_y
+    c48 = -C_tip_zz * q_y
+    C_q_zx = m_zz * w_q_y - C_tip_zy * q_z - c48 - m_yz * w_q_z
+    c49 = -C_tip_zz * q_x
+    C_q_zy = C_tip_zx * q_z + c49 + m_xz * w_q_z - m_zz * w_q_x
+    c50 = C_tip_zx * q_y
+    c51 = -C_tip_zy * q_x
+    C_q_zz = -c40 - c46 - c50 - c51
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    c52 = inv_L * (g_k * w_n + gamma_n * w_k)
+    c53 = -gamma_n * w_y - gamma_y * w_n
+    # against gravity
+    held_x = c53 * inv_rho * y_x - c52 * z_x
+    held_y = c53 * inv_rho * y_y - c52 * z_y
+    held_z = c53 * inv_rho * y_z - c52 * z_z
+    c54 = L_dot * s_x
+    c55 = inv_rho * (C_us * phi_dot - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z))
+    c56 = inv_L * (C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z))
+    c57 = L_dot * s_y
+    c58 = L_dot * s_z
+    # against friction
+    rubbed_x = C_p * c54 + c55 * y_x - c56 * z_x
+    rubbed_y = C_p * c57 + c55 * y_y - c56 * z_y
+    rubbed_z = C_p * c58 + c55 * y_z - c56 * z_z
+    # (3) rate of s
+    s_dot_x = inv_L * (S_dot_x - c54)
+    s_dot_y = inv_L * (S_dot_y - c57)
+    s_dot_z = inv_L * (S_dot_z - c58)
+    c59 = m_xy * q_z
+    c60 = m_xz * q_y
+    c61 = -m_yz * q_x
+    # m [q]x
+    m_q_xx = c59 - c60
+    m_q_xy = m_xz * q_x - m_xx * q_z
+    m_q_xz = m_xx * q_y - m_xy * q_x
+    m_q_yx = m_yy * q_z - m_yz * q_y
+    m_q_yy = -c59 - c61
+    m_q_yz = m_xy * q_y - m_yy * q_x
+    m_q_zx = m_yz * q_z - m_zz * q_y
+    m_q_zy = m_zz * q_x - m_xz * q_z
+    m_q_zz = c60 + c61
+    out = EquationsLeg()
+    out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
+    out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
+    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.C_vv = [C_tip_xx, C_tip_xy, C_tip_xz, C_tip_yx, C_tip_yy, C_tip_yz, C_tip_zx, C_tip_zy, C_tip_zz]
+    out.C_vw = [C_q_xx, C_q_xy, C_q_xz, C_q_yx, C_q_yy, C_q_yz, C_q_zx, C_q_zy, C_q_zz]
+    out.C_wv = [c50 - c44, C_tip_zy * q_y - c43, -C_tip_yz * q_z - c48, c41 - C_tip_zx * q_x, c37 + c51,
+        C_tip_xz * q_z + c49, C_tip_yx * q_x - c42, -C_tip_xy * q_y - c47, -c39 - c45]
+    out.C_ww = [C_q_zx * q_y - C_q_yx * q_z, C_q_zy * q_y - C_q_yy * q_z, C_q_zz * q_y - C_q_yz * q_z,
+        C_q_xx * q_z - C_q_zx * q_x, C_q_xy * q_z - C_q_zy * q_x, C_q_xz * q_z - C_q_zz * q_x, C_q_yx * q_x
+        - C_q_xx * q_y, C_q_yy * q_x - C_q_xy * q_y, C_q_yz * q_x - C_q_xz * q_y]
+    out.g_force = [held_x, held_y, held_z]
+    out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
+    out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
+    out.friction_moment = [q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y, q_z * rubbed_x
+        - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z, q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot
+        * y_z) - q_y * rubbed_x]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.H_dot_force = [s_dot_x, s_dot_y, s_dot_z]
+    out.H_dot_moment = [q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z, q_z * s_dot_x + s_x * w_q_z
+        - q_x * s_dot_z - s_z * w_q_x, q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    pose = equations_pose(on, model.platform, motion)
+    equations_legs(on, model, motion, pose, legs)
+    if on.anywhere(legs.leaning == 1):
+        for i in range(6):
+            near = equations_near(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+            legs.leg[i] = on.where(legs.leaning == 1, near, legs.leg[i])
+    return equations_total(on, pose, legs)
+
+
+def place_symmetric_6(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
+    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
+    for i in range(3):
+        A[row][column + i] = parts[i]
+        A[row + i][column] = parts[i]
+    A[row + 1][column + 1] = parts[3]
+    A[row + 1][column + 2] = parts[4]
+    A[row + 2][column + 1] = parts[4]
+    A[row + 2][column + 2] = parts[5]
+
+
+def place_inertia_6(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[j + 3][first + i] = vw[3 * i + j]
+    place_symmetric_6(on, vv, 0, first, A)
+    place_symmetric_6(on, ww, 3, first + 3, A)
+
+
+def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
+    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j] = vv[3 * i + j]
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[i + 3][first + j] = wv[3 * i + j]
+            A[i + 3][first + j + 3] = ww[3 * i + j]
+
+
+def checked_equations(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = Equations()
+    lost = 0.0
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.M[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.C[i][j]
+    for i in range(6):
+        lost = lost + 0.0 * found.g[i]
+    for i in range(6):
+        lost = lost + 0.0 * found.friction[i]
+    for i in range(6):
+        lost = lost + 0.0 * found.bias[i]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.H[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.H_dot[i][j]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(6):
+        for j in range(6):
+            out.M[i][j] = on.where(status == OK, found.M[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.C[i][j] = on.where(status == OK, found.C[i][j], on.NAN)
+    for i in range(6):
+        out.g[i] = on.where(status == OK, found.g[i], on.NAN)
+    for i in range(6):
+        out.friction[i] = on.where(status == OK, found.friction[i], on.NAN)
+    for i in range(6):
+        out.bias[i] = on.where(status == OK, found.bias[i], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.H[i][j] = on.where(status == OK, found.H[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.H_dot[i][j] = on.where(status == OK, found.H_dot[i][j], on.NAN)
+    out.status = status
+    return out
+
+
+def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
+    loads.
+    """
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = Equations()
+    legs = EquationsLegs()
+    summed = equations_sums(on, model, motion, legs)
+    place_inertia_6(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, out.M)
+    place_blocks_6(on, summed.C_vv, summed.C_vw, summed.C_wv, summed.C_ww, 0, out.C)
+    for i in range(3):
+        out.g[i] = summed.g_force[i]
+        out.g[i + 3] = summed.g_moment[i]
+        out.friction[i] = summed.friction_force[i]
+        out.friction[i + 3] = summed.friction_moment[i]
+        for j in range(6):
+            out.H[i][j] = legs.leg[j].H_force[i]
+            out.H[i + 3][j] = legs.leg[j].H_moment[i]
+            out.H_dot[i][j] = legs.leg[j].H_dot_force[i]
+            out.H_dot[i + 3][j] = legs.leg[j].H_dot_moment[i]
+    for i in range(6):
+        total_bias = out.g[i] + out.friction[i]
+        for j in range(3):
+            total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
+        out.bias[i] = total_bias
+    out.status = legs.status
+    return checked_equations(on, out)
+
+
+def bias_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of C twist + g + friction: 165 (99 mul, 66 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    c1 = J_P_xx * R_xx + J_P_xy * R_xy + J_P_xz * R_xz
+    c2 = J_P_xy * R_xx + J_P_yy * R_xy + J_P_yz * R_xz
+    c3 = J_P_xz * R_xx + J_P_yz * R_xy + J_P_zz * R_xz
+    c4 = J_P_xx * R_yx + J_P_xy * R_yy + J_P_xz * R_yz
+    c5 = J_P_xy * R_yx + J_P_yy * R_yy + J_P_yz * R_yz
+    c6 = J_P_xz * R_yx + J_P_yz * R_yy + J_P_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c1 + R_xy * c2 + R_xz * c3
+    J_base_xy = R_yx * c1 + R_yy * c2 + R_yz * c3
+    J_base_xz = R_zx * c1 + R_zy * c2 + R_zz * c3
+    J_base_yy = R_yx * c4 + R_yy * c5 + R_yz * c6
+    J_base_yz = R_zx * c4 + R_zy * c5 + R_zz * c6
+    J_base_zz = (R_zx * (J_P_xx * R_zx + J_P_xy * R_zy + J_P_xz * R_zz) + R_zy * (J_P_xy * R_zx + J_P_yy * R_zy
+        + J_P_yz * R_zz) + R_zz * (J_P_xz * R_zx + J_P_yz * R_zy + J_P_zz * R_zz))
+    # (31) omega x h
+    w_h_x = h_base_z * omega_y - h_base_y * omega_z
+    w_h_y = h_base_x * omega_z - h_base_z * omega_x
+    w_h_z = h_base_y * omega_x - h_base_x * omega_y
+    # (34) I omega
+    J_w_x = J_base_xx * omega_x + J_base_xy * omega_y + J_base_xz * omega_z
+    J_w_y = J_base_xy * omega_x + J_base_yy * omega_y + J_base_yz * omega_z
+    J_w_z = J_base_xz * omega_x + J_base_yz * omega_y + J_base_zz * omega_z
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_yy = -omega_xx - omega_zz
+    B_zz = -omega_xx - omega_yy
+    out = BiasPose()
+    out.B_0 = [B_xx, omega_xy, omega_xz, omega_xy, B_yy, omega_yz, omega_xz, omega_yz, B_zz]
+    out.bias_force = [omega_y * w_h_z - M_P * g_x - omega_z * w_h_y, omega_z * w_h_x - M_P * g_y - omega_x * w_h_z,
+        omega_x * w_h_y - M_P * g_z - omega_y * w_h_x]
+    out.bias_moment = [C_P * omega_x + J_w_z * omega_y + g_y * h_base_z - J_w_y * omega_z - g_z * h_base_y,
+        C_P * omega_y + J_w_x * omega_z + g_z * h_base_x - J_w_z * omega_x - g_x * h_base_z, C_P * omega_z + J_w_y
+        * omega_x + g_x * h_base_y - J_w_x * omega_y - g_y * h_base_x]
+    return out
+
+
+def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of C twist + g + friction: 305 (183 mul, 118 add, 2 div, 2 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    B_0_xx, B_0_xy, B_0_xz, B_0_yx, B_0_yy, B_0_yz, B_0_zx, B_0_zy, B_0_zz = pose.B_0
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    # L_dot / L
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    # (7) acceleration of the platform point, a = alpha = 0
+    S_ddot_x = B_0_xx * q_x + B_0_xy * q_y + B_0_xz * q_z
+    S_ddot_y = B_0_yx * q_x + B_0_yy * q_y + B_0_yz * q_z
+    S_ddot_z = B_0_zx * q_x + B_0_zy * q_y + B_0_zz * q_z
+    k33 = k3 * k3
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c1 = k1 * k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c1 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
+    k13 = c1
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    c2 = L * h2_z
+    c3 = J2_xz - c2
+    a2 = c3
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    bend = L_dot * theta_dot
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    # (20) generalised forces about y and about k
+    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
+        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
+        + omega_y * y_y + omega_z * y_z))
+    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
+        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
+        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    # (21) K = Q_y y + Q_z z
+    Q_y = inv_rho * tau_k
+    Q_z = -inv_L * tau_y
+    # (21) force at the spherical joint, base frame
+    K_x = Q_y * y_x + Q_z * z_x
+    K_y = Q_y * y_y + Q_z * z_y
+    K_z = Q_y * y_z + Q_z * z_z
+    # (24) known part of the actuator force, to match
+    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    # force at the tip
+    R_tip_x = D * s_x + K_x
+    R_tip_y = D * s_y + K_y
+    R_tip_z = D * s_z + K_z
+    out = BiasLeg()
+    out.bias_force = [R_tip_x, R_tip_y, R_tip_z]
+    out.bias_moment = [R_tip_z * q_y - C_s * (k_x * phi_dot + theta_dot * y_x) - R_tip_y * q_z, R_tip_x * q_z
+        - C_s * (k_y * phi_dot + theta_dot * y_y) - R_tip_z * q_x, R_tip_y * q_x - C_s * (k_z * phi_dot + theta_dot
+        * y_z) - R_tip_x * q_y]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = bias_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def bias_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = BiasSums()
+    for i in range(3):
+        out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + legs.leg[2].bias_force[i]
+            + legs.leg[3].bias_force[i] + legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i]))
+    for i in range(3):
+        out.bias_moment[i] = (pose.bias_moment[i] + (legs.leg[0].bias_moment[i] + legs.leg[1].bias_moment[i]
+            + legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i] + legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i]))
+    return out
+
+
+def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs."""
+    pose = bias_pose(on, model.platform, motion)
+    bias_legs(on, model, motion, pose, legs)
+    return bias_total(on, pose, legs)
+
+
+def checked_bias(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = Bias()
+    lost = 0.0
+    for i in range(6):
+        lost = lost + 0.0 * found.bias[i]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(6):
+        out.bias[i] = on.where(status == OK, found.bias[i], on.NAN)
+    out.status = status
+    return out
+
+
+def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """C [v; omega] + g + friction without C."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = Bias()
+    legs = BiasLegs()
+    summed = bias_sums(on, model, motion, legs)
+    for i in range(3):
+        out.bias[i] = summed.bias_force[i]
+        out.bias[i + 3] = summed.bias_moment[i]
+    out.status = legs.status
+    return checked_bias(on, out)
+
+
+def forward_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of M and of the right side: 201 (117 mul, 84 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    c1 = J_P_xx * R_xx + J_P_xy * R_xy + J_P_xz * R_xz
+    c2 = J_P_xy * R_xx + J_P_yy * R_xy + J_P_yz * R_xz
+    c3 = J_P_xz * R_xx + J_P_yz * R_xy + J_P_zz * R_xz
+    c4 = J_P_xx * R_yx + J_P_xy * R_yy + J_P_xz * R_yz
+    c5 = J_P_xy * R_yx + J_P_yy * R_yy + J_P_yz * R_yz
+    c6 = J_P_xz * R_yx + J_P_yz * R_yy + J_P_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c1 + R_xy * c2 + R_xz * c3
+    J_base_xy = R_yx * c1 + R_yy * c2 + R_yz * c3
+    J_base_xz = R_zx * c1 + R_zy * c2 + R_zz * c3
+    J_base_yy = R_yx * c4 + R_yy * c5 + R_yz * c6
+    J_base_yz = R_zx * c4 + R_zy * c5 + R_zz * c6
+    J_base_zz = (R_zx * (J_P_xx * R_zx + J_P_xy * R_zy + J_P_xz * R_zz) + R_zy * (J_P_xy * R_zx + J_P_yy * R_zy
+        + J_P_yz * R_zz) + R_zz * (J_P_xz * R_zx + J_P_yz * R_zy + J_P_zz * R_zz))
+    # (31) omega x h
+    w_h_x = h_base_z * omega_y - h_base_y * omega_z
+    w_h_y = h_base_x * omega_z - h_base_z * omega_x
+    w_h_z = h_base_y * omega_x - h_base_x * omega_y
+    # (34) I omega
+    J_w_x = J_base_xx * omega_x + J_base_xy * omega_y + J_base_xz * omega_z
+    J_w_y = J_base_xy * omega_x + J_base_yy * omega_y + J_base_yz * omega_z
+    J_w_z = J_base_xz * omega_x + J_base_yz * omega_y + J_base_zz * omega_z
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_yy = -omega_xx - omega_zz
+    B_zz = -omega_xx - omega_yy
+    out = ForwardPose()
+    out.B_0 = [B_xx, omega_xy, omega_xz, omega_xy, B_yy, omega_yz, omega_xz, omega_yz, B_zz]
+    out.M_vv = [M_P, 0.0, 0.0, M_P, 0.0, M_P]
+    out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
+    out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
+    out.right_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * g_x + omega_z * w_h_y - omega_y
+        * w_h_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * g_y + omega_x * w_h_z - omega_z * w_h_x,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * g_z + omega_y * w_h_x - omega_x * w_h_y]
+    out.right_moment = [J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y
+        - C_P * omega_x - J_w_z * omega_y - g_y * h_base_z, J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy
+        + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y - J_w_x * omega_z - g_z * h_base_x, J_w_x * omega_y
+        + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z - J_w_y * omega_x
+        - g_x * h_base_y]
+    return out
+
+
+def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of M and of the right side: 425 (260 mul, 161 add, 2 div, 2 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    B_0_xx, B_0_xy, B_0_xz, B_0_yx, B_0_yy, B_0_yz, B_0_zx, B_0_zy, B_0_zz = pose.B_0
+    F = given.F
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    # L_dot / L
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    # (7) acceleration of the platform point, a = alpha = 0
+    S_ddot_x = B_0_xx * q_x + B_0_xy * q_y + B_0_xz * q_z
+    S_ddot_y = B_0_yx * q_x + B_0_yy * q_y + B_0_yz * q_z
+    S_ddot_z = B_0_zx * q_x + B_0_zy * q_y + B_0_zz * q_z
+    k33 = k3 * k3
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c1 = k1 * k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c1 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
+    k13 = c1
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    c2 = L * h2_z
+    c3 = J2_xz - c2
+    a2 = c3
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    bend = L_dot * theta_dot
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    # (20) generalised forces about y and about k
+    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
+        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
+        + omega_y * y_y + omega_z * y_z))
+    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
+        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
+        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    # (21) K = Q_y y + Q_z z
+    Q_y = inv_rho * tau_k
+    Q_z = -inv_L * tau_y
+    # (21) force at the spherical joint, base frame
+    K_x = Q_y * y_x + Q_z * z_x
+    K_y = Q_y * y_y + Q_z * z_y
+    K_z = Q_y * y_z + Q_z * z_z
+    # (24) known part of the actuator force, to match
+    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    c4 = F - D
+    # force on the platform at the tip
+    push_x = c4 * s_x - K_x
+    push_y = c4 * s_y - K_y
+    push_z = c4 * s_z - K_z
+    # inertia at the tip, leg frame
+    m_leg_sy = -inv_rho * k3_h
+    m_leg_sz = -h_z * inv_L
+    m_leg_yy = M_phi * inv_rho * inv_rho
+    m_leg_yz = -M_mixed * inv_L * inv_rho
+    m_leg_zz = M_theta * inv_L * inv_L
+    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
+    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
+    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
+    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
+    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    # inertia at the tip, base frame
+    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
+    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
+    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
+    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
+    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
+    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    c5 = m_xy * q_z
+    c6 = m_xz * q_y
+    c7 = -m_yz * q_x
+    # m [q]x
+    m_q_xx = c5 - c6
+    m_q_xy = m_xz * q_x - m_xx * q_z
+    m_q_xz = m_xx * q_y - m_xy * q_x
+    m_q_yx = m_yy * q_z - m_yz * q_y
+    m_q_yy = -c5 - c7
+    m_q_yz = m_xy * q_y - m_yy * q_x
+    m_q_zx = m_yz * q_z - m_zz * q_y
+    m_q_zy = m_zz * q_x - m_xz * q_z
+    m_q_zz = c6 + c7
+    out = ForwardLeg()
+    out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
+    out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
+    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.right_force = [push_x, push_y, push_z]
+    out.right_moment = [C_s * (k_x * phi_dot + theta_dot * y_x) + push_z * q_y - push_y * q_z, C_s * (k_y * phi_dot
+        + theta_dot * y_y) + push_x * q_z - push_z * q_x, C_s * (k_z * phi_dot + theta_dot * y_z) + push_y * q_x
+        - push_x * q_y]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = forward_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def forward_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = ForwardSums()
+    for i in range(6):
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
+            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+    for i in range(9):
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
+            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+    for i in range(6):
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
+            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+    for i in range(3):
+        out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
+            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+    for i in range(3):
+        out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
+            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+    return out
+
+
+def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs."""
+    pose = forward_pose(on, model.platform, motion)
+    forward_legs(on, model, motion, pose, legs)
+    return forward_total(on, pose, legs)
+
+
+def place_symmetric_8(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
+    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
+    for i in range(3):
+        A[row][column + i] = parts[i]
+        A[row + i][column] = parts[i]
+    A[row + 1][column + 1] = parts[3]
+    A[row + 1][column + 2] = parts[4]
+    A[row + 2][column + 1] = parts[4]
+    A[row + 2][column + 2] = parts[5]
+
+
+def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[j + 3][first + i] = vw[3 * i + j]
+    place_symmetric_8(on, vv, 0, first, A)
+    place_symmetric_8(on, ww, 3, first + 3, A)
+
+
+def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
+    """Back substitution; inverse: of the pivots."""
+    for k in range(5, -1, -1):
+        for j in range(6, 8):
+            A[k][j] = A[k][j] * inverse[k]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, 8):
+                A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(8):
+            A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
+    scale = [0.0] * 6
+    inverse = [0.0] * 6
+    status = OK
+    for k in range(6):
+        scale[k] = A[k][k]
+    for k in range(6):
+        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
+        status = on.where(status == OK, fault, status)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_8(on, A, k, inverse[k])
+    substitute_back_8(on, A, inverse)
+    return status
+
+
+def checked_forward_dynamics(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = Accelerations()
+    lost = 0.0
+    for i in range(3):
+        lost = lost + 0.0 * found.a[i]
+    for i in range(3):
+        lost = lost + 0.0 * found.alpha[i]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(3):
+        out.a[i] = on.where(status == OK, found.a[i], on.NAN)
+    for i in range(3):
+        out.alpha[i] = on.where(status == OK, found.alpha[i], on.NAN)
+    out.status = status
+    return out
+
+
+def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of M and of the right side: 222 (129 mul, 93 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    M = platform.M
+    R_0_x, R_0_y, R_0_z = platform.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = platform.I_p
+    c1 = R_0_y * R_0_y
+    c2 = R_0_z * R_0_z
+    J_0_xx = I_p_xx + M * (c1 + c2)
+    c3 = M * R_0_x
+    J_0_xy = I_p_xy - R_0_y * c3
+    J_0_xz = I_p_xz - R_0_z * c3
+    c4 = R_0_x * R_0_x
+    J_0_yy = I_p_yy + M * (c2 + c4)
+    c5 = M * R_0_y
+    J_0_yz = I_p_yz - R_0_z * c5
+    J_0_zz = I_p_zz + M * (c1 + c4)
+    c6 = M * R_0_z
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * c3 + R_xy * c5 + R_xz * c6
+    h_base_y = R_yx * c3 + R_yy * c5 + R_yz * c6
+    h_base_z = R_zx * c3 + R_zy * c5 + R_zz * c6
+    c7 = J_0_xx * R_xx + J_0_xy * R_xy + J_0_xz * R_xz
+    c8 = J_0_xy * R_xx + J_0_yy * R_xy + J_0_yz * R_xz
+    c9 = J_0_xz * R_xx + J_0_yz * R_xy + J_0_zz * R_xz
+    c10 = J_0_xx * R_yx + J_0_xy * R_yy + J_0_xz * R_yz
+    c11 = J_0_xy * R_yx + J_0_yy * R_yy + J_0_yz * R_yz
+    c12 = J_0_xz * R_yx + J_0_yz * R_yy + J_0_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c7 + R_xy * c8 + R_xz * c9
+    J_base_xy = R_yx * c7 + R_yy * c8 + R_yz * c9
+    J_base_xz = R_zx * c7 + R_zy * c8 + R_zz * c9
+    J_base_yy = R_yx * c10 + R_yy * c11 + R_yz * c12
+    J_base_yz = R_zx * c10 + R_zy * c11 + R_zz * c12
+    J_base_zz = (R_zx * (J_0_xx * R_zx + J_0_xy * R_zy + J_0_xz * R_zz) + R_zy * (J_0_xy * R_zx + J_0_yy * R_zy
+        + J_0_yz * R_zz) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
+    # (31) omega x h
+    w_h_x = h_base_z * omega_y - h_base_y * omega_z
+    w_h_y = h_base_x * omega_z - h_base_z * omega_x
+    w_h_z = h_base_y * omega_x - h_base_x * omega_y
+    # (34) I omega
+    J_w_x = J_base_xx * omega_x + J_base_xy * omega_y + J_base_xz * omega_z
+    J_w_y = J_base_xy * omega_x + J_base_yy * omega_y + J_base_yz * omega_z
+    J_w_z = J_base_xz * omega_x + J_base_yz * omega_y + J_base_zz * omega_z
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_yy = -omega_xx - omega_zz
+    B_zz = -omega_xx - omega_yy
+    out = JointRowsPose()
+    out.B_0 = [B_xx, omega_xy, omega_xz, omega_xy, B_yy, omega_yz, omega_xz, omega_yz, B_zz]
+    out.M_vv = [M, 0.0, 0.0, M, 0.0, M]
+    out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
+    out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
+    out.right_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M * g_x + omega_z * w_h_y - omega_y
+        * w_h_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M * g_y + omega_x * w_h_z - omega_z * w_h_x,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M * g_z + omega_y * w_h_x - omega_x * w_h_y]
+    out.right_moment = [J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y
+        - C_P * omega_x - J_w_z * omega_y - g_y * h_base_z, J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy
+        + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y - J_w_x * omega_z - g_z * h_base_x, J_w_x * omega_y
+        + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z - J_w_y * omega_x
+        - g_x * h_base_y]
+    return out
+
+
+def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's inertia and generalised forces in its joint coordinates, and their gradients: 341 (207
+    mul, 130 add, 2 div, 2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    m_u, C_p, C_s = leg.m_u, leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    B_0_xx, B_0_xy, B_0_xz, B_0_yx, B_0_yy, B_0_yz, B_0_zx, B_0_zy, B_0_zz = pose.B_0
+    F = given.F
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    # L_dot / L
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    c1 = B_0_xx * q_x + B_0_xy * q_y + B_0_xz * q_z
+    c2 = B_0_yx * q_x + B_0_yy * q_y + B_0_yz * q_z
+    c3 = B_0_zx * q_x + B_0_zy * q_y + B_0_zz * q_z
+    # (7) acceleration of the platform point, a = alpha = 0
+    S_ddot_x = c1
+    S_ddot_y = c2
+    S_ddot_z = c3
+    c4 = k3 * k3
+    k33 = c4
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c5 = k1 * k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c5 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
+    k13 = c5
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    c6 = L * h2_z
+    c7 = J2_xz - c6
+    a2 = c7
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    bend = L_dot * theta_dot
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # first moment along k and against k x y
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    # (20) generalised forces about y and about k
+    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
+        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c7 * (0.5 - k33)) - C_s * (omega_x * y_x
+        + omega_y * y_y + omega_z * y_z))
+    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
+        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c6)) - C_s * (k_x * omega_x + k_y
+        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    # of the platform point, from free fall
+    fall_x = c1 - g_x
+    fall_y = c2 - g_y
+    fall_z = c3 - g_z
+    fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z
+    fall_T_y = fall_x * y_x + fall_y * y_y + fall_z * y_z
+    fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z
+    row_v_yx = -inv_L * z_x
+    row_v_yy = -inv_L * z_y
+    row_v_yz = -inv_L * z_z
+    row_v_zx = inv_rho * y_x
+    row_v_zy = inv_rho * y_y
+    row_v_zz = inv_rho * y_z
+    c8 = m_u * L * L
+    c9 = L * m_u
+    out = JointRowsLeg()
+    out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.right_force = [0.0, 0.0, 0.0]
+    out.right_moment = [C_s * (k_x * phi_dot + theta_dot * y_x), C_s * (k_y * phi_dot + theta_dot * y_y),
+        C_s * (k_z * phi_dot + theta_dot * y_z)]
+    out.M_xi = [m_u, h_z, -k3_h, M_theta + c8, M_mixed, M_phi + c4 * c8]
+    out.row_v = [s_x, s_y, s_z, row_v_yx, row_v_yy, row_v_yz, row_v_zx, row_v_zy, row_v_zz]
+    out.row_w = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x, q_y * row_v_yz - q_z * row_v_yy,
+        q_z * row_v_yx - q_x * row_v_yz, q_x * row_v_yy - q_y * row_v_yx, q_y * row_v_zz - q_z * row_v_zy,
+        q_z * row_v_zx - q_x * row_v_zz, q_x * row_v_zy - q_y * row_v_zx]
+    out.tau = [C_p * L_dot + fall_T_x * m_u + h_z * theta_ddot - F - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h
+        * phi_ddot, tau_y - c9 * fall_T_z, c9 * fall_T_y * k3 + tau_k]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = joint_rows_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def joint_rows_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = JointRowsSums()
+    for i in range(6):
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
+            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+    for i in range(9):
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
+            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+    for i in range(6):
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
+            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+    for i in range(3):
+        out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
+            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+    for i in range(3):
+        out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
+            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+    return out
+
+
+def joint_rows_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs."""
+    pose = joint_rows_pose(on, model.platform, motion)
+    joint_rows_legs(on, model, motion, pose, legs)
+    return joint_rows_total(on, pose, legs)
+
+
+def weigh(on: Arithmetic, inertia: Any, first: Any, by: Any) -> None:
+    """Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of their sizes."""
+    for i in range(3):
+        by.weight[first][i] = inertia[i] / by.extent[first] / by.extent[first + i]
+        by.weight[first + i][0] = inertia[i] / by.extent[first + i] / by.extent[first]
+    by.weight[first + 1][1] = inertia[3] / by.extent[first + 1] / by.extent[first + 1]
+    by.weight[first + 1][2] = inertia[4] / by.extent[first + 1] / by.extent[first + 2]
+    by.weight[first + 2][1] = inertia[4] / by.extent[first + 2] / by.extent[first + 1]
+    by.weight[first + 2][2] = inertia[5] / by.extent[first + 2] / by.extent[first + 2]
+
+
+def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
+    """Rows and weights: each row of A carries the root of its inertia, so that weights are of about one."""
+    mass = summed.M_vv[0]
+    c = [0.0] * 3
+    about = [0.0] * 6
+    whole = [0.0] * 6
+    heaviest = on.size(mass)
+    length = 0.0
+    for i in range(6):
+        rho = legs.leg[i].L * legs.leg[i].k3
+        for j in range(3):
+            length = on.larger(on.size(legs.leg[i].row_w[j]), length)
+        heaviest = on.larger(on.size(legs.leg[i].M_xi[3]) / legs.leg[i].L / legs.leg[i].L, heaviest)
+        heaviest = on.larger(on.size(legs.leg[i].M_xi[5]) / rho / rho, heaviest)
+    least = on.larger(on.EPSILON * on.sqrt(heaviest), on.SHORTEST)
+    by.length = on.where(length > 0.0, length, 1.0)
+    for i in range(6):
+        reach = least * legs.leg[i].L
+        theta = on.larger(on.sqrt(on.size(legs.leg[i].M_xi[3])), reach)
+        phi = on.larger(on.sqrt(on.size(legs.leg[i].M_xi[5])), reach * legs.leg[i].k3)
+        along = on.larger(on.size(legs.leg[i].M_xi[1]) / theta, on.size(legs.leg[i].M_xi[2]) / phi)
+        along = on.larger(along, on.sqrt(on.size(legs.leg[i].M_xi[0])))
+        by.extent[3 * i] = on.larger(along, least)
+        by.extent[3 * i + 1] = theta
+        by.extent[3 * i + 2] = phi
+        weigh(on, legs.leg[i].M_xi, 3 * i, by)
+        for j in range(3):
+            for k in range(3):
+                by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
+                turn = legs.leg[i].row_w[3 * j + k] / by.length
+                by.row[3 * i + j][k + 3] = by.extent[3 * i + j] * turn
+    heft = on.larger(on.sqrt(on.size(mass)), least)
+    per_mass = on.where(mass > 0.0, 1.0 / mass, 0.0)
+    c[0] = summed.M_vw[5] * per_mass
+    c[1] = -summed.M_vw[2] * per_mass
+    c[2] = summed.M_vw[1] * per_mass
+    square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2]
+    about[0] = summed.M_ww[0] - mass * (square - c[0] * c[0])
+    about[1] = summed.M_ww[1] + mass * (c[0] * c[1])
+    about[2] = summed.M_ww[2] + mass * (c[0] * c[2])
+    about[3] = summed.M_ww[3] - mass * (square - c[1] * c[1])
+    about[4] = summed.M_ww[4] + mass * (c[1] * c[2])
+    about[5] = summed.M_ww[5] - mass * (square - c[2] * c[2])
+    whole[0] = mass
+    whole[3] = mass
+    whole[5] = mass
+    by.extent[21] = on.larger(on.sqrt(on.size(about[0])), least * by.length)
+    by.extent[22] = on.larger(on.sqrt(on.size(about[3])), least * by.length)
+    by.extent[23] = on.larger(on.sqrt(on.size(about[5])), least * by.length)
+    for i in range(3):
+        by.extent[18 + i] = heft
+        by.row[18 + i][i] = heft
+        by.row[21 + i][i + 3] = by.extent[21 + i] / by.length
+    by.row[18][4] = heft * (c[2] / by.length)
+    by.row[18][5] = -heft * (c[1] / by.length)
+    by.row[19][5] = heft * (c[0] / by.length)
+    by.row[19][3] = -heft * (c[2] / by.length)
+    by.row[20][3] = heft * (c[1] / by.length)
+    by.row[20][4] = -heft * (c[0] / by.length)
+    weigh(on, whole, 18, by)
+    weigh(on, about, 21, by)
+
+
+def pick_rows(on: Arithmetic, by: Any) -> None:
+    """Picks six rows as coordinates by elimination with complete pivoting; the others are sums of them.
+
+    Rows and columns are exchanged: ``order`` and ``column`` say which they were.
+    """
+    share = [0.0] * 6
+    for i in range(24):
+        by.order[i] = i
+    for k in range(6):
+        by.column[k] = k
+    for k in range(6):
+        best = k
+        across = k
+        most = on.size(by.row[k][k])
+        for i in range(k, 24):
+            for j in range(k, 6):
+                entry = on.size(by.row[i][j])
+                best = on.where(entry > most, i, best)
+                across = on.where(entry > most, j, across)
+                most = on.where(entry > most, entry, most)
+        row = by.order[k]
+        by.order[k] = on.at(by.order, best)
+        on.put(by.order, row, best)
+        column = by.column[k]
+        by.column[k] = on.at(by.column, across)
+        on.put(by.column, column, across)
+        for j in range(6):
+            upper = by.row[k][j]
+            by.row[k][j] = on.at(by.row, best, j)
+            on.put(by.row, upper, best, j)
+        for i in range(24):
+            left = by.row[i][k]
+            by.row[i][k] = on.at(by.row, i, across)
+            on.put(by.row, left, i, across)
+        for i in range(k + 1, 24):
+            by.row[i][k] = by.row[i][k] / by.row[k][k]
+            for j in range(k + 1, 6):
+                by.row[i][j] = by.row[i][j] - by.row[i][k] * by.row[k][j]
+    for i in range(6):
+        for j in range(6):
+            on.put(by.share, on.where(i == j, 1.0, 0.0), by.order[i], j)
+    for i in range(6, 24):
+        for j in range(5, -1, -1):
+            share[j] = by.row[i][j]
+            for k in range(j + 1, 6):
+                share[j] = share[j] - share[k] * by.row[k][j]
+            on.put(by.share, share[j], by.order[i], j)
+
+
+def weigh_rows(on: Arithmetic, by: Any) -> None:
+    """M in the coordinates."""
+    for b in range(8):
+        for i in range(3):
+            for j in range(3):
+                for k in range(6):
+                    part = by.share[3 * b + i][k] * by.weight[3 * b + i][j]
+                    for n in range(6):
+                        by.inertia[k][n] = by.inertia[k][n] + part * by.share[3 * b + j][n]
+
+
+def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any) -> None:
+    """Accelerations of the coordinates' rows under which the inertia of each block balances their
+    forces.
+
+    ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows
+    before them, else 0; ``moved`` is 0 of all others.
+    """
+    W = [[0.0] * 3 for _ in range(3)]
+    for i in range(24):
+        moved[i] = force[i]
+        balanced[i] = 0.0
+    for k in range(6):
+        on.put(balanced, 1.0, by.order[k])
+    for b in range(8):
+        for i in range(3):
+            for j in range(3):
+                W[i][j] = by.weight[3 * b + i][j]
+        for k in range(3):
+            own = on.where(W[k][k] > on.KEPT, balanced[3 * b + k], 0.0)
+            balanced[3 * b + k] = own
+            if on.anywhere(own > 0.0):
+                for i in range(k + 1, 3):
+                    factor = on.where(own > 0.0, W[i][k] / W[k][k], 0.0)
+                    moved[3 * b + i] = moved[3 * b + i] - factor * moved[3 * b + k]
+                    for j in range(k + 1, 3):
+                        W[i][j] = W[i][j] - factor * W[k][j]
+        for k in range(2, -1, -1):
+            for j in range(k + 1, 3):
+                moved[3 * b + k] = moved[3 * b + k] - W[k][j] * moved[3 * b + j]
+            moved[3 * b + k] = on.where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / W[k][k], 0.0)
+
+
+def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest: Any, right: Any) -> None:
+    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+
+    force: of each row, as its generalised force over its size, without accelerations. start:
+    accelerations of the coordinates that balance their own large forces, from which the unknown ones
+    are measured; rest: the rows' forces there.
+    """
+    moved = [0.0] * 24
+    balanced = [0.0] * 24
+    balance_rows(on, by, force, moved, balanced)
+    for k in range(6):
+        start[k] = on.at(moved, by.order[k])
+        right[k] = on.at(wrench, by.column[k]) / (on.where(by.column[k] < 3, 1.0, by.length))
+    for i in range(24):
+        moved[i] = 0.0
+        for k in range(6):
+            moved[i] = moved[i] + by.share[i][k] * start[k]
+    for b in range(8):
+        for i in range(3):
+            rest[3 * b + i] = on.where(balanced[3 * b + i] > 0.0, 0.0, force[3 * b + i])
+            for j in range(3):
+                own = (balanced[3 * b + i] > 0.0) & (balanced[3 * b + j] > 0.0)
+                less = rest[3 * b + i] - by.weight[3 * b + i][j] * moved[3 * b + j]
+                rest[3 * b + i] = on.where(own, rest[3 * b + i], less)
+    for k in range(6):
+        for j in range(k):
+            right[k] = right[k] - by.row[j][k] * right[j]
+        right[k] = right[k] / by.row[k][k]
+    for k in range(5, -1, -1):
+        for j in range(k + 1, 6):
+            right[k] = right[k] - by.row[j][k] * right[j]
+    for k in range(6):
+        for i in range(24):
+            right[k] = right[k] - by.share[i][k] * rest[i]
+
+
+def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any) -> None:
+    """[a; alpha] from the coordinates' accelerations."""
+    x = [0.0] * 6
+    for k in range(6):
+        x[k] = found[k] - start[k]
+        for j in range(k):
+            x[k] = x[k] - by.row[k][j] * x[j]
+    for k in range(5, -1, -1):
+        for j in range(k + 1, 6):
+            x[k] = x[k] - by.row[k][j] * x[j]
+        x[k] = x[k] / by.row[k][k]
+        on.put(acceleration, x[k] / (on.where(by.column[k] < 3, 1.0, by.length)), by.column[k])
+
+
+def rows_held(on: Arithmetic, by: Any, found: Any, start: Any, rest: Any) -> None:
+    """Of each leg the generalised forces, and the accelerations that those of the platform give to it."""
+    whole = [0.0] * 24
+    for i in range(24):
+        for j in range(6):
+            whole[i] = whole[i] + by.share[i][j] * found[j]
+    for b in range(6):
+        for i in range(3):
+            force = rest[3 * b + i]
+            turned = 0.0
+            for j in range(3):
+                force = force + by.weight[3 * b + i][j] * whole[3 * b + j]
+            for j in range(6):
+                turned = turned + by.share[3 * b + i][j] * (found[j] - start[j])
+            by.given[b].net[i] = force * by.extent[3 * b + i]
+            by.given[b].turned[i] = turned / by.extent[3 * b + i]
+
+
+def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> Any:
+    """Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given."""
+    out = Apart()
+    legs = JointRowsLegs()
+    force = [0.0] * 24
+    wrench = [0.0] * 6
+    start = [0.0] * 6
+    rest = [0.0] * 24
+    right = [0.0] * 6
+    A = [[0.0] * 8 for _ in range(6)]
+    for i in range(6):
+        legs.given[i].F = F[i]
+    summed = joint_rows_sums(on, model, motion, legs)
+    make_rows(on, summed, legs, by)
+    pick_rows(on, by)
+    weigh_rows(on, by)
+    for i in range(6):
+        for j in range(3):
+            force[3 * i + j] = legs.leg[i].tau[j] / by.extent[3 * i + j]
+    for i in range(3):
+        wrench[i] = summed.right_force[i]
+        wrench[i + 3] = summed.right_moment[i]
+    row_right(on, by, force, wrench, start, rest, right)
+    for i in range(6):
+        A[i][6] = right[i]
+        for j in range(6):
+            A[i][j] = by.inertia[i][j]
+    fault = solve_definite_8(on, A, on.ROUNDING)
+    for i in range(6):
+        right[i] = A[i][6]
+    row_back(on, by, right, start, out.x)
+    rows_held(on, by, right, start, rest)
+    out.status = on.where(legs.status == OK, fault, legs.status)
+    for i in range(6):
+        out.status = on.where((out.status != OK) | (on.size(out.x[i]) <= on.MAX), out.status, NOT_FINITE)
+    return out
+
+
+def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
+    """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
+    read.
+    """
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    F = on.arrays(F)
+    out = Accelerations()
+    legs = ForwardLegs()
+    A = [[0.0] * 8 for _ in range(6)]
+    for i in range(6):
+        legs.given[i].F = F[i]
+    summed = forward_sums(on, model, motion, legs)
+    status = legs.status
+    place_inertia_8(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
+    for i in range(3):
+        A[i][6] = summed.right_force[i]
+        A[i + 3][6] = summed.right_moment[i]
+    fault = solve_definite_8(on, A, on.KEPT)
+    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+        by = Rows()
+        apart = forward_apart(on, model, motion, F, by)
+        for i in range(6):
+            A[i][6] = on.where(fault == INDEFINITE, apart.x[i], A[i][6])
+        fault = on.where(fault == INDEFINITE, apart.status, fault)
+    for i in range(3):
+        out.a[i] = A[i][6]
+        out.alpha[i] = A[i + 3][6]
+    out.status = on.where(status == OK, fault, status)
+    return checked_forward_dynamics(on, out)
+
+
+def place_symmetric_12(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
+    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
+    for i in range(3):
+        A[row][column + i] = parts[i]
+        A[row + i][column] = parts[i]
+    A[row + 1][column + 1] = parts[3]
+    A[row + 1][column + 2] = parts[4]
+    A[row + 2][column + 1] = parts[4]
+    A[row + 2][column + 2] = parts[5]
+
+
+def place_inertia_12(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[j + 3][first + i] = vw[3 * i + j]
+    place_symmetric_12(on, vv, 0, first, A)
+    place_symmetric_12(on, ww, 3, first + 3, A)
+
+
+def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
+    """Takes moments over a length."""
+    if on.anywhere(per_length != 1.0):
+        for i in range(3, 6):
+            for j in range(12):
+                A[i][j] = A[i][j] * per_length
+
+
+def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
+    """Back substitution; inverse: of the pivots."""
+    for k in range(5, -1, -1):
+        for j in range(6, 12):
+            A[k][j] = A[k][j] * inverse[k]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, 12):
+                A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(12):
+            A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
+    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+    where a pivot is small.
+    """
+    inverse = [0.0] * 6
+    suspect = 0
+    for k in range(6):
+        pivot = k
+        most = on.size(A[k][k])
+        for i in range(k + 1, 6):
+            entry = on.size(A[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        if on.anywhere(pivot != k):
+            for j in range(12):
+                upper = A[k][j]
+                A[k][j] = on.at(A, pivot, j)
+                on.put(A, upper, pivot, j)
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_12(on, A, k, inverse[k])
+    substitute_back_12(on, A, inverse)
+    return suspect
+
+
+def checked_joint_inertia(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = JointInertia()
+    lost = 0.0
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.inertia[i][j]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(6):
+        for j in range(6):
+            out.inertia[i][j] = on.where(status == OK, found.inertia[i][j], on.NAN)
+    out.status = status
+    return out
+
+
+def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Whether H is singular to rounding."""
+    H = [[0.0] * 6 for _ in range(6)]
+    arm = [[0.0] * 3 for _ in range(6)]
+    L = [0.0] * 6
+    for i in range(6):
+        L[i] = legs.leg[i].L
+        for j in range(3):
+            H[j][i] = legs.leg[i].H_force[j]
+            H[j + 3][i] = legs.leg[i].H_moment[j]
+            plane = motion.R[3 * j] * model.leg[i].p[0] + motion.R[3 * j + 1] * model.leg[i].p[1]
+            arm[i][j] = plane + motion.R[3 * j + 2] * model.leg[i].p[2]
+    return singular_status(on, H, arm, L, legs.reach)
+
+
+def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """Inertia that the actuators feel, H^-1 M H^-T."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = JointInertia()
+    legs = EquationsLegs()
+    A = [[0.0] * 12 for _ in range(6)]
+    half = [[0.0] * 6 for _ in range(6)]
+    summed = equations_sums(on, model, motion, legs)
+    status = legs.status
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+    place_inertia_12(on, summed.M_vv, summed.M_vw, summed.M_ww, 6, A)
+    scale_moments_12(on, model.per_length, A)
+    close = solve_pivoted_12(on, A)
+    for i in range(6):
+        close = on.where(legs.leg[i].L > on.SHORT_SHARE * legs.reach[i], close, 1)
+        for j in range(6):
+            half[i][j] = A[i][j + 6]
+    if on.anywhere((status == OK) & (close == 1)):
+        found = columns_status(on, model, motion, legs)
+        status = on.where((status == OK) & (close == 1), found, status)
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+            A[i][j + 6] = half[j][i]
+            A[i + 3][j + 6] = half[j][i + 3]
+    scale_moments_12(on, model.per_length, A)
+    solve_pivoted_12(on, A)
+    for i in range(6):
+        for j in range(6):
+            out.inertia[i][j] = (A[i][j + 6] + A[j][i + 6]) * 0.5
+    out.status = status
+    return checked_joint_inertia(on, out)
+
+
+def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of the derivatives of the wrench: 338 (168 mul, 170 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    c1 = J_P_xx * R_xx + J_P_xy * R_xy + J_P_xz * R_xz
+    c2 = J_P_xy * R_xx + J_P_yy * R_xy + J_P_yz * R_xz
+    c3 = J_P_xz * R_xx + J_P_yz * R_xy + J_P_zz * R_xz
+    c4 = J_P_xx * R_yx + J_P_xy * R_yy + J_P_xz * R_yz
+    c5 = J_P_xy * R_yx + J_P_yy * R_yy + J_P_yz * R_yz
+    c6 = J_P_xz * R_yx + J_P_yz * R_yy + J_P_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c1 + R_xy * c2 + R_xz * c3
+    J_base_xy = R_yx * c1 + R_yy * c2 + R_yz * c3
+    J_base_xz = R_zx * c1 + R_zy * c2 + R_zz * c3
+    J_base_yy = R_yx * c4 + R_yy * c5 + R_yz * c6
+    J_base_yz = R_zx * c4 + R_zy * c5 + R_zz * c6
+    J_base_zz = (R_zx * (J_P_xx * R_zx + J_P_xy * R_zy + J_P_xz * R_zz) + R_zy * (J_P_xy * R_zx + J_P_yy * R_zy
+        + J_P_yz * R_zz) + R_zz * (J_P_xz * R_zx + J_P_yz * R_zy + J_P_zz * R_zz))
+    c7 = h_base_y * omega_z
+    c8 = h_base_z * omega_y
+    c9 = h_base_x * omega_z
+    c10 = h_base_z * omega_x
+    c11 = h_base_x * omega_y
+    c12 = h_base_y * omega_x
+    # (31) omega x h
+    w_h_x = c8 - c7
+    w_h_y = c9 - c10
+    w_h_z = c12 - c11
+    c13 = J_base_xy * omega_y
+    c14 = J_base_xz * omega_z
+    c15 = J_base_xy * omega_x
+    c16 = J_base_yz * omega_z
+    c17 = J_base_xz * omega_x
+    c18 = J_base_yz * omega_y
+    # (34) I omega
+    J_w_x = J_base_xx * omega_x + c13 + c14
+    J_w_y = J_base_yy * omega_y + c15 + c16
+    J_w_z = J_base_zz * omega_z + c17 + c18
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_xy = omega_xy - alpha_z
+    B_xz = alpha_y + omega_xz
+    B_yx = alpha_z + omega_xy
+    B_yy = -omega_xx - omega_zz
+    B_yz = omega_yz - alpha_x
+    B_zx = omega_xz - alpha_y
+    B_zy = alpha_x + omega_yz
+    B_zz = -omega_xx - omega_yy
+    c19 = J_base_xy * alpha_y
+    c20 = J_base_xz * alpha_z
+    J_alpha_x = J_base_xx * alpha_x + c19 + c20
+    c21 = J_base_xy * alpha_x
+    c22 = J_base_yz * alpha_z
+    J_alpha_y = J_base_yy * alpha_y + c21 + c22
+    c23 = J_base_xz * alpha_x
+    c24 = J_base_yz * alpha_y
+    J_alpha_z = J_base_zz * alpha_z + c23 + c24
+    # (33) a - g
+    rise_x = a_x - g_x
+    rise_y = a_y - g_y
+    rise_z = a_z - g_z
+    F_load_x = F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz
+    F_load_y = F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz
+    F_load_z = F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz
+    M_load_x = M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz
+    M_load_y = M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz
+    M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
+    c25 = J_base_xy * omega_z
+    c26 = J_base_xz * omega_y
+    c28 = J_w_z + c17 - J_base_xx * omega_z
+    c29 = J_w_y + c15 - J_base_xx * omega_y
+    c30 = J_w_z + c18 - J_base_yy * omega_z
+    c31 = J_base_yz * omega_x
+    c33 = c25 - c31
+    c34 = J_w_x + c13 - J_base_yy * omega_x
+    c35 = J_w_y + c16 - J_base_zz * omega_y
+    c36 = J_w_x + c14 - J_base_zz * omega_x
+    # derivative of I omega by dphi at fixed omega
+    spin_xx = c25 - c26
+    spin_xy = c28
+    spin_xz = -c29
+    spin_yx = -c30
+    spin_yy = -c33
+    spin_yz = c34
+    spin_zx = c35
+    spin_zy = -c36
+    spin_zz = c26 - c31
+    c37 = J_base_xz * alpha_y
+    c38 = h_base_y * rise_y
+    c39 = h_base_z * rise_z
+    c40 = J_base_xy * alpha_z
+    c41 = h_base_x * rise_x
+    c42 = J_base_yz * alpha_x
+    c43 = h_base_y * omega_y
+    c44 = h_base_z * omega_z
+    c45 = h_base_x * omega_x
+    out = DerivativesPose()
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.M_vv = [M_P, 0.0, 0.0, M_P, 0.0, M_P]
+    out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
+    out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
+    out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fr = [B_xz * h_base_y - B_xy * h_base_z, B_xx * h_base_z - B_xz * h_base_x - F_load_z, B_xy * h_base_x
+        + F_load_y - B_xx * h_base_y, B_yz * h_base_y + F_load_z - B_yy * h_base_z, B_yx * h_base_z - B_yz * h_base_x,
+        B_yy * h_base_x - B_yx * h_base_y - F_load_x, B_zz * h_base_y - B_zy * h_base_z - F_load_y, B_zx * h_base_z
+        + F_load_x - B_zz * h_base_x, B_zy * h_base_x - B_zx * h_base_y]
+    out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mr = [c40 + omega_y * spin_zx - c37 - c38 - c39 - omega_z * spin_yx, J_alpha_z + c23 + h_base_x * rise_y
+        + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy, J_base_xx * alpha_y + M_load_y
+        + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c21 - omega_z * spin_yz, J_base_yy * alpha_z + M_load_z
+        + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c24 - omega_x * spin_zx, c42 + omega_z * spin_xy
+        - c39 - c40 - c41 - omega_x * spin_zy, J_alpha_x + c19 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy
+        * alpha_x - M_load_x - omega_x * spin_zz, J_alpha_y + c22 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz
+        * alpha_y - M_load_y - omega_y * spin_xx, J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x
+        * spin_yy - J_alpha_x - c20 - omega_y * spin_xy, c37 + omega_x * spin_yz - c38 - c41 - c42 - omega_y
+        * spin_xz]
+    out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fw = [c43 + c44, w_h_z - c11, -c9 - w_h_y, -c12 - w_h_z, c44 + c45, w_h_x - c7, w_h_y - c10, -c8 - w_h_x,
+        c43 + c45]
+    out.W_mv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mw = [C_P + c26 - c25, c30, -c35, -c28, C_P + c33, c36, c29, -c34, C_P + c31 - c26]
+    return out
+
+
+def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of the derivatives of the wrench: 1718 (1020 mul, 694 add, 2 div, 2 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_z = leg.h2_x, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_xz, J_yy, J_yz, J_zz = leg.J
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = pose.B
+    F = given.F
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    c1 = L_dot * inv_L
+    # L_dot / L
+    L_share = c1
+    c2 = kappa * theta_dot
+    lean = c2
+    c3 = theta_dot * theta_dot
+    theta_dot2 = c3
+    c4 = phi_dot * phi_dot
+    phi_dot2 = c4
+    c5 = 2.0 * phi_dot
+    two_phi_dot = c5
+    # (7) acceleration of the platform point
+    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
+    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
+    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    c6 = k3 * k3
+    k33 = c6
+    # (8) accelerations of the joint coordinates
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    c7 = 2.0 * theta_dot
+    # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
+    own_theta_ddot = -L_share * c7 - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c8 = k1 * k3
+    # (9) accelerations of the joint coordinates
+    theta_ddot = c8 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
+    k13 = c8
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    a2 = J2_xz - L * h2_z
+    c9 = J_xy - L * h_y
+    a3 = c9
+    c10 = J_yz * k3
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = a3 * k1 + c10
+    c11 = h_y * k3
+    k3_h = c11
+    c12 = inv_rho * inv_rho
+    c13 = inv_L * inv_rho
+    c14 = inv_L * inv_L
+    # inertia at the tip, leg frame
+    m_leg_sy = -inv_rho * k3_h
+    m_leg_sz = -h_z * inv_L
+    m_leg_yy = M_phi * c12
+    m_leg_yz = -M_mixed * c13
+    m_leg_zz = M_theta * c14
+    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
+    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
+    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
+    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
+    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    # inertia at the tip, base frame
+    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
+    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
+    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
+    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
+    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
+    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # k x y
+    normal_x = k_y * y_z - k_z * y_y
+    normal_y = k_z * y_x - k_x * y_z
+    normal_z = k_x * y_y - k_y * y_x
+    # omega along k x y, y and k
+    w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
+    w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
+    w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
+    c15 = c6 * h_x
+    c16 = c15 - h_z * k1 * k3
+    tau_L = C_p * L_dot + h_z * theta_ddot - c11 * phi_ddot - c16 * c4 - c3 * h_x
+    c18 = c7 * h_x
+    c19 = 2.0 * L
+    c20 = c19 * h_x
+    c21 = k1 * w_x + k3 * w_z
+    c22 = k1 * w_z - k3 * w_x
+    c24 = c10 + c9 * k1
+    c25 = 2.0 * J_xz - c19 * h_z
+    c26 = c25 * k1
+    c27 = J_zz + c20 - J_xx
+    c28 = c27 * k3
+    c29 = c26 + 2.0 * c28
+    c30 = 0.5 * k1
+    c31 = c29 * c30 - 0.5 * c25 * c6
+    tau_theta = (C_us * theta_dot + L_ddot * h_z + L_dot * c18 + c21 * gamma_n + c24 * phi_ddot + theta_ddot
+        * (J_yy + c20) - C_s * w_y_omega - c22 * g_k - c31 * c4)
+    c33 = h_y * theta_dot
+    c34 = c33 * k1
+    c35 = L_dot * c16
+    c36 = c31 * theta_dot
+    c37 = L_dot * h_y
+    c38 = c37 * k1
+    c39 = theta_dot * (J_yz * k1 - c9 * k3)
+    tau_phi = (C_us * phi_dot + L_dot * (c16 * phi_dot - c34) + c22 * gamma_y + c24 * theta_ddot + phi_ddot
+        * (J_xx + c25 * c8 + c27 * c6) + phi_dot * (c35 + c36) + theta_dot * (c31 * phi_dot + c39 - c38) - C_s
+        * w_k_omega - L_ddot * c11 - gamma_n * w_y)
+    c40 = k3 * phi_dot
+    G_dot_12 = c40
+    c41 = inv_L * theta_dot
+    G_dot_21 = -c41
+    c42 = k1 * phi_dot
+    G_dot_22 = c42 * inv_L
+    c43 = L_dot * c14
+    G_dot_23 = c43
+    c44 = c40 * inv_rho
+    G_dot_31 = -c44
+    c45 = c1 * inv_rho
+    c46 = -c2 * inv_rho - c45
+    G_dot_32 = c46
+    c47 = c42 * inv_rho
+    G_dot_33 = c47
+    c48 = c4 * c6
+    G_ddot_11 = -c3 - c48
+    c49 = k3 * phi_ddot
+    c50 = c5 * k1
+    G_ddot_12 = c49 + c50 * theta_dot
+    c51 = c4 * c8
+    G_ddot_13 = c51 - theta_ddot
+    G_ddot_21 = 2.0 * L_dot * c14 * theta_dot - c51 * inv_L - inv_L * theta_ddot
+    G_ddot_22 = inv_L * k1 * phi_ddot - c41 * c5 * k3 - c43 * c50
+    c52 = c4 * k1 * k1
+    G_ddot_23 = L_ddot * c14 + c3 * inv_L + c52 * inv_L - 2.0 * L_dot * L_dot * inv_L * inv_L * inv_L
+    G_ddot_31 = (c1 * c44 + c47 * theta_dot + theta_dot * (inv_rho * k3 * kappa * phi_dot - c47) - c40 * c46
+        - c49 * inv_rho)
+    c53 = inv_rho * kappa
+    c54 = -c1 - c2
+    c55 = inv_rho * theta_dot
+    G_ddot_32 = (L_dot * (c43 * inv_rho - c13 * c54) + theta_dot * (-c53 * c54 - c55 * (-kappa * kappa - 1.0))
+        - L_ddot * c13 - c48 * inv_rho - c52 * inv_rho - c53 * theta_ddot)
+    G_ddot_33 = (c42 * c46 + c44 * theta_dot + inv_rho * k1 * phi_ddot + theta_dot * (-c44 - c47 * kappa) - c42
+        * c45)
+    tau_rate_12 = -c18
+    tau_rate_13 = -c16 * c5
+    tau_rate_21 = c18
+    c56 = 2.0 * h_x
+    tau_rate_22 = C_us + L_dot * c56
+    tau_rate_23 = -c31 * c5
+    tau_rate_31 = 2.0 * c16 * phi_dot - 2.0 * c34
+    tau_rate_32 = c31 * c5 + 2.0 * c39 - 2.0 * c38
+    tau_rate_33 = C_us + 2.0 * c35 + 2.0 * c36
+    c57 = h_y * phi_ddot
+    c58 = c56 * k3 - h_z * k1
+    tau_place_12 = k1 * (-c4 * c58 - c57) - c48 * h_z
+    c59 = 4.0 * h_x
+    c60 = c30 * (c59 * k3 - 2.0 * h_z * k1) + c6 * h_z
+    tau_place_21 = c56 * theta_ddot - c4 * c60 - c57 * k1
+    c61 = c30 * (2.0 * J_zz + L * c59 - 2.0 * J_xx) - c25 * k3
+    c62 = c26 + c28
+    tau_place_22 = (k1 * (J_yz * phi_ddot + g_k * w_x + gamma_n * w_z - c4 * c61) - k3 * (c9 * phi_ddot + gamma_n
+        * w_x - c4 * c62 - g_k * w_z))
+    tau_place_23 = -C_s * w_n_omega - c21 * gamma_y
+    c63 = c60 * phi_dot
+    tau_place_31 = (c63 * theta_dot + phi_ddot * (2.0 * c15 - 2.0 * c8 * h_z) + theta_dot * (c11 * theta_dot
+        + c63) - h_y * k1 * theta_ddot)
+    c64 = L_dot * c58
+    tau_place_32 = (k1 * (J_yz * theta_ddot + c29 * phi_ddot + c64 * phi_dot + phi_dot * (c61 * theta_dot + c64)
+        + theta_dot * (c61 * phi_dot - c9 * theta_dot) - L_ddot * h_y - gamma_y * w_x) - k3 * (L_dot * (-c33
+        - c40 * h_z) + c25 * c49 + c9 * theta_ddot + gamma_y * w_z + phi_dot * (c62 * theta_dot - L_dot * h_z
+        * k3) + theta_dot * (J_yz * theta_dot + c62 * phi_dot - c37)))
+    tau_place_33 = c22 * gamma_n + gamma_y * w_y
+    c65 = inv_rho * tau_phi
+    c66 = inv_L * tau_theta
+    c67 = tau_L - F
+    # force at the tip, less the actuator's
+    R_tip_x = c65 * y_x + c67 * s_x - c66 * z_x
+    R_tip_y = c65 * y_y + c67 * s_y - c66 * z_y
+    R_tip_z = c65 * y_z + c67 * s_z - c66 * z_z
+    c68 = C_s * inv_rho
+    c69 = c68 * k1
+    A_3_leg_21 = -c69
+    c70 = c68 * k3
+    A_3_leg_23 = -c70
+    c71 = C_s * inv_L
+    A_3_leg_32 = c71
+    A_3_T_xs = A_3_leg_21 * y_x
+    A_3_T_xy = A_3_leg_32 * z_x
+    A_3_T_xz = A_3_leg_23 * y_x
+    A_3_T_ys = A_3_leg_21 * y_y
+    A_3_T_yy = A_3_leg_32 * z_y
+    A_3_T_yz = A_3_leg_23 * y_y
+    A_3_T_zs = A_3_leg_21 * y_z
+    A_3_T_zy = A_3_leg_32 * z_z
+    A_3_T_zz = A_3_leg_23 * y_z
+    # force at the tip by omega
+    A_3_xx = A_3_T_xs * s_x + A_3_T_xy * y_x + A_3_T_xz * z_x
+    A_3_xy = A_3_T_xs * s_y + A_3_T_xy * y_y + A_3_T_xz * z_y
+    A_3_xz = A_3_T_xs * s_z + A_3_T_xy * y_z + A_3_T_xz * z_z
+    A_3_yx = A_3_T_ys * s_x + A_3_T_yy * y_x + A_3_T_yz * z_x
+    A_3_yy = A_3_T_ys * s_y + A_3_T_yy * y_y + A_3_T_yz * z_y
+    A_3_yz = A_3_T_ys * s_z + A_3_T_yy * y_z + A_3_T_yz * z_z
+    A_3_zx = A_3_T_zs * s_x + A_3_T_zy * y_x + A_3_T_zz * z_x
+    A_3_zy = A_3_T_zs * s_y + A_3_T_zy * y_y + A_3_T_zz * z_y
+    A_3_zz = A_3_T_zs * s_z + A_3_T_zy * y_z + A_3_T_zz * z_z
+    c72 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c72
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c55 * k3)
+    f_S_leg_13 = G_dot_33 * c72
+    f_S_leg_21 = C_s * G_dot_21
+    f_S_leg_22 = C_s * G_dot_22
+    f_S_leg_23 = C_s * G_dot_23
+    c73 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c73
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c55 * k1)
+    f_S_leg_33 = G_dot_33 * c73
+    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    # friction moment by S
+    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
+    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
+    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
+    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
+    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
+    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
+    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
+    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
+    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_dot_leg_12 = c69
+    f_S_dot_leg_23 = -c71
+    f_S_dot_leg_32 = c70
+    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
+    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
+    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
+    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
+    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
+    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    # friction moment by S_dot
+    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
+    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
+    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
+    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
+    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
+    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
+    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
+    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
+    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
+    A_0_leg_11 = G_ddot_21 * h_z + G_dot_21 * tau_rate_12 + G_dot_31 * tau_rate_13 - G_ddot_31 * k3_h
+    A_0_leg_12 = (C_p * G_dot_12 + G_ddot_22 * h_z + G_dot_22 * tau_rate_12 + G_dot_32 * tau_rate_13 - G_ddot_32
+        * k3_h - c12 * k3 * tau_phi)
+    c74 = c14 * tau_theta
+    A_0_leg_13 = (G_ddot_23 * h_z + G_dot_23 * tau_rate_12 + G_dot_33 * tau_rate_13 + c74 - C_p * theta_dot
+        - G_ddot_33 * k3_h - inv_L * tau_place_12)
+    c75 = c13 * tau_phi
+    A_0_leg_21 = (inv_rho * (G_ddot_21 * M_mixed + G_ddot_31 * M_phi + G_dot_21 * tau_rate_32 + G_dot_31 * tau_rate_33
+        + tau_place_31 - G_ddot_11 * k3_h) - c75)
+    A_0_leg_22 = (c13 * k1 * tau_theta + c67 * inv_rho * k3 + inv_rho * (G_ddot_22 * M_mixed + G_ddot_32 * M_phi
+        + G_dot_12 * tau_rate_31 + G_dot_22 * tau_rate_32 + G_dot_32 * tau_rate_33 + inv_rho * tau_place_33
+        - G_ddot_12 * k3_h))
+    A_0_leg_23 = (c75 * kappa + inv_rho * (G_ddot_23 * M_mixed + G_ddot_33 * M_phi + G_dot_23 * tau_rate_32
+        + G_dot_33 * tau_rate_33 - G_ddot_13 * k3_h - inv_L * tau_place_32 - tau_rate_31 * theta_dot))
+    A_0_leg_31 = (c74 - inv_L * (G_ddot_11 * h_z + G_ddot_21 * M_theta + G_ddot_31 * M_mixed + G_dot_21 * tau_rate_22
+        + G_dot_31 * tau_rate_23 + tau_place_21))
+    A_0_leg_32 = (c12 * k1 * tau_phi - inv_L * (G_ddot_12 * h_z + G_ddot_22 * M_theta + G_ddot_32 * M_mixed
+        + G_dot_12 * tau_rate_21 + G_dot_22 * tau_rate_22 + G_dot_32 * tau_rate_23 + inv_rho * tau_place_23))
+    A_0_leg_33 = (c67 * inv_L - inv_L * (G_ddot_13 * h_z + G_ddot_23 * M_theta + G_ddot_33 * M_mixed + G_dot_23
+        * tau_rate_22 + G_dot_33 * tau_rate_23 - inv_L * tau_place_22 - tau_rate_21 * theta_dot))
+    A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_21 * y_x + A_0_leg_31 * z_x
+    A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_22 * y_x + A_0_leg_32 * z_x
+    A_0_T_xz = A_0_leg_13 * s_x + A_0_leg_23 * y_x + A_0_leg_33 * z_x
+    A_0_T_ys = A_0_leg_11 * s_y + A_0_leg_21 * y_y + A_0_leg_31 * z_y
+    A_0_T_yy = A_0_leg_12 * s_y + A_0_leg_22 * y_y + A_0_leg_32 * z_y
+    A_0_T_yz = A_0_leg_13 * s_y + A_0_leg_23 * y_y + A_0_leg_33 * z_y
+    A_0_T_zs = A_0_leg_11 * s_z + A_0_leg_21 * y_z + A_0_leg_31 * z_z
+    A_0_T_zy = A_0_leg_12 * s_z + A_0_leg_22 * y_z + A_0_leg_32 * z_z
+    A_0_T_zz = A_0_leg_13 * s_z + A_0_leg_23 * y_z + A_0_leg_33 * z_z
+    # force at the tip by S
+    A_0_xx = A_0_T_xs * s_x + A_0_T_xy * y_x + A_0_T_xz * z_x
+    A_0_xy = A_0_T_xs * s_y + A_0_T_xy * y_y + A_0_T_xz * z_y
+    A_0_xz = A_0_T_xs * s_z + A_0_T_xy * y_z + A_0_T_xz * z_z
+    A_0_yx = A_0_T_ys * s_x + A_0_T_yy * y_x + A_0_T_yz * z_x
+    A_0_yy = A_0_T_ys * s_y + A_0_T_yy * y_y + A_0_T_yz * z_y
+    A_0_yz = A_0_T_ys * s_z + A_0_T_yy * y_z + A_0_T_yz * z_z
+    A_0_zx = A_0_T_zs * s_x + A_0_T_zy * y_x + A_0_T_zz * z_x
+    A_0_zy = A_0_T_zs * s_y + A_0_T_zy * y_y + A_0_T_zz * z_y
+    A_0_zz = A_0_T_zs * s_z + A_0_T_zy * y_z + A_0_T_zz * z_z
+    c76 = 2.0 * h_z
+    c77 = 2.0 * k3_h
+    A_1_leg_11 = C_p + G_dot_21 * c76 - G_dot_31 * c77
+    A_1_leg_12 = G_dot_22 * c76 + inv_rho * tau_rate_13 - G_dot_32 * c77
+    A_1_leg_13 = 2.0 * G_dot_23 * h_z - G_dot_33 * c77 - inv_L * tau_rate_12
+    c78 = 2.0 * M_mixed
+    c79 = 2.0 * M_phi
+    A_1_leg_21 = inv_rho * (G_dot_21 * c78 + G_dot_31 * c79 + tau_rate_31)
+    A_1_leg_22 = inv_rho * (G_dot_22 * c78 + G_dot_32 * c79 + inv_rho * tau_rate_33 - G_dot_12 * c77)
+    A_1_leg_23 = inv_rho * (G_dot_23 * c78 + G_dot_33 * c79 + c7 * k3_h - inv_L * tau_rate_32)
+    c80 = 2.0 * M_theta
+    A_1_leg_31 = -inv_L * (G_dot_21 * c80 + G_dot_31 * c78 + tau_rate_21)
+    A_1_leg_32 = -inv_L * (G_dot_12 * c76 + G_dot_22 * c80 + G_dot_32 * c78 + inv_rho * tau_rate_23)
+    A_1_leg_33 = -inv_L * (G_dot_23 * c80 + G_dot_33 * c78 - c7 * h_z - inv_L * tau_rate_22)
+    A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_21 * y_x + A_1_leg_31 * z_x
+    A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
+    A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_23 * y_x + A_1_leg_33 * z_x
+    A_1_T_ys = A_1_leg_11 * s_y + A_1_leg_21 * y_y + A_1_leg_31 * z_y
+    A_1_T_yy = A_1_leg_12 * s_y + A_1_leg_22 * y_y + A_1_leg_32 * z_y
+    A_1_T_yz = A_1_leg_13 * s_y + A_1_leg_23 * y_y + A_1_leg_33 * z_y
+    A_1_T_zs = A_1_leg_11 * s_z + A_1_leg_21 * y_z + A_1_leg_31 * z_z
+    A_1_T_zy = A_1_leg_12 * s_z + A_1_leg_22 * y_z + A_1_leg_32 * z_z
+    A_1_T_zz = A_1_leg_13 * s_z + A_1_leg_23 * y_z + A_1_leg_33 * z_z
+    # force at the tip by S_dot
+    A_1_xx = A_1_T_xs * s_x + A_1_T_xy * y_x + A_1_T_xz * z_x
+    A_1_xy = A_1_T_xs * s_y + A_1_T_xy * y_y + A_1_T_xz * z_y
+    A_1_xz = A_1_T_xs * s_z + A_1_T_xy * y_z + A_1_T_xz * z_z
+    A_1_yx = A_1_T_ys * s_x + A_1_T_yy * y_x + A_1_T_yz * z_x
+    A_1_yy = A_1_T_ys * s_y + A_1_T_yy * y_y + A_1_T_yz * z_y
+    A_1_yz = A_1_T_ys * s_z + A_1_T_yy * y_z + A_1_T_yz * z_z
+    A_1_zx = A_1_T_zs * s_x + A_1_T_zy * y_x + A_1_T_zz * z_x
+    A_1_zy = A_1_T_zs * s_y + A_1_T_zy * y_y + A_1_T_zz * z_y
+    A_1_zz = A_1_T_zs * s_z + A_1_T_zy * y_z + A_1_T_zz * z_z
+    # force by rotation about the tip
+    X_xx = A_0_xx + A_1_xy * omega_z + B_xx * m_xx + B_yx * m_xy + B_zx * m_xz - A_1_xz * omega_y
+    X_xy = A_0_xy + A_1_xz * omega_x + B_xy * m_xx + B_yy * m_xy + B_zy * m_xz - A_1_xx * omega_z
+    X_xz = A_0_xz + A_1_xx * omega_y + B_xz * m_xx + B_yz * m_xy + B_zz * m_xz - A_1_xy * omega_x
+    X_yx = A_0_yx + A_1_yy * omega_z + B_xx * m_xy + B_yx * m_yy + B_zx * m_yz - A_1_yz * omega_y
+    X_yy = A_0_yy + A_1_yz * omega_x + B_xy * m_xy + B_yy * m_yy + B_zy * m_yz - A_1_yx * omega_z
+    X_yz = A_0_yz + A_1_yx * omega_y + B_xz * m_xy + B_yz * m_yy + B_zz * m_yz - A_1_yy * omega_x
+    X_zx = A_0_zx + A_1_zy * omega_z + B_xx * m_xz + B_yx * m_yz + B_zx * m_zz - A_1_zz * omega_y
+    X_zy = A_0_zy + A_1_zz * omega_x + B_xy * m_xz + B_yy * m_yz + B_zy * m_zz - A_1_zx * omega_z
+    X_zz = A_0_zz + A_1_zx * omega_y + B_xz * m_xz + B_yz * m_yz + B_zz * m_zz - A_1_zy * omega_x
+    c81 = m_xy * omega_z
+    c82 = m_xz * omega_y
+    Y_xx = A_1_xx + c81 - c82
+    Y_xy = A_1_xy + m_xz * omega_x - m_xx * omega_z
+    Y_xz = A_1_xz + m_xx * omega_y - m_xy * omega_x
+    Y_yx = A_1_yx + m_yy * omega_z - m_yz * omega_y
+    c83 = m_yz * omega_x
+    Y_yy = A_1_yy + c83 - c81
+    Y_yz = A_1_yz + m_xy * omega_y - m_yy * omega_x
+    Y_zx = A_1_zx + m_yz * omega_z - m_zz * omega_y
+    Y_zy = A_1_zy + m_zz * omega_x - m_xz * omega_z
+    Y_zz = A_1_zz + c82 - c83
+    Z_xx = X_xz * q_y - X_xy * q_z
+    Z_xy = X_xx * q_z - X_xz * q_x
+    Z_xz = X_xy * q_x - X_xx * q_y
+    Z_yx = X_yz * q_y - X_yy * q_z
+    Z_yy = X_yx * q_z - X_yz * q_x
+    Z_yz = X_yy * q_x - X_yx * q_y
+    Z_zx = X_zz * q_y - X_zy * q_z
+    Z_zy = X_zx * q_z - X_zz * q_x
+    Z_zz = X_zy * q_x - X_zx * q_y
+    c84 = m_xz * w_q_y
+    c85 = m_xy * w_q_z
+    V_xx = A_3_xx + Y_xz * q_y + c84 - Y_xy * q_z - c85
+    V_xy = A_3_xy + Y_xx * q_z + m_xx * w_q_z - Y_xz * q_x - m_xz * w_q_x
+    V_xz = A_3_xz + Y_xy * q_x + m_xy * w_q_x - Y_xx * q_y - m_xx * w_q_y
+    V_yx = A_3_yx + Y_yz * q_y + m_yz * w_q_y - Y_yy * q_z - m_yy * w_q_z
+    c86 = m_yz * w_q_x
+    V_yy = A_3_yy + Y_yx * q_z + c85 - Y_yz * q_x - c86
+    V_yz = A_3_yz + Y_yy * q_x + m_yy * w_q_x - Y_yx * q_y - m_xy * w_q_y
+    V_zx = A_3_zx + Y_zz * q_y + m_zz * w_q_y - Y_zy * q_z - m_yz * w_q_z
+    V_zy = A_3_zy + Y_zx * q_z + m_xz * w_q_z - Y_zz * q_x - m_zz * w_q_x
+    V_zz = A_3_zz + Y_zy * q_x + c86 - Y_zx * q_y - c84
+    c87 = m_xy * q_z
+    c88 = m_xz * q_y
+    c89 = -m_yz * q_x
+    # m [q]x
+    m_q_xx = c87 - c88
+    m_q_xy = m_xz * q_x - m_xx * q_z
+    m_q_xz = m_xx * q_y - m_xy * q_x
+    m_q_yx = m_yy * q_z - m_yz * q_y
+    m_q_yy = -c87 - c89
+    m_q_yz = m_xy * q_y - m_yy * q_x
+    m_q_zx = m_yz * q_z - m_zz * q_y
+    m_q_zy = m_zz * q_x - m_xz * q_z
+    m_q_zz = c88 + c89
+    c90 = R_tip_y * q_y
+    c91 = R_tip_z * q_z
+    c92 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c93 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c94 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c95 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c96 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c97 = R_tip_x * q_x
+    c98 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c99 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c100 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c101 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    out = DerivativesLeg()
+    out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
+    out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
+    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
+    out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
+    out.W_mt = [A_0_zx * q_y - A_0_yx * q_z - f_S_xx, A_0_zy * q_y - A_0_yy * q_z - f_S_xy, A_0_zz * q_y - A_0_yz
+        * q_z - f_S_xz, A_0_xx * q_z - A_0_zx * q_x - f_S_yx, A_0_xy * q_z - A_0_zy * q_x - f_S_yy, A_0_xz * q_z
+        - A_0_zz * q_x - f_S_yz, A_0_yx * q_x - A_0_xx * q_y - f_S_zx, A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
+        A_0_yz * q_x - A_0_xz * q_y - f_S_zz]
+    out.W_mr = [Z_zx * q_y + c93 * q_z - Z_yx * q_z - c90 - c91 - c92 * q_y, R_tip_y * q_x + Z_zy * q_y + c92
+        * q_x - Z_yy * q_z - c94 * q_z, R_tip_z * q_x + Z_zz * q_y + c94 * q_y - Z_yz * q_z - c93 * q_x,
+        R_tip_x * q_y + Z_xx * q_z + c95 * q_z - Z_zx * q_x - c96 * q_y, Z_xy * q_z + c96 * q_x - Z_zy * q_x
+        - c91 - c97 - c98 * q_z, R_tip_z * q_y + Z_xz * q_z + c98 * q_y - Z_zz * q_x - c95 * q_x, R_tip_x * q_z
+        + Z_yx * q_x + c99 * q_z - Z_xx * q_y - c100 * q_y, R_tip_y * q_z + Z_yy * q_x + c100 * q_x - Z_xy * q_y
+        - c101 * q_z, Z_yz * q_x + c101 * q_y - Z_xz * q_y - c90 - c97 - c99 * q_x]
+    out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
+    out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
+    out.W_mv = [A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx, A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy, A_1_zz * q_y
+        - A_1_yz * q_z - f_S_dot_xz, A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx, A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
+        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz, A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx, A_1_yy * q_x - A_1_xy
+        * q_y - f_S_dot_zy, A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz]
+    out.W_mw = [V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y, V_zy * q_y + f_S_dot_xz * q_x
+        - V_yy * q_z - f_S_dot_xx * q_z, V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x, V_xx
+        * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y, V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x
+        - f_S_dot_yx * q_z, V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x, V_yx * q_x + f_S_dot_zy
+        * q_z - V_xx * q_y - f_S_dot_zz * q_y, V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
+        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = derivatives_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def derivatives_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = DerivativesSums()
+    for i in range(6):
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
+            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+    for i in range(9):
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
+            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+    for i in range(6):
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
+            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+    for i in range(9):
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
+            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+    for i in range(9):
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
+            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+    for i in range(9):
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
+            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+    for i in range(9):
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
+            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+    for i in range(9):
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
+            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+    for i in range(9):
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
+            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+    for i in range(9):
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
+            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+    for i in range(9):
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
+            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+    return out
+
+
+def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of the derivatives of the wrench: 2155 (1283 mul, 868 add, 2 div, 2 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s = leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_z = leg.h2_x, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_xz, J_yy, J_yz, J_zz = leg.J
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = pose.B
+    F = given.F
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    c1 = S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = c1 * inv_rho
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    c2 = L_dot * inv_L
+    # L_dot / L
+    L_share = c2
+    c3 = theta_dot * theta_dot
+    theta_dot2 = c3
+    phi_dot2 = phi_dot * phi_dot
+    inv_k3 = L * inv_rho
+    # (6) leg's turning about z
+    W_z = c1 * inv_L
+    # (7) acceleration of the platform point
+    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
+    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
+    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    c4 = k3 * k3
+    # (8) acceleration of the length
+    L_ddot = L * (c4 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    c5 = 2.0 * L_share
+    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    own_y = -c5 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_z = inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c5
+    k33 = c4
+    k13 = k1 * k3
+    L_h2 = L * h2_x
+    a1 = L_h2 + dJ_zx
+    a2 = J2_xz - L * h2_z
+    c6 = L * h_y
+    a3 = J_xy - c6
+    c7 = J_yz * k3
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = a3 * k1 + c7
+    c8 = h_y * k3
+    k3_h = c8
+    c9 = h_z * inv_L
+    c10 = inv_L * inv_L
+    # inertia at the tip, leg frame
+    m_leg_sy = -inv_rho * k3_h
+    m_leg_sz = -c9
+    m_leg_yy = M_phi * inv_rho * inv_rho
+    m_leg_yz = -M_mixed * inv_L * inv_rho
+    m_leg_zz = M_theta * c10
+    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
+    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
+    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
+    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
+    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    # inertia at the tip, base frame
+    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
+    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
+    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
+    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
+    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
+    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # k x y
+    normal_x = k_y * y_z - k_z * y_y
+    normal_y = k_z * y_x - k_x * y_z
+    normal_z = k_x * y_y - k_y * y_x
+    # omega along k x y, y and k
+    w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
+    w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
+    w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
+    c11 = h_y * own_z
+    c12 = W_z * W_z
+    c13 = c12 * h_x
+    c14 = c3 * h_x
+    c15 = h_y * k1
+    c16 = W_z * inv_k3
+    c17 = 2.0 * theta_dot
+    c18 = c16 * c17
+    c19 = c12 * h_z
+    c20 = inv_k3 * k1
+    c21 = 2.0 * c20
+    tau_L = C_p * L_dot + c15 * c18 + c19 * c21 + h_z * own_y - c11 - c13 - c14
+    c22 = C_us * theta_dot
+    c23 = J_yy * own_y
+    c24 = J_yz * own_z
+    c25 = L_ddot * h_z
+    c26 = C_s * w_y_omega
+    c27 = k3 * w_x
+    c28 = c27 * g_k
+    c29 = k1 * w_x
+    c30 = c29 * gamma_n
+    c31 = k3 * w_z
+    c32 = c31 * gamma_n
+    c33 = J_xy * c17
+    c34 = W_z * c33
+    c35 = 2.0 * L
+    c36 = h_x * own_y
+    c37 = L_dot * c17
+    c38 = k1 * w_z
+    c39 = c38 * g_k
+    c40 = inv_k3 * own_z
+    c41 = J_xy * k1
+    c42 = c40 * c41
+    c43 = J_xz * c12
+    c44 = 2.0 * c43
+    c45 = W_z * c17 * c6
+    c46 = J_yz * k1
+    c47 = c18 * c46
+    c48 = c6 * k1
+    c49 = inv_k3 * inv_k3
+    c50 = c43 * c49
+    c51 = c12 * inv_k3
+    c53 = J_xx - J_zz
+    c54 = J_yy + c53
+    c55 = c54 * k1
+    tau_theta = (L * c19 * c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35 * c36 + c37 * h_x + c42
+        + c44 + c45 * c49 + c51 * c55 - c19 * c35 - c26 - c34 * c49 - c39 - c40 * c48 - c45 - c47 - c50)
+    c56 = C_s * w_k_omega
+    c57 = gamma_n * w_y
+    c58 = c41 * own_y
+    c59 = c38 * gamma_y
+    c60 = 2.0 * own_z
+    c61 = J_xz * k1
+    c62 = J_xy * c12
+    c63 = c62 * inv_k3
+    c64 = c12 * c46
+    c65 = c3 * c46
+    c66 = J_xz * c17
+    c67 = k3 * own_z
+    c68 = h_z * k1
+    c69 = 2.0 * h_x
+    c70 = 2.0 * W_z
+    c71 = J_xy * c3
+    c72 = c6 * k3
+    c73 = c16 * theta_dot
+    c75 = 2.0 * J_xx
+    c76 = c49 * c75
+    c77 = W_z * theta_dot
+    tau_phi = (C_us * c16 + J_xx * c40 + L_dot * W_z * c69 * k3 + c12 * c72 + c3 * c72 + c35 * c67 * h_x + c35
+        * c73 * h_z + c58 + c59 + c60 * c61 + c63 + c64 + c65 + c7 * own_y - L_ddot * c8 - L_dot * c68 * c70
+        - c15 * c37 - c16 * c66 - c27 * gamma_y - c35 * c68 * own_z - c48 * own_y - c51 * c6 - c53 * c67 - c56
+        - c57 - c62 * k3 - c71 * k3 - c76 * c77 * k1)
+    c78 = inv_rho * tau_phi
+    c79 = inv_L * tau_theta
+    c80 = tau_L - F
+    # force at the tip, less the actuator's
+    R_tip_x = c78 * y_x + c80 * s_x - c79 * z_x
+    R_tip_y = c78 * y_y + c80 * s_y - c79 * z_y
+    R_tip_z = c78 * y_z + c80 * s_z - c79 * z_z
+    c81 = C_s * inv_rho
+    c82 = c81 * k1
+    A_3_leg_21 = -c82
+    c83 = c81 * k3
+    A_3_leg_23 = -c83
+    c84 = C_s * inv_L
+    A_3_leg_32 = c84
+    A_3_T_xs = A_3_leg_21 * y_x
+    A_3_T_xy = A_3_leg_32 * z_x
+    A_3_T_xz = A_3_leg_23 * y_x
+    A_3_T_ys = A_3_leg_21 * y_y
+    A_3_T_yy = A_3_leg_32 * z_y
+    A_3_T_yz = A_3_leg_23 * y_y
+    A_3_T_zs = A_3_leg_21 * y_z
+    A_3_T_zy = A_3_leg_32 * z_z
+    A_3_T_zz = A_3_leg_23 * y_z
+    # force at the tip by omega
+    A_3_xx = A_3_T_xs * s_x + A_3_T_xy * y_x + A_3_T_xz * z_x
+    A_3_xy = A_3_T_xs * s_y + A_3_T_xy * y_y + A_3_T_xz * z_y
+    A_3_xz = A_3_T_xs * s_z + A_3_T_xy * y_z + A_3_T_xz * z_z
+    A_3_yx = A_3_T_ys * s_x + A_3_T_yy * y_x + A_3_T_yz * z_x
+    A_3_yy = A_3_T_ys * s_y + A_3_T_yy * y_y + A_3_T_yz * z_y
+    A_3_yz = A_3_T_ys * s_z + A_3_T_yy * y_z + A_3_T_yz * z_z
+    A_3_zx = A_3_T_zs * s_x + A_3_T_zy * y_x + A_3_T_zz * z_x
+    A_3_zy = A_3_T_zs * s_y + A_3_T_zy * y_y + A_3_T_zz * z_y
+    A_3_zz = A_3_T_zs * s_z + A_3_T_zy * y_z + A_3_T_zz * z_z
+    c85 = inv_L * theta_dot
+    G_dot_21 = -c85
+    c86 = k1 * phi_dot
+    G_dot_22 = c86 * inv_L
+    c87 = L_dot * c10
+    G_dot_23 = c87
+    c88 = inv_rho * k3
+    G_dot_31 = -c88 * phi_dot
+    c89 = inv_rho * theta_dot
+    G_dot_32 = -c2 * inv_rho - c89 * kappa
+    G_dot_33 = c86 * inv_rho
+    c90 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c90
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c88 * theta_dot)
+    f_S_leg_13 = G_dot_33 * c90
+    f_S_leg_21 = C_s * G_dot_21
+    f_S_leg_22 = C_s * G_dot_22
+    f_S_leg_23 = C_s * G_dot_23
+    c91 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c91
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c89 * k1)
+    f_S_leg_33 = G_dot_33 * c91
+    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    # friction moment by S
+    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
+    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
+    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
+    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
+    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
+    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
+    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
+    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
+    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_dot_leg_12 = c82
+    f_S_dot_leg_23 = -c84
+    f_S_dot_leg_32 = c83
+    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
+    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
+    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
+    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
+    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
+    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    # friction moment by S_dot
+    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
+    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
+    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
+    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
+    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
+    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
+    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
+    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
+    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
+    c92 = c9 * own_y
+    c93 = c87 * h_z
+    c94 = -c17 * c93
+    c95 = c9 * k1
+    c96 = c51 * c95
+    c97 = c11 * inv_L
+    c98 = 2.0 * h_y
+    c99 = c87 * c98
+    c100 = W_z * c99
+    c101 = c100 + 4.0 * c15 * c16 * c85 - c97
+    A_0_leg_11 = 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - c101 - c92 - c94 - 4.0 * c96
+    c102 = h_x * inv_L
+    c103 = c102 * c60
+    c104 = J_yz * c10
+    c105 = c104 * own_y
+    c106 = h_y * inv_L
+    c107 = c106 * c12
+    c108 = 2.0 * c107
+    c109 = c10 * inv_k3
+    c110 = c109 * c58
+    c111 = c109 * c59
+    c112 = inv_L * inv_L * inv_L
+    c113 = L_dot * L_dot
+    c114 = c112 * c113
+    c115 = c114 * c98
+    c116 = C_us * c10
+    c117 = W_z * c116 * c49
+    c118 = c10 * own_z
+    c119 = J_xx * c49
+    c120 = 2.0 * c40
+    c121 = c10 * c61
+    c122 = c49 * c9
+    c123 = c106 * c3
+    c124 = 2.0 * c49
+    c125 = c109 * c64
+    c126 = c109 * c65
+    c127 = 2.0 * c93
+    c128 = c16 * k1
+    c129 = c10 * c62
+    c130 = c129 * c49
+    c131 = inv_k3 * inv_k3 * inv_k3
+    A_0_leg_12 = (C_p * W_z + C_s * c10 * inv_k3 * w_k_omega + 2.0 * J_xx * W_z * c10 * c131 * k1 * theta_dot
+        + J_xy * c10 * c12 + J_xy * c10 * c3 + 2.0 * J_xz * W_z * c10 * c49 * theta_dot + 2.0 * L_ddot * c10
+        * h_y + 2.0 * W_z * h_z * inv_L * theta_dot + c10 * c53 * own_z + c10 * gamma_n * inv_k3 * w_y + c10
+        * gamma_y * w_x + 3.0 * c12 * c49 * h_y * inv_L + 2.0 * h_y * inv_L * inv_k3 * k1 * own_y + 3.0 * h_z
+        * inv_L * inv_k3 * k1 * own_z - c103 - c105 - c108 - c110 - c111 - c115 - c117 - c118 * c119 - c120
+        * c121 - 6.0 * c122 * c77 - c123 * c124 - c125 - c126 - c127 * c128 - c130)
+    c132 = c10 * c22
+    c133 = c10 * c23
+    c134 = c10 * c24
+    c135 = 2.0 * c114
+    c136 = c135 * h_z
+    c137 = c10 * c44
+    c138 = c10 * c25
+    c139 = c10 * c50
+    c140 = W_z * c10
+    c141 = c140 * c33
+    c142 = c12 * c9
+    c143 = 3.0 * c142
+    c144 = c10 * c42
+    c145 = c10 * c12
+    c146 = c3 * c9
+    c147 = c10 * c26
+    c148 = 4.0 * W_z
+    c149 = c148 * c85
+    c150 = c149 * h_y
+    c151 = (c10 * c28 + c10 * c30 + c10 * c32 + c128 * c99 + c146 + c150 * c49 + 2.0 * c36 * inv_L - c10 * c39
+        - c143 - c147 - c150 - c20 * c97)
+    A_0_leg_13 = (c132 + c133 + c134 + c137 + 2.0 * c138 + c141 + c143 * c49 + c144 + c145 * c55 * inv_k3 + c151
+        - C_p * theta_dot - c10 * c47 - c136 - c139 - c141 * c49)
+    c152 = L_ddot * c10
+    c153 = c152 * h_y
+    c154 = c10 * gamma_y
+    c155 = c106 * own_y
+    c156 = L_dot * c112
+    c157 = c156 * c17
+    c158 = 3.0 * c129
+    c159 = 4.0 * c121
+    c160 = c148 * theta_dot
+    c161 = c41 * inv_k3
+    c162 = 4.0 * c61
+    c163 = c156 * c16
+    c164 = c17 * c87 * h_y
+    c165 = W_z * c156
+    c166 = c140 * theta_dot
+    c167 = 6.0 * c166
+    c168 = -2.0 * J_zz
+    c169 = c168 + c75
+    c170 = c131 * k1
+    c171 = J_xx * c170
+    A_0_leg_21 = (J_xz * c167 * c49 + J_yz * c157 + 3.0 * c10 * c71 + c108 * c49 + c109 * c56 + c109 * c57 + c118
+        * c169 + c120 * c95 + c153 + c154 * w_x + c155 * c20 + c157 * c161 + c158 + c162 * c163 + c164 * c20
+        + c165 * c76 + c167 * c171 - c103 - 2.0 * c105 - c107 - 2.0 * c110 - c111 - 2.0 * c117 - c118 * c76
+        - c122 * c160 - c123 - 3.0 * c125 - 3.0 * c126 - 3.0 * c130 - c159 * c40 - c165 * c169)
+    c173 = L_ddot * c112
+    c174 = c14 * inv_L
+    c175 = c113 * inv_L * inv_L * inv_L * inv_L
+    c176 = c10 * c3
+    c177 = J_yy * c145
+    c178 = c13 * inv_L
+    c179 = 2.0 * J_xy
+    c180 = c118 * c179
+    c181 = c10 * own_y
+    c182 = 2.0 * J_xz
+    c183 = c181 * c182
+    c184 = c154 * c49
+    c185 = c145 * c49
+    c186 = C_us * c156
+    c187 = inv_k3 * inv_k3 * inv_k3 * inv_k3
+    c188 = c187 * c75
+    c189 = c49 * c97
+    c190 = c165 * c179
+    c191 = 2.0 * c92
+    c192 = c10 * gamma_n
+    c193 = c192 * c38
+    c194 = c109 * own_y
+    c195 = c10 * c43
+    c196 = c190 * c49
+    c197 = 2.0 * c61
+    c198 = c197 * inv_k3
+    c199 = c104 * c17
+    c200 = W_z * c199
+    c201 = c200 * c49
+    c202 = 2.0 * c170
+    c203 = c49 * c66
+    c204 = c131 * c176
+    c205 = 2.0 * c134
+    c206 = c162 * inv_k3
+    c207 = c131 * c166
+    c208 = 4.0 * c207 * c41
+    c209 = 2.0 * c46
+    c210 = c163 * c209
+    c211 = c170 * c75
+    c212 = c211 * theta_dot
+    c213 = c131 * c149 * c15
+    c214 = c10 * g_k
+    c215 = C_p * c2 + c135 * h_x + c193 + c214 * c29 + c214 * c31 - F * inv_L - c152 * c69 - c192 * c27
+    A_0_leg_22 = (c132 * c20 + 3.0 * c138 * c20 + c143 * c170 + c156 * c203 + c156 * c212 + c173 * c53 + c174
+        + c175 * c206 + c175 * c76 + c176 * c188 + c176 * c198 + c180 * c49 + c183 + c184 * w_y + c185 * (J_yy
+        + c75 - J_zz) + c190 + c191 * c49 + c193 * c49 + c194 * c55 + c197 * c204 + c20 * c205 + c213 + c215
+        + c94 - c109 * g_k * w_z - c119 * c173 - c119 * c176 - c132 * c170 - c136 * c20 - c145 * c188 - c146
+        * c202 - c146 * c21 - c147 * c20 - c169 * c175 - 3.0 * c170 * c195 - c171 * c181 - c173 * c198 - c176
+        * c53 - c177 - c178 - c180 - c183 * c49 - c186 * c49 - 2.0 * c189 - c196 - c201 - c208 - c210 - c92)
+    c216 = c104 * c3
+    c217 = c104 * c12
+    c218 = J_xy * c49
+    c219 = c217 * c49
+    c220 = c216 * c49
+    c221 = c155 * c49
+    c222 = c156 * c33
+    c223 = c10 * k1
+    c224 = c223 * c63
+    c225 = c116 * c170
+    c226 = c17 * c9
+    c227 = c157 * c46 * inv_k3
+    c228 = 2.0 * J_yz
+    c229 = c9 * own_z
+    c230 = c118 * c182
+    c231 = c69 * c85
+    c232 = c223 * c49
+    c233 = 2.0 * c161
+    c234 = c182 * c49
+    c235 = (J_yz * c173 + W_z * c231 + c159 * c73 + c160 * c170 * c9 + c161 * c173 + c184 * w_z + c230 * c49
+        - c124 * c229 - c162 * c207 - c165 * c234 - c166 * c169 - c175 * c228 - c175 * c233 - c232 * c56 - c232
+        * c57)
+    A_0_leg_23 = (c107 * c20 + c118 * c211 + c119 * c167 + c123 * c20 + c129 * c202 + c155 + c161 * c176 + c164
+        + c181 * c218 + c216 + c219 + c220 + c225 * c70 + c227 + c235 - J_xx * c167 * c187 - c108 * c170 - c128
+        * c226 - c153 * c20 - c164 * c49 - c165 * c211 - c217 - c221 - c222 - c224)
+    c236 = 2.0 * J_yy
+    c237 = c236 * theta_dot
+    c238 = 2.0 * c41
+    A_0_leg_31 = (J_xy * c167 + c124 * c142 + 2.0 * c132 + 2.0 * c133 + c138 + 2.0 * c144 + c145 * c20 * (3.0
+        * J_xx + 3.0 * J_yy - 3.0 * J_zz) + c151 + 6.0 * c195 + c205 - 6.0 * c10 * c46 * c73 - 3.0 * c139 - c156
+        * c237 - c163 * c238 - c165 * c228 - c167 * c218)
+    c239 = c179 * c181
+    c240 = 4.0 * J_xz
+    c242 = c169 + c236
+    c243 = 4.0 * c128 * c9
+    A_0_leg_32 = (C_s * c109 * w_n_omega + W_z * c225 + c108 * c20 + c115 * c20 + c118 * c171 + c123 * c202
+        + c128 * c156 * c242 + 2.0 * c155 + c158 * c170 + c165 * c240 + c166 * c49 * (4.0 * J_xx + c168 + c236)
+        + c194 * c209 + 3.0 * c219 + c222 + c229 + c235 + c239 * c49 - 3.0 * c107 * c170 - c116 * c128 - 2.0
+        * c153 * c20 - c166 * c188 - c204 * c238 - 2.0 * c217 - c220 - 2.0 * c221 - c222 * c49 - c223 * c40
+        * c54 - 2.0 * c224 - c227 - c230 - c239 - c243 * theta_dot - c70 * c93)
+    A_0_leg_33 = (c101 + c137 * c170 + c175 * c236 + c177 + c178 + c189 + c191 + c196 + c201 + c208 + c210 + c215
+        + 2.0 * c96 - J_yy * c173 - J_yy * c176 - c10 * c18 * c41 - c100 * c49 - c118 * c218 - c142 * c202 - c174
+        - c185 * c54 - c186 - c190 - c200 - c213)
+    A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_21 * y_x + A_0_leg_31 * z_x
+    A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_22 * y_x + A_0_leg_32 * z_x
+    A_0_T_xz = A_0_leg_13 * s_x + A_0_leg_23 * y_x + A_0_leg_33 * z_x
+    A_0_T_ys = A_0_leg_11 * s_y + A_0_leg_21 * y_y + A_0_leg_31 * z_y
+    A_0_T_yy = A_0_leg_12 * s_y + A_0_leg_22 * y_y + A_0_leg_32 * z_y
+    A_0_T_yz = A_0_leg_13 * s_y + A_0_leg_23 * y_y + A_0_leg_33 * z_y
+    A_0_T_zs = A_0_leg_11 * s_z + A_0_leg_21 * y_z + A_0_leg_31 * z_z
+    A_0_T_zy = A_0_leg_12 * s_z + A_0_leg_22 * y_z + A_0_leg_32 * z_z
+    A_0_T_zz = A_0_leg_13 * s_z + A_0_leg_23 * y_z + A_0_leg_33 * z_z
+    # force at the tip by S
+    A_0_xx = A_0_T_xs * s_x + A_0_T_xy * y_x + A_0_T_xz * z_x
+    A_0_xy = A_0_T_xs * s_y + A_0_T_xy * y_y + A_0_T_xz * z_y
+    A_0_xz = A_0_T_xs * s_z + A_0_T_xy * y_z + A_0_T_xz * z_z
+    A_0_yx = A_0_T_ys * s_x + A_0_T_yy * y_x + A_0_T_yz * z_x
+    A_0_yy = A_0_T_ys * s_y + A_0_T_yy * y_y + A_0_T_yz * z_y
+    A_0_yz = A_0_T_ys * s_z + A_0_T_yy * y_z + A_0_T_yz * z_z
+    A_0_zx = A_0_T_zs * s_x + A_0_T_zy * y_x + A_0_T_zz * z_x
+    A_0_zy = A_0_T_zs * s_y + A_0_T_zy * y_y + A_0_T_zz * z_y
+    A_0_zz = A_0_T_zs * s_z + A_0_T_zy * y_z + A_0_T_zz * z_z
+    c244 = c106 * c70
+    c245 = c244 - c226
+    A_1_leg_11 = C_p + c245
+    c246 = c102 * c70
+    c247 = c85 * c98
+    A_1_leg_12 = c20 * c247 + c243 + c99 - c246
+    c248 = c231 - 2.0 * c106 * c128
+    A_1_leg_13 = c127 + c248
+    c249 = c109 * c17
+    A_1_leg_21 = (W_z * c10 * c169 + 2.0 * W_z * h_z * inv_L * inv_k3 * k1 - c140 * c76 - c159 * c16 - c199
+        - c246 - c249 * c41)
+    c250 = c140 * c179
+    c251 = c69 * c87
+    c252 = c244 * c49
+    c253 = c10 * c16
+    c254 = c209 * c253
+    c255 = c250 * c49
+    A_1_leg_22 = (C_us * c10 * c49 + 2.0 * L_dot * c10 * h_z * inv_k3 * k1 + L_dot * c112 * c169 + c254 + c255
+        + 2.0 * c49 * h_z * inv_L * theta_dot - c10 * c203 - c10 * c212 - c156 * c206 - c156 * c76 - c250 - c251
+        - c252)
+    c256 = c10 * c33
+    c257 = c249 * c46
+    c258 = c70 * c9
+    c259 = c140 * c234 + c156 * c228 + c156 * c233 - c258 * c49
+    A_1_leg_23 = c140 * c211 + c256 + c259 - c257
+    A_1_leg_31 = c10 * c237 + c104 * c70 + c238 * c253 + c248
+    A_1_leg_32 = (c247 + c256 * c49 + c257 + c258 + c259 - c140 * c240 - c16 * c223 * c242 - c20 * c99 - c247
+        * c49 - c256)
+    A_1_leg_33 = C_us * c10 + c250 + c252 - c156 * c236 - c245 - c251 - c254 - c255
+    A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_21 * y_x + A_1_leg_31 * z_x
+    A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
+    A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_23 * y_x + A_1_leg_33 * z_x
+    A_1_T_ys = A_1_leg_11 * s_y + A_1_leg_21 * y_y + A_1_leg_31 * z_y
+    A_1_T_yy = A_1_leg_12 * s_y + A_1_leg_22 * y_y + A_1_leg_32 * z_y
+    A_1_T_yz = A_1_leg_13 * s_y + A_1_leg_23 * y_y + A_1_leg_33 * z_y
+    A_1_T_zs = A_1_leg_11 * s_z + A_1_leg_21 * y_z + A_1_leg_31 * z_z
+    A_1_T_zy = A_1_leg_12 * s_z + A_1_leg_22 * y_z + A_1_leg_32 * z_z
+    A_1_T_zz = A_1_leg_13 * s_z + A_1_leg_23 * y_z + A_1_leg_33 * z_z
+    # force at the tip by S_dot
+    A_1_xx = A_1_T_xs * s_x + A_1_T_xy * y_x + A_1_T_xz * z_x
+    A_1_xy = A_1_T_xs * s_y + A_1_T_xy * y_y + A_1_T_xz * z_y
+    A_1_xz = A_1_T_xs * s_z + A_1_T_xy * y_z + A_1_T_xz * z_z
+    A_1_yx = A_1_T_ys * s_x + A_1_T_yy * y_x + A_1_T_yz * z_x
+    A_1_yy = A_1_T_ys * s_y + A_1_T_yy * y_y + A_1_T_yz * z_y
+    A_1_yz = A_1_T_ys * s_z + A_1_T_yy * y_z + A_1_T_yz * z_z
+    A_1_zx = A_1_T_zs * s_x + A_1_T_zy * y_x + A_1_T_zz * z_x
+    A_1_zy = A_1_T_zs * s_y + A_1_T_zy * y_y + A_1_T_zz * z_y
+    A_1_zz = A_1_T_zs * s_z + A_1_T_zy * y_z + A_1_T_zz * z_z
+    # force by rotation about the tip
+    X_xx = A_0_xx + A_1_xy * omega_z + B_xx * m_xx + B_yx * m_xy + B_zx * m_xz - A_1_xz * omega_y
+    X_xy = A_0_xy + A_1_xz * omega_x + B_xy * m_xx + B_yy * m_xy + B_zy * m_xz - A_1_xx * omega_z
+    X_xz = A_0_xz + A_1_xx * omega_y + B_xz * m_xx + B_yz * m_xy + B_zz * m_xz - A_1_xy * omega_x
+    X_yx = A_0_yx + A_1_yy * omega_z + B_xx * m_xy + B_yx * m_yy + B_zx * m_yz - A_1_yz * omega_y
+    X_yy = A_0_yy + A_1_yz * omega_x + B_xy * m_xy + B_yy * m_yy + B_zy * m_yz - A_1_yx * omega_z
+    X_yz = A_0_yz + A_1_yx * omega_y + B_xz * m_xy + B_yz * m_yy + B_zz * m_yz - A_1_yy * omega_x
+    X_zx = A_0_zx + A_1_zy * omega_z + B_xx * m_xz + B_yx * m_yz + B_zx * m_zz - A_1_zz * omega_y
+    X_zy = A_0_zy + A_1_zz * omega_x + B_xy * m_xz + B_yy * m_yz + B_zy * m_zz - A_1_zx * omega_z
+    X_zz = A_0_zz + A_1_zx * omega_y + B_xz * m_xz + B_yz * m_yz + B_zz * m_zz - A_1_zy * omega_x
+    c260 = m_xy * omega_z
+    c261 = m_xz * omega_y
+    Y_xx = A_1_xx + c260 - c261
+    Y_xy = A_1_xy + m_xz * omega_x - m_xx * omega_z
+    Y_xz = A_1_xz + m_xx * omega_y - m_xy * omega_x
+    Y_yx = A_1_yx + m_yy * omega_z - m_yz * omega_y
+    c262 = m_yz * omega_x
+    Y_yy = A_1_yy + c262 - c260
+    Y_yz = A_1_yz + m_xy * omega_y - m_yy * omega_x
+    Y_zx = A_1_zx + m_yz * omega_z - m_zz * omega_y
+    Y_zy = A_1_zy + m_zz * omega_x - m_xz * omega_z
+    Y_zz = A_1_zz + c261 - c262
+    Z_xx = X_xz * q_y - X_xy * q_z
+    Z_xy = X_xx * q_z - X_xz * q_x
+    Z_xz = X_xy * q_x - X_xx * q_y
+    Z_yx = X_yz * q_y - X_yy * q_z
+    Z_yy = X_yx * q_z - X_yz * q_x
+    Z_yz = X_yy * q_x - X_yx * q_y
+    Z_zx = X_zz * q_y - X_zy * q_z
+    Z_zy = X_zx * q_z - X_zz * q_x
+    Z_zz = X_zy * q_x - X_zx * q_y
+    c263 = m_xz * w_q_y
+    c264 = m_xy * w_q_z
+    V_xx = A_3_xx + Y_xz * q_y + c263 - Y_xy * q_z - c264
+    V_xy = A_3_xy + Y_xx * q_z + m_xx * w_q_z - Y_xz * q_x - m_xz * w_q_x
+    V_xz = A_3_xz + Y_xy * q_x + m_xy * w_q_x - Y_xx * q_y - m_xx * w_q_y
+    V_yx = A_3_yx + Y_yz * q_y + m_yz * w_q_y - Y_yy * q_z - m_yy * w_q_z
+    c265 = m_yz * w_q_x
+    V_yy = A_3_yy + Y_yx * q_z + c264 - Y_yz * q_x - c265
+    V_yz = A_3_yz + Y_yy * q_x + m_yy * w_q_x - Y_yx * q_y - m_xy * w_q_y
+    V_zx = A_3_zx + Y_zz * q_y + m_zz * w_q_y - Y_zy * q_z - m_yz * w_q_z
+    V_zy = A_3_zy + Y_zx * q_z + m_xz * w_q_z - Y_zz * q_x - m_zz * w_q_x
+    V_zz = A_3_zz + Y_zy * q_x + c265 - Y_zx * q_y - c263
+    c266 = m_xy * q_z
+    c267 = m_xz * q_y
+    c268 = -m_yz * q_x
+    # m [q]x
+    m_q_xx = c266 - c267
+    m_q_xy = m_xz * q_x - m_xx * q_z
+    m_q_xz = m_xx * q_y - m_xy * q_x
+    m_q_yx = m_yy * q_z - m_yz * q_y
+    m_q_yy = -c266 - c268
+    m_q_yz = m_xy * q_y - m_yy * q_x
+    m_q_zx = m_yz * q_z - m_zz * q_y
+    m_q_zy = m_zz * q_x - m_xz * q_z
+    m_q_zz = c267 + c268
+    c269 = R_tip_y * q_y
+    c270 = R_tip_z * q_z
+    c271 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c272 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c273 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c274 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c275 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c276 = R_tip_x * q_x
+    c277 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c278 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c279 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c280 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    out = DerivativesLeg()
+    out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
+    out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
+    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
+    out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
+    out.W_mt = [A_0_zx * q_y - A_0_yx * q_z - f_S_xx, A_0_zy * q_y - A_0_yy * q_z - f_S_xy, A_0_zz * q_y - A_0_yz
+        * q_z - f_S_xz, A_0_xx * q_z - A_0_zx * q_x - f_S_yx, A_0_xy * q_z - A_0_zy * q_x - f_S_yy, A_0_xz * q_z
+        - A_0_zz * q_x - f_S_yz, A_0_yx * q_x - A_0_xx * q_y - f_S_zx, A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
+        A_0_yz * q_x - A_0_xz * q_y - f_S_zz]
+    out.W_mr = [Z_zx * q_y + c272 * q_z - Z_yx * q_z - c269 - c270 - c271 * q_y, R_tip_y * q_x + Z_zy * q_y
+        + c271 * q_x - Z_yy * q_z - c273 * q_z, R_tip_z * q_x + Z_zz * q_y + c273 * q_y - Z_yz * q_z - c272
+        * q_x, R_tip_x * q_y + Z_xx * q_z + c274 * q_z - Z_zx * q_x - c275 * q_y, Z_xy * q_z + c275 * q_x - Z_zy
+        * q_x - c270 - c276 - c277 * q_z, R_tip_z * q_y + Z_xz * q_z + c277 * q_y - Z_zz * q_x - c274 * q_x,
+        R_tip_x * q_z + Z_yx * q_x + c278 * q_z - Z_xx * q_y - c279 * q_y, R_tip_y * q_z + Z_yy * q_x + c279
+        * q_x - Z_xy * q_y - c280 * q_z, Z_yz * q_x + c280 * q_y - Z_xz * q_y - c269 - c276 - c278 * q_x]
+    out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
+    out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
+    out.W_mv = [A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx, A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy, A_1_zz * q_y
+        - A_1_yz * q_z - f_S_dot_xz, A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx, A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
+        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz, A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx, A_1_yy * q_x - A_1_xy
+        * q_y - f_S_dot_zy, A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz]
+    out.W_mw = [V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y, V_zy * q_y + f_S_dot_xz * q_x
+        - V_yy * q_z - f_S_dot_xx * q_z, V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x, V_xx
+        * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y, V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x
+        - f_S_dot_yx * q_z, V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x, V_yx * q_x + f_S_dot_zy
+        * q_z - V_xx * q_y - f_S_dot_zz * q_y, V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
+        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
+    pose = derivatives_pose(on, model.platform, motion)
+    derivatives_legs(on, model, motion, pose, legs)
+    if on.anywhere(legs.leaning == 1):
+        for i in range(6):
+            near = derivatives_near(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+            legs.leg[i] = on.where(legs.leaning == 1, near, legs.leg[i])
+    return derivatives_total(on, pose, legs)
+
+
+def place_blocks_24(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
+    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j] = vv[3 * i + j]
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[i + 3][first + j] = wv[3 * i + j]
+            A[i + 3][first + j + 3] = ww[3 * i + j]
+
+
+def place_symmetric_24(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
+    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
+    for i in range(3):
+        A[row][column + i] = parts[i]
+        A[row + i][column] = parts[i]
+    A[row + 1][column + 1] = parts[3]
+    A[row + 1][column + 2] = parts[4]
+    A[row + 2][column + 1] = parts[4]
+    A[row + 2][column + 2] = parts[5]
+
+
+def place_inertia_24(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
+    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
+    zz.
+    """
+    for i in range(3):
+        for j in range(3):
+            A[i][first + j + 3] = vw[3 * i + j]
+            A[j + 3][first + i] = vw[3 * i + j]
+    place_symmetric_24(on, vv, 0, first, A)
+    place_symmetric_24(on, ww, 3, first + 3, A)
+
+
+def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
+    """Takes moments over a length."""
+    if on.anywhere(per_length != 1.0):
+        for i in range(3, 6):
+            for j in range(24):
+                A[i][j] = A[i][j] * per_length
+
+
+def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
+    """Back substitution; inverse: of the pivots."""
+    for k in range(5, -1, -1):
+        for j in range(6, 24):
+            A[k][j] = A[k][j] * inverse[k]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, 24):
+                A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(24):
+            A[i][j] = A[i][j] - factor * A[k][j]
+
+
+def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
+    """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+    where a pivot is small.
+    """
+    inverse = [0.0] * 6
+    suspect = 0
+    for k in range(6):
+        pivot = k
+        most = on.size(A[k][k])
+        for i in range(k + 1, 6):
+            entry = on.size(A[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        if on.anywhere(pivot != k):
+            for j in range(24):
+                upper = A[k][j]
+                A[k][j] = on.at(A, pivot, j)
+                on.put(A, upper, pivot, j)
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_24(on, A, k, inverse[k])
+    substitute_back_24(on, A, inverse)
+    return suspect
+
+
+def checked_derivatives(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = Derivatives()
+    lost = 0.0
+    for i in range(6):
+        lost = lost + 0.0 * found.F[i]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.by_pose[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.by_twist[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * found.by_acceleration[i][j]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(6):
+        out.F[i] = on.where(status == OK, found.F[i], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.by_pose[i][j] = on.where(status == OK, found.by_pose[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.by_twist[i][j] = on.where(status == OK, found.by_twist[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.by_acceleration[i][j] = on.where(status == OK, found.by_acceleration[i][j], on.NAN)
+    out.status = status
+    return out
+
+
+def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = Derivatives()
+    legs = DerivativesLegs()
+    A = [[0.0] * 24 for _ in range(6)]
+    acting = forces(on, model, motion)
+    for i in range(6):
+        legs.given[i].F = acting.F[i]
+    summed = derivatives_sums(on, model, motion, legs)
+    for i in range(3):
+        for j in range(6):
+            A[i][j] = legs.leg[j].H_force[i]
+            A[i + 3][j] = legs.leg[j].H_moment[i]
+    place_blocks_24(on, summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
+    place_blocks_24(on, summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
+    place_inertia_24(on, summed.M_vv, summed.M_vw, summed.M_ww, 18, A)
+    scale_moments_24(on, model.per_length, A)
+    solve_pivoted_24(on, A)
+    for i in range(6):
+        out.F[i] = acting.F[i]
+        for j in range(6):
+            out.by_pose[i][j] = A[i][j + 6]
+            out.by_twist[i][j] = A[i][j + 12]
+            out.by_acceleration[i][j] = A[i][j + 18]
+    out.status = on.where(acting.status == OK, legs.status, acting.status)
+    return checked_derivatives(on, out)
+
+
+def with_acceleration(on: Arithmetic, motion: Any, a: Any, alpha: Any) -> Any:
+    """The motion with these accelerations."""
+    out = Motion()
+    for i in range(9):
+        out.R[i] = motion.R[i]
+    for i in range(3):
+        out.t[i] = motion.t[i]
+        out.omega[i] = motion.omega[i]
+        out.v[i] = motion.v[i]
+        out.alpha[i] = alpha[i]
+        out.a[i] = a[i]
+        out.F_ext[i] = motion.F_ext[i]
+        out.M_ext[i] = motion.M_ext[i]
+    return out
+
+
+def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
+    scale = [0.0] * 6
+    inverse = [0.0] * 6
+    status = OK
+    for k in range(6):
+        scale[k] = A[k][k]
+    for k in range(6):
+        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
+        status = on.where(status == OK, fault, status)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_24(on, A, k, inverse[k])
+    substitute_back_24(on, A, inverse)
+    return status
+
+
+def checked_linearisation(on: Arithmetic, found: Any) -> Any:
+    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
+    out = Linearisation()
+    lost = 0.0
+    for i in range(3):
+        lost = lost + 0.0 * found.a[i]
+    for i in range(3):
+        lost = lost + 0.0 * found.alpha[i]
+    for i in range(12):
+        for j in range(12):
+            lost = lost + 0.0 * found.A[i][j]
+    for i in range(12):
+        for j in range(6):
+            lost = lost + 0.0 * found.B[i][j]
+    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+    for i in range(3):
+        out.a[i] = on.where(status == OK, found.a[i], on.NAN)
+    for i in range(3):
+        out.alpha[i] = on.where(status == OK, found.alpha[i], on.NAN)
+    for i in range(12):
+        for j in range(12):
+            out.A[i][j] = on.where(status == OK, found.A[i][j], on.NAN)
+    for i in range(12):
+        for j in range(6):
+            out.B[i][j] = on.where(status == OK, found.B[i][j], on.NAN)
+    out.status = status
+    return out
+
+
+def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """The platform's part of the derivatives of the wrench: 359 (180 mul, 179 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    M = platform.M
+    R_0_x, R_0_y, R_0_z = platform.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = platform.I_p
+    c1 = R_0_y * R_0_y
+    c2 = R_0_z * R_0_z
+    J_0_xx = I_p_xx + M * (c1 + c2)
+    c3 = M * R_0_x
+    J_0_xy = I_p_xy - R_0_y * c3
+    J_0_xz = I_p_xz - R_0_z * c3
+    c4 = R_0_x * R_0_x
+    J_0_yy = I_p_yy + M * (c2 + c4)
+    c5 = M * R_0_y
+    J_0_yz = I_p_yz - R_0_z * c5
+    J_0_zz = I_p_zz + M * (c1 + c4)
+    c6 = M * R_0_z
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * c3 + R_xy * c5 + R_xz * c6
+    h_base_y = R_yx * c3 + R_yy * c5 + R_yz * c6
+    h_base_z = R_zx * c3 + R_zy * c5 + R_zz * c6
+    c7 = J_0_xx * R_xx + J_0_xy * R_xy + J_0_xz * R_xz
+    c8 = J_0_xy * R_xx + J_0_yy * R_xy + J_0_yz * R_xz
+    c9 = J_0_xz * R_xx + J_0_yz * R_xy + J_0_zz * R_xz
+    c10 = J_0_xx * R_yx + J_0_xy * R_yy + J_0_xz * R_yz
+    c11 = J_0_xy * R_yx + J_0_yy * R_yy + J_0_yz * R_yz
+    c12 = J_0_xz * R_yx + J_0_yz * R_yy + J_0_zz * R_yz
+    # (32) inertia of the platform, base frame
+    J_base_xx = R_xx * c7 + R_xy * c8 + R_xz * c9
+    J_base_xy = R_yx * c7 + R_yy * c8 + R_yz * c9
+    J_base_xz = R_zx * c7 + R_zy * c8 + R_zz * c9
+    J_base_yy = R_yx * c10 + R_yy * c11 + R_yz * c12
+    J_base_yz = R_zx * c10 + R_zy * c11 + R_zz * c12
+    J_base_zz = (R_zx * (J_0_xx * R_zx + J_0_xy * R_zy + J_0_xz * R_zz) + R_zy * (J_0_xy * R_zx + J_0_yy * R_zy
+        + J_0_yz * R_zz) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
+    c13 = h_base_y * omega_z
+    c14 = h_base_z * omega_y
+    c15 = h_base_x * omega_z
+    c16 = h_base_z * omega_x
+    c17 = h_base_x * omega_y
+    c18 = h_base_y * omega_x
+    # (31) omega x h
+    w_h_x = c14 - c13
+    w_h_y = c15 - c16
+    w_h_z = c18 - c17
+    c19 = J_base_xy * omega_y
+    c20 = J_base_xz * omega_z
+    c21 = J_base_xy * omega_x
+    c22 = J_base_yz * omega_z
+    c23 = J_base_xz * omega_x
+    c24 = J_base_yz * omega_y
+    # (34) I omega
+    J_w_x = J_base_xx * omega_x + c19 + c20
+    J_w_y = J_base_yy * omega_y + c21 + c22
+    J_w_z = J_base_zz * omega_z + c23 + c24
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_xy = omega_xy - alpha_z
+    B_xz = alpha_y + omega_xz
+    B_yx = alpha_z + omega_xy
+    B_yy = -omega_xx - omega_zz
+    B_yz = omega_yz - alpha_x
+    B_zx = omega_xz - alpha_y
+    B_zy = alpha_x + omega_yz
+    B_zz = -omega_xx - omega_yy
+    c25 = J_base_xy * alpha_y
+    c26 = J_base_xz * alpha_z
+    J_alpha_x = J_base_xx * alpha_x + c25 + c26
+    c27 = J_base_xy * alpha_x
+    c28 = J_base_yz * alpha_z
+    J_alpha_y = J_base_yy * alpha_y + c27 + c28
+    c29 = J_base_xz * alpha_x
+    c30 = J_base_yz * alpha_y
+    J_alpha_z = J_base_zz * alpha_z + c29 + c30
+    # (33) a - g
+    rise_x = a_x - g_x
+    rise_y = a_y - g_y
+    rise_z = a_z - g_z
+    F_load_x = F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz
+    F_load_y = F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz
+    F_load_z = F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz
+    M_load_x = M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz
+    M_load_y = M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz
+    M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
+    c31 = J_base_xy * omega_z
+    c32 = J_base_xz * omega_y
+    c34 = J_w_z + c23 - J_base_xx * omega_z
+    c35 = J_w_y + c21 - J_base_xx * omega_y
+    c36 = J_w_z + c24 - J_base_yy * omega_z
+    c37 = J_base_yz * omega_x
+    c39 = c31 - c37
+    c40 = J_w_x + c19 - J_base_yy * omega_x
+    c41 = J_w_y + c22 - J_base_zz * omega_y
+    c42 = J_w_x + c20 - J_base_zz * omega_x
+    # derivative of I omega by dphi at fixed omega
+    spin_xx = c31 - c32
+    spin_xy = c34
+    spin_xz = -c35
+    spin_yx = -c36
+    spin_yy = -c39
+    spin_yz = c40
+    spin_zx = c41
+    spin_zy = -c42
+    spin_zz = c32 - c37
+    c43 = J_base_xz * alpha_y
+    c44 = h_base_y * rise_y
+    c45 = h_base_z * rise_z
+    c46 = J_base_xy * alpha_z
+    c47 = h_base_x * rise_x
+    c48 = J_base_yz * alpha_x
+    c49 = h_base_y * omega_y
+    c50 = h_base_z * omega_z
+    c51 = h_base_x * omega_x
+    out = JointSlopesPose()
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.M_vv = [M, 0.0, 0.0, M, 0.0, M]
+    out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
+    out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
+    out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fr = [B_xz * h_base_y - B_xy * h_base_z, B_xx * h_base_z - B_xz * h_base_x - F_load_z, B_xy * h_base_x
+        + F_load_y - B_xx * h_base_y, B_yz * h_base_y + F_load_z - B_yy * h_base_z, B_yx * h_base_z - B_yz * h_base_x,
+        B_yy * h_base_x - B_yx * h_base_y - F_load_x, B_zz * h_base_y - B_zy * h_base_z - F_load_y, B_zx * h_base_z
+        + F_load_x - B_zz * h_base_x, B_zy * h_base_x - B_zx * h_base_y]
+    out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mr = [c46 + omega_y * spin_zx - c43 - c44 - c45 - omega_z * spin_yx, J_alpha_z + c29 + h_base_x * rise_y
+        + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy, J_base_xx * alpha_y + M_load_y
+        + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c27 - omega_z * spin_yz, J_base_yy * alpha_z + M_load_z
+        + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c30 - omega_x * spin_zx, c48 + omega_z * spin_xy
+        - c45 - c46 - c47 - omega_x * spin_zy, J_alpha_x + c25 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy
+        * alpha_x - M_load_x - omega_x * spin_zz, J_alpha_y + c28 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz
+        * alpha_y - M_load_y - omega_y * spin_xx, J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x
+        * spin_yy - J_alpha_x - c26 - omega_y * spin_xy, c43 + omega_x * spin_yz - c44 - c47 - c48 - omega_y
+        * spin_xz]
+    out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fw = [c49 + c50, w_h_z - c17, -c15 - w_h_y, -c18 - w_h_z, c50 + c51, w_h_x - c13, w_h_y - c16,
+        -c14 - w_h_x, c49 + c51]
+    out.W_mv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mw = [C_P + c32 - c31, c36, -c41, -c34, C_P + c39, c42, c35, -c40, C_P + c37 - c32]
+    return out
+
+
+def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 1983
+    (1250 mul, 729 add, 2 div, 2 sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    m_u, C_p, C_s = leg.m_u, leg.C_p, leg.C_s
+    h_x, h_y, h_z = leg.h
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_xz, J_yy, J_yz, J_zz = leg.J
+    g_k = leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = pose.B
+    net_x, net_y, net_z = given.net
+    turned_x, turned_y, turned_z = given.turned
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (10) leg vector along the fixed axis, and normal to both
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    # (2) leg length, and distance of its tip from the fixed axis
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (10) along the third axis of the leg
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
+    # (10) leg length, and distance of its tip from the fixed axis
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
+    # (10) third axis of the leg frame
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
+    # (10) rotating axis of the universal joint
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
+    # (10) k1 / k3
+    kappa = inv_rho * zeta
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    c1 = S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = c1 * inv_rho
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
+    c2 = L_dot * inv_L
+    # L_dot / L
+    L_share = c2
+    c3 = theta_dot * theta_dot
+    theta_dot2 = c3
+    phi_dot2 = phi_dot * phi_dot
+    inv_k3 = L * inv_rho
+    # (6) leg's turning about z
+    W_z = c1 * inv_L
+    c4 = omega_z * w_q_y
+    c5 = omega_x * w_q_z - omega_z * w_q_x
+    c6 = omega_y * w_q_x
+    # (7) acceleration of the platform point
+    S_ddot_x = omega_y * w_q_z - c4
+    S_ddot_y = -c5
+    S_ddot_z = omega_x * w_q_y - c6
+    # (8) acceleration of the length
+    L_ddot = (L * (phi_dot2 * k3 * k3 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x)
+    c7 = 2.0 * L_share
+    c8 = k3 * turned_z
+    # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
+    own_y = turned_y - c7 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_z = c8 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c7
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
+    # k x y
+    normal_x = k_y * y_z - k_z * y_y
+    normal_y = k_z * y_x - k_x * y_z
+    normal_z = k_x * y_y - k_y * y_x
+    # omega along k x y, y and k
+    w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
+    c9 = inv_rho * net_z
+    c10 = inv_L * net_y
+    # force at the tip, less the actuator's
+    R_tip_x = c9 * y_x + net_x * s_x - c10 * z_x
+    R_tip_y = c9 * y_y + net_x * s_y - c10 * z_y
+    R_tip_z = c9 * y_z + net_x * s_z - c10 * z_z
+    fall_x = omega_y * w_q_z - c4 - g_x
+    fall_y = -c5 - g_y
+    fall_z = omega_x * w_q_y - c6 - g_z
+    # acceleration of the platform point from free fall, leg frame
+    fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z + turned_x
+    fall_T_y = L * c8 + fall_x * y_x + fall_y * y_y + fall_z * y_z
+    fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z - L * turned_y
+    c11 = h_z * own_y
+    c12 = W_z * W_z
+    c13 = inv_L * inv_L
+    c14 = L_dot * c13
+    c15 = 2.0 * h_y
+    c16 = W_z * c15
+    c17 = h_y * inv_L
+    c18 = inv_k3 * k1
+    c19 = c17 * c18
+    c20 = 4.0 * W_z
+    c21 = c20 * theta_dot
+    c22 = c12 * h_z
+    c23 = c22 * inv_L
+    c24 = 4.0 * c18
+    tau_S_leg_11 = (2.0 * L_dot * c13 * h_z * theta_dot + 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
+        * inv_L * own_z - c11 * inv_L - c14 * c16 - c19 * c21 - c23 * c24)
+    c25 = fall_T_y * m_u
+    c26 = L_ddot * c13
+    c27 = c17 * c3
+    c28 = h_z * inv_L
+    c29 = 2.0 * theta_dot
+    c30 = c28 * c29
+    c31 = h_y * own_y
+    c32 = inv_L * inv_k3
+    c33 = c32 * k1
+    c34 = h_z * own_z
+    c35 = c12 * c17
+    c36 = 2.0 * h_x
+    c37 = W_z * c14
+    c38 = L_dot * L_dot
+    c39 = inv_L * inv_L * inv_L
+    c40 = c38 * c39
+    c41 = inv_k3 * inv_k3
+    c42 = 2.0 * c41
+    c43 = h_y * k1
+    c44 = c43 * inv_k3
+    tau_S_leg_12 = (C_p * W_z + W_z * c30 + c25 * inv_L + c26 * h_y + c27 + c31 * c33 + c33 * c34 + c35 * c42
+        + c36 * c37 - c14 * c29 * c44 - c15 * c40 - c21 * c28 * c41 - c24 * c37 * h_z - c27 * c42 - c35)
+    c45 = fall_T_z * m_u
+    c46 = c3 * h_z
+    c47 = W_z * c29
+    c48 = c17 * c47
+    c49 = c36 * theta_dot
+    c50 = 2.0 * h_z
+    c51 = 2.0 * W_z
+    c52 = c44 * c51
+    tau_S_leg_13 = (c14 * c52 + c23 * c42 + c26 * h_z + c41 * c48 + c45 * inv_L + c46 * inv_L - C_p * theta_dot
+        - c14 * c49 - c23 - c40 * c50 - c48)
+    c53 = C_us * inv_L
+    c54 = c53 * theta_dot
+    c55 = J_yy * inv_L
+    c56 = J_yz * inv_L
+    c57 = inv_L * theta_dot
+    c58 = J_xy * c57
+    c59 = J_xy * inv_L
+    c60 = c59 * k1
+    c61 = c60 * inv_k3
+    c62 = c12 * inv_L
+    c63 = 4.0 * J_xz
+    c64 = c15 * theta_dot
+    c65 = 2.0 * J_yy
+    c66 = 2.0 * J_xx
+    c67 = c66 - 2.0 * J_zz
+    c68 = c65 + c67
+    tau_S_leg_21 = (2.0 * J_xy * L_dot * W_z * c13 * inv_k3 * k1 + 4.0 * J_xy * W_z * c41 * inv_L * theta_dot
+        + 2.0 * J_xz * c12 * c41 * inv_L + 2.0 * J_yy * L_dot * c13 * theta_dot + 2.0 * J_yz * L_dot * W_z * c13
+        + 4.0 * J_yz * W_z * inv_L * inv_k3 * k1 * theta_dot + 2.0 * L_dot * h_x * inv_L * theta_dot + 2.0 * W_z
+        * h_y * theta_dot + c12 * h_z - W_z * c41 * c64 - c12 * c68 * inv_L * inv_k3 * k1 - c2 * c52 - c20 * c58
+        - c22 * c41 - c45 - c46 - c54 - c55 * own_y - c56 * own_z - c61 * own_z - c62 * c63)
+    c70 = c59 * own_y
+    c71 = W_z * c49
+    c72 = inv_L * w_z
+    c73 = c72 * gamma_y
+    c74 = c25 * k1
+    c75 = c12 * c56
+    c76 = C_s * inv_L
+    c77 = c20 * h_z
+    c78 = k1 * own_z
+    c79 = c36 * c78
+    c80 = W_z * c53 * inv_k3
+    c81 = J_yz * c26
+    c82 = c3 * c56
+    c83 = k1 * own_y
+    c84 = c56 * c83
+    c85 = c18 * theta_dot
+    c86 = inv_L * w_x
+    c87 = c86 * k1
+    c88 = c87 * gamma_y
+    c89 = J_xy * c14
+    c90 = c29 * c89
+    c91 = W_z * c63
+    c92 = c14 * c91
+    c93 = c12 * inv_k3
+    c94 = c57 * c91
+    c95 = c2 * c36
+    c96 = W_z * c95
+    c97 = 2.0 * J_yz
+    c98 = c40 * c97
+    c99 = c26 * inv_k3
+    c100 = J_xy * k1
+    c101 = W_z * c50
+    c102 = c101 * c41
+    c103 = inv_k3 * inv_k3 * inv_k3
+    c104 = c101 * k1
+    c105 = c104 * theta_dot
+    c106 = c12 * c43
+    c107 = 2.0 * c103
+    c108 = c107 * c3
+    c109 = 2.0 * k1
+    c110 = J_xz * c109
+    c111 = W_z * c57
+    c112 = c14 * c97
+    c113 = J_xy * c109 * c40
+    c114 = c12 * c60
+    c115 = J_xz * c51
+    c116 = c115 * c41
+    c117 = c13 * c38
+    c118 = W_z * c41
+    c119 = c118 * c57
+    tau_S_leg_22 = (L_ddot * c19 + W_z * c57 * c67 + c103 * c110 * c111 + c106 * c107 + c108 * c60 + c112 * c85
+        + c113 * inv_k3 + c116 * c14 + c18 * c96 + c2 * c64 + c2 * c77 + c3 * c44 + c31 * c41 + c34 + c41 * c90
+        + c42 * c82 + c55 * c78 * inv_k3 + c60 * c93 + c70 + c74 * inv_k3 + c75 + c77 * c85 + c79 * inv_k3 + c80
+        * k1 + c98 - c100 * c99 - c102 * c2 - c103 * c105 - c107 * c114 - c108 * c43 - 2.0 * c117 * c44 - c119
+        * c68 - c18 * c94 - c2 * c41 * c64 - c3 * c61 - c31 - c37 * c68 * inv_k3 * k1 - c41 * c70 - c42 * c75
+        - c43 * c93 - c71 - c73 - c76 * inv_k3 * w_n_omega - c81 - c82 - c84 * inv_k3 - c88 * inv_k3 - c90 - c92)
+    c120 = h_y * own_z
+    c121 = c103 * c57
+    c122 = W_z * c112
+    c123 = c51 * c89
+    c124 = c110 * c62
+    c125 = J_xx - J_zz
+    tau_S_leg_23 = (C_us * L_dot * c13 + 2.0 * J_xy * L_dot * W_z * c13 + 2.0 * J_xy * W_z * inv_L * inv_k3
+        * k1 * theta_dot + J_xy * c41 * inv_L * own_z + J_yy * L_ddot * c13 + J_yy * c3 * inv_L + 2.0 * J_yz
+        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c41 * h_y * inv_L + 4.0
+        * W_z * c103 * h_y * k1 * theta_dot + 2.0 * c103 * c12 * h_z * k1 + c12 * c41 * inv_L * (J_yy + c125)
+        + fall_T_x * m_u + gamma_n * inv_L * k3 * w_x - c100 * c121 * c20 - c103 * c124 - c11 - c117 * c36 - c12
+        * c36 - c12 * c55 - c120 * c41 - c122 * c18 - c123 * c41 - c16 * c2 - c40 * c65 - c41 * c47 * c56 - c44
+        * c47 - c72 * g_k * k3 - c72 * gamma_n * k1 - c87 * g_k)
+    c126 = J_xx * inv_L
+    c127 = c126 * inv_k3
+    c128 = c110 * inv_L
+    c129 = c56 * k3
+    c130 = c101 * inv_k3
+    c131 = c57 * inv_k3
+    c132 = c36 * k3
+    c133 = W_z * c132
+    c134 = 2.0 * k3
+    c135 = c134 * c59
+    c136 = inv_L * k3
+    c137 = c66 * inv_k3
+    c138 = c109 * c89
+    c139 = c112 * k3
+    c140 = J_xx * c20
+    c141 = c41 * k1
+    c142 = c141 * c57
+    c144 = -c67 * k3
+    tau_S_leg_31 = (c12 * c135 + c125 * c136 * own_z + c131 * c91 + c133 * c2 + c135 * c3 + c137 * c37 + c138
+        * theta_dot + c139 * theta_dot + c140 * c142 + c144 * c37 + c25 * k3 + c92 * k1 + c93 * h_y - c104 * c2
+        - c109 * c75 - c109 * c82 - c127 * own_z - c128 * own_z - c129 * own_y - c130 * theta_dot - 2.0 * c59
+        * c93 - c70 * k1 - c80)
+    c145 = 2.0 * J_xz
+    c146 = c109 * c46
+    c147 = c109 * c58
+    c148 = c50 * theta_dot
+    c149 = c2 * k3
+    c150 = c126 * c41
+    c151 = c50 * k1
+    tau_S_leg_32 = (2.0 * J_xx * L_dot * c13 * c41 * k1 * theta_dot + 2.0 * J_xx * c103 * c3 * inv_L + J_xx
+        * c12 * inv_L * inv_k3 + 2.0 * J_xx * c38 * c39 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c13 * k3 + J_xy
+        * inv_L * inv_k3 * own_z + 2.0 * J_xz * L_dot * c13 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c41 * inv_L
+        * k1 + 2.0 * J_xz * c3 * inv_L * k1 + 4.0 * J_xz * c38 * c39 * k1 + 2.0 * J_xz * inv_L * k3 * own_y
+        + J_yz * inv_L * k1 * own_z + L_ddot * c125 * c13 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z
+        * c41 * h_y * k1 * theta_dot + c12 * c125 * inv_L * k3 + 2.0 * c12 * c41 * h_z * k1 + c125 * inv_L * k1
+        * own_y + 2.0 * c13 * c38 * h_x * k3 + 2.0 * c3 * h_x * k3 + fall_T_z * k1 * m_u + gamma_n * inv_L * inv_k3
+        * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c14 * inv_k3 - J_xx
+        * c99 - L_ddot * c132 * inv_L - W_z * c147 - c103 * c62 * c66 - 2.0 * c11 * k3 - c110 * c26 - c110 * c41
+        * c62 - c117 * c151 - c118 * c147 - c120 * inv_k3 - c122 * k1 - c123 * inv_k3 - c124 - c125 * c3 * inv_L
+        * k3 - c127 * c3 - c129 * c47 - c141 * c54 - c145 * c32 * own_y - c146 * c41 - c146 - c148 * c149 - c150
+        * c83 - c2 * c49 * k1 - c36 * c83 - c38 * c39 * c67 * k3 - c59 * k3 * own_z - c86 * gamma_n - fall_T_x
+        * k3 * m_u)
+    c153 = c118 * k1
+    c154 = k1 * theta_dot
+    tau_S_leg_33 = (c100 * c26 + c102 * c154 + c111 * c144 + c112 * c154 + c114 * c41 + c125 * c78 * inv_L + c130
+        * c2 + c131 * c140 + c134 * c82 + c136 * c145 * own_z + c150 * c78 + c153 * c53 + 2.0 * c3 * c60 + c70
+        * k3 + c71 * k3 + c73 * k3 + c81 * k3 + c88 + c94 * k1 - c101 * c149 - c105 - c106 * c41 - c110 * c119
+        - c113 - c115 * c14 * inv_k3 - c121 * c140 - c134 * c34 - c134 * c89 * theta_dot - c141 * c37 * c66
+        - c74 - c79 - c84 - c96 * k1 - c98 * k3)
+    # generalised forces by the tip's motion
+    tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
+    tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
+    tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_12 * y_z + tau_S_leg_13 * z_z
+    tau_S_yx = s_x * tau_S_leg_21 + tau_S_leg_22 * y_x + tau_S_leg_23 * z_x
+    tau_S_yy = s_y * tau_S_leg_21 + tau_S_leg_22 * y_y + tau_S_leg_23 * z_y
+    tau_S_yz = s_z * tau_S_leg_21 + tau_S_leg_22 * y_z + tau_S_leg_23 * z_z
+    tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
+    tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
+    tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
+    tau_S_dot_leg_11 = C_p + c17 * c51 - c30
+    c155 = c109 * c17 * inv_k3
+    tau_S_dot_leg_12 = c14 * c15 + c155 * theta_dot + c18 * c20 * c28 - W_z * c36 * inv_L
+    tau_S_dot_leg_13 = c14 * c50 + c36 * c57 - W_z * c155
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c49 - c51 * c56 - c51 * c61 - c57 * c65
+    c156 = c109 * c56
+    c157 = c156 * theta_dot
+    tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
+        * inv_k3 * k1 + 2.0 * W_z * c41 * h_z + W_z * c68 * inv_L * inv_k3 * k1 + 2.0 * c41 * h_y * theta_dot
+        - c101 - c112 - c116 * inv_L - c138 * inv_k3 - c157 * inv_k3 - 2.0 * c41 * c58 - c64)
+    c158 = c51 * c59
+    tau_S_dot_leg_23 = (W_z * c156 * inv_k3 + c14 * c65 + c158 * c41 + c16 + c95 - c148 - c158 - c16 * c41 - c53)
+    tau_S_dot_leg_31 = (W_z * c67 * inv_L * k3 + 2.0 * W_z * h_z * k1 - W_z * c32 * c66 - c129 * c29 - c133
+        - c147 - c91 * inv_L * k1)
+    tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
+        * k1 + L_dot * c13 * c67 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
+        * c135 - c131 * c145 - c132 * c2 - c137 * c14 - c14 * c63 * k1 - c142 * c66 - c16 * inv_k3)
+    tau_S_dot_leg_33 = c115 * c32 + c134 * c58 + c138 + c139 + c153 * c66 * inv_L - c130 - c157
+    # generalised forces by the tip's motion
+    tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
+    tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
+    tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_z + tau_S_dot_leg_13 * z_z
+    tau_S_dot_yx = s_x * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_x + tau_S_dot_leg_23 * z_x
+    tau_S_dot_yy = s_y * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_y + tau_S_dot_leg_23 * z_y
+    tau_S_dot_yz = s_z * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_z + tau_S_dot_leg_23 * z_z
+    tau_S_dot_zx = s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x + tau_S_dot_leg_33 * z_x
+    tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
+    tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
+    tau_S_ddot_leg_12 = -c17
+    tau_S_ddot_leg_13 = -c28
+    tau_S_ddot_leg_22 = c56 + c61 - c44
+    c159 = L * m_u
+    tau_S_ddot_leg_23 = -c159 - c36 - c55
+    tau_S_ddot_leg_31 = -h_y * k3
+    tau_S_ddot_leg_32 = c127 + c128 + c132 + c159 * k3 - c125 * c136 - c151
+    tau_S_ddot_leg_33 = h_y * k1 - c129 - c60
+    # generalised forces by the tip's motion
+    tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
+    tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
+    tau_S_ddot_xz = m_u * s_z + tau_S_ddot_leg_12 * y_z + tau_S_ddot_leg_13 * z_z
+    tau_S_ddot_yx = h_z * s_x + tau_S_ddot_leg_22 * y_x + tau_S_ddot_leg_23 * z_x
+    tau_S_ddot_yy = h_z * s_y + tau_S_ddot_leg_22 * y_y + tau_S_ddot_leg_23 * z_y
+    tau_S_ddot_yz = h_z * s_z + tau_S_ddot_leg_22 * y_z + tau_S_ddot_leg_23 * z_z
+    tau_S_ddot_zx = s_x * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_x + tau_S_ddot_leg_33 * z_x
+    tau_S_ddot_zy = s_y * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_y + tau_S_ddot_leg_33 * z_y
+    tau_S_ddot_zz = s_z * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_z + tau_S_ddot_leg_33 * z_z
+    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_S_xx
+        - omega_y * tau_S_dot_xz)
+    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_S_xy
+        - omega_z * tau_S_dot_xx)
+    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_S_xz
+        - omega_x * tau_S_dot_xy)
+    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_S_yx
+        - omega_y * tau_S_dot_yz)
+    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_S_yy
+        - omega_z * tau_S_dot_yx)
+    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_S_yz
+        - omega_x * tau_S_dot_yy)
+    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_S_zx
+        - omega_y * tau_S_dot_zz)
+    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_S_zy
+        - omega_z * tau_S_dot_zx)
+    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_S_zz
+        - omega_x * tau_S_dot_zy)
+    Y_xx = omega_z * tau_S_ddot_xy + tau_S_dot_xx - omega_y * tau_S_ddot_xz
+    Y_xy = omega_x * tau_S_ddot_xz + tau_S_dot_xy - omega_z * tau_S_ddot_xx
+    Y_xz = omega_y * tau_S_ddot_xx + tau_S_dot_xz - omega_x * tau_S_ddot_xy
+    Y_yx = omega_z * tau_S_ddot_yy + tau_S_dot_yx - omega_y * tau_S_ddot_yz
+    Y_yy = omega_x * tau_S_ddot_yz + tau_S_dot_yy - omega_z * tau_S_ddot_yx
+    Y_yz = omega_y * tau_S_ddot_yx + tau_S_dot_yz - omega_x * tau_S_ddot_yy
+    Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
+    Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
+    Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
+    c160 = net_z * inv_rho * inv_rho
+    bent_leg_12 = -c160 * k3
+    c161 = c13 * net_y
+    bent_leg_13 = c161
+    c162 = c9 * inv_L
+    bent_leg_21 = -c162
+    c163 = inv_rho * k3
+    bent_leg_22 = c10 * inv_rho * k1 + c163 * net_x
+    bent_leg_23 = c162 * kappa
+    bent_leg_31 = c161
+    bent_leg_32 = c160 * k1
+    bent_leg_33 = inv_L * net_x
+    bent_T_xs = bent_leg_21 * y_x + bent_leg_31 * z_x
+    bent_T_xy = bent_leg_12 * s_x + bent_leg_22 * y_x + bent_leg_32 * z_x
+    bent_T_xz = bent_leg_13 * s_x + bent_leg_23 * y_x + bent_leg_33 * z_x
+    bent_T_ys = bent_leg_21 * y_y + bent_leg_31 * z_y
+    bent_T_yy = bent_leg_12 * s_y + bent_leg_22 * y_y + bent_leg_32 * z_y
+    bent_T_yz = bent_leg_13 * s_y + bent_leg_23 * y_y + bent_leg_33 * z_y
+    bent_T_zs = bent_leg_21 * y_z + bent_leg_31 * z_z
+    bent_T_zy = bent_leg_12 * s_z + bent_leg_22 * y_z + bent_leg_32 * z_z
+    bent_T_zz = bent_leg_13 * s_z + bent_leg_23 * y_z + bent_leg_33 * z_z
+    # force by S as the rows turn
+    bent_xx = bent_T_xs * s_x + bent_T_xy * y_x + bent_T_xz * z_x
+    bent_xy = bent_T_xs * s_y + bent_T_xy * y_y + bent_T_xz * z_y
+    bent_xz = bent_T_xs * s_z + bent_T_xy * y_z + bent_T_xz * z_z
+    bent_yx = bent_T_ys * s_x + bent_T_yy * y_x + bent_T_yz * z_x
+    bent_yy = bent_T_ys * s_y + bent_T_yy * y_y + bent_T_yz * z_y
+    bent_yz = bent_T_ys * s_z + bent_T_yy * y_z + bent_T_yz * z_z
+    bent_zx = bent_T_zs * s_x + bent_T_zy * y_x + bent_T_zz * z_x
+    bent_zy = bent_T_zs * s_y + bent_T_zy * y_y + bent_T_zz * z_y
+    bent_zz = bent_T_zs * s_z + bent_T_zy * y_z + bent_T_zz * z_z
+    c164 = bent_xy * q_z
+    c165 = bent_xz * q_y
+    Z_xx = c165 - c164
+    Z_xy = bent_xx * q_z - bent_xz * q_x
+    c166 = bent_xx * q_y
+    Z_xz = bent_xy * q_x - c166
+    c167 = bent_yy * q_z
+    Z_yx = bent_yz * q_y - c167
+    c168 = bent_yx * q_z
+    c169 = -bent_yz * q_x
+    Z_yy = c168 + c169
+    c170 = -bent_yy * q_x
+    Z_yz = -bent_yx * q_y - c170
+    c171 = -bent_zz * q_y
+    Z_zx = -bent_zy * q_z - c171
+    c172 = bent_zz * q_x
+    Z_zy = bent_zx * q_z - c172
+    c173 = bent_zx * q_y
+    c174 = bent_zy * q_x
+    Z_zz = c174 - c173
+    G_dot_21 = -c57
+    c175 = k1 * phi_dot
+    G_dot_22 = c175 * inv_L
+    G_dot_23 = c14
+    G_dot_31 = -c163 * phi_dot
+    c176 = inv_rho * theta_dot
+    G_dot_32 = -c176 * kappa - c2 * inv_rho
+    G_dot_33 = c175 * inv_rho
+    c177 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c177
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c163 * theta_dot)
+    f_S_leg_13 = G_dot_33 * c177
+    f_S_leg_21 = C_s * G_dot_21
+    f_S_leg_22 = C_s * G_dot_22
+    f_S_leg_23 = C_s * G_dot_23
+    c178 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c178
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c176 * k1)
+    f_S_leg_33 = G_dot_33 * c178
+    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    # friction moment by S
+    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
+    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
+    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
+    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
+    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
+    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
+    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
+    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
+    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_dot_leg_12 = c177 * inv_rho
+    f_S_dot_leg_23 = -c76
+    f_S_dot_leg_32 = C_s * c163
+    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
+    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
+    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
+    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
+    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
+    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    # friction moment by S_dot
+    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
+    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
+    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
+    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
+    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
+    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
+    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
+    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
+    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
+    c179 = R_tip_y * q_y
+    c180 = R_tip_z * q_z
+    c181 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c182 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c183 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c184 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c185 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c186 = R_tip_x * q_x
+    c187 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c188 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c189 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c190 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    out = JointSlopesLeg()
+    out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_ft = [bent_xx, bent_xy, bent_xz, bent_yx, bent_yy, bent_yz, bent_zx, bent_zy, bent_zz]
+    out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
+    out.W_mt = [c173 - c168 - f_S_xx, bent_zy * q_y - c167 - f_S_xy, -bent_yz * q_z - c171 - f_S_xz, bent_xx
+        * q_z - bent_zx * q_x - f_S_yx, c164 - c174 - f_S_yy, bent_xz * q_z - c172 - f_S_yz, bent_yx * q_x - c166
+        - f_S_zx, -bent_xy * q_y - c170 - f_S_zy, -c165 - c169 - f_S_zz]
+    out.W_mr = [Z_zx * q_y + c182 * q_z - Z_yx * q_z - c179 - c180 - c181 * q_y, R_tip_y * q_x + Z_zy * q_y
+        + c181 * q_x - Z_yy * q_z - c183 * q_z, R_tip_z * q_x + Z_zz * q_y + c183 * q_y - Z_yz * q_z - c182
+        * q_x, R_tip_x * q_y + Z_xx * q_z + c184 * q_z - Z_zx * q_x - c185 * q_y, Z_xy * q_z + c185 * q_x - Z_zy
+        * q_x - c180 - c186 - c187 * q_z, R_tip_z * q_y + Z_xz * q_z + c187 * q_y - Z_zz * q_x - c184 * q_x,
+        R_tip_x * q_z + Z_yx * q_x + c188 * q_z - Z_xx * q_y - c189 * q_y, R_tip_y * q_z + Z_yy * q_x + c189
+        * q_x - Z_xy * q_y - c190 * q_z, Z_yz * q_x + c190 * q_y - Z_xz * q_y - c179 - c186 - c188 * q_x]
+    out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
+        -f_S_dot_zy, -f_S_dot_zz]
+    out.W_mw = [f_S_dot_xy * q_z - f_S_dot_xz * q_y, f_S_dot_xz * q_x - f_S_dot_xx * q_z, f_S_dot_xx * q_y - f_S_dot_xy
+        * q_x, f_S_dot_yy * q_z - f_S_dot_yz * q_y, f_S_dot_yz * q_x - f_S_dot_yx * q_z, f_S_dot_yx * q_y - f_S_dot_yy
+        * q_x, f_S_dot_zy * q_z - f_S_dot_zz * q_y, f_S_dot_zz * q_x - f_S_dot_zx * q_z, f_S_dot_zx * q_y - f_S_dot_zy
+        * q_x]
+    out.tau_t = [tau_S_xx, tau_S_xy, tau_S_xz, tau_S_yx, tau_S_yy, tau_S_yz, tau_S_zx, tau_S_zy, tau_S_zz]
+    out.tau_r = [X_xz * q_y - X_xy * q_z, X_xx * q_z - X_xz * q_x, X_xy * q_x - X_xx * q_y, X_yz * q_y - X_yy
+        * q_z, X_yx * q_z - X_yz * q_x, X_yy * q_x - X_yx * q_y, X_zz * q_y - X_zy * q_z, X_zx * q_z - X_zz
+        * q_x, X_zy * q_x - X_zx * q_y]
+    out.tau_v = [tau_S_dot_xx, tau_S_dot_xy, tau_S_dot_xz, tau_S_dot_yx, tau_S_dot_yy, tau_S_dot_yz,
+        tau_S_dot_zx, tau_S_dot_zy, tau_S_dot_zz]
+    out.tau_w = [Y_xz * q_y + tau_S_ddot_xz * w_q_y - Y_xy * q_z - tau_S_ddot_xy * w_q_z, Y_xx * q_z + tau_S_ddot_xx
+        * w_q_z - Y_xz * q_x - tau_S_ddot_xz * w_q_x, Y_xy * q_x + tau_S_ddot_xy * w_q_x - Y_xx * q_y - tau_S_ddot_xx
+        * w_q_y, Y_yz * q_y + tau_S_ddot_yz * w_q_y - C_s * y_x - Y_yy * q_z - tau_S_ddot_yy * w_q_z, Y_yx * q_z
+        + tau_S_ddot_yx * w_q_z - C_s * y_y - Y_yz * q_x - tau_S_ddot_yz * w_q_x, Y_yy * q_x + tau_S_ddot_yy
+        * w_q_x - C_s * y_z - Y_yx * q_y - tau_S_ddot_yx * w_q_y, Y_zz * q_y + tau_S_ddot_zz * w_q_y - C_s * k_x
+        - Y_zy * q_z - tau_S_ddot_zy * w_q_z, Y_zx * q_z + tau_S_ddot_zx * w_q_z - C_s * k_y - Y_zz * q_x - tau_S_ddot_zz
+        * w_q_x, Y_zy * q_x + tau_S_ddot_zy * w_q_x - C_s * k_z - Y_zx * q_y - tau_S_ddot_zx * w_q_y]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
+
+
+def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> None:
+    """The legs' parts, what is wrong with them, and whether one is near its joint singularity."""
+    status = model.status
+    leaning = 0
+    for i in range(6):
+        legs.leg[i] = joint_slopes_leg(on, model.leg[i], model.platform, motion, pose, legs.given[i])
+        legs.reach[i] = reach_of(on, model.leg[i].b, motion.t, legs.leg[i].q)
+        fault = fault_of(on, legs.leg[i].L, legs.leg[i].k3, legs.reach[i])
+        status = on.where(status == OK, fault, status)
+        leaning = on.where(legs.leg[i].k3 > on.LEANING, leaning, 1)
+    legs.status = status
+    legs.leaning = leaning
+
+
+def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+    """The sums over platform and legs."""
+    out = JointSlopesSums()
+    for i in range(6):
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
+            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+    for i in range(9):
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
+            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+    for i in range(6):
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
+            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+    for i in range(9):
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
+            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+    for i in range(9):
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
+            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+    for i in range(9):
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
+            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+    for i in range(9):
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
+            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+    for i in range(9):
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
+            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+    for i in range(9):
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
+            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+    for i in range(9):
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
+            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+    for i in range(9):
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
+            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+    return out
+
+
+def joint_slopes_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+    """Sums over platform and legs."""
+    pose = joint_slopes_pose(on, model.platform, motion)
+    joint_slopes_legs(on, model, motion, pose, legs)
+    return joint_slopes_total(on, pose, legs)
+
+
+def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -> Any:
+    """M^-1 times the derivatives of the wrench and H, columns 6 to 23 of A, as ``forward_apart`` solves."""
+    out = SlopesApart()
+    by = Rows()
+    legs = JointSlopesLegs()
+    start = [0.0] * 6
+    starts = [[0.0] * 6 for _ in range(18)]
+    force = [0.0] * 24
+    forces_by = [[0.0] * 24 for _ in range(18)]
+    wrench = [0.0] * 6
+    rest = [0.0] * 24
+    right = [0.0] * 6
+    apart = forward_apart(on, model, motion, F, by)
+    for i in range(6):
+        out.x[i] = apart.x[i]
+        legs.given[i] = by.given[i]
+    summed = joint_slopes_sums(on, model, moving, legs)
+    place_blocks_24(on, summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, out.A)
+    place_blocks_24(on, summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, out.A)
+    for i in range(3):
+        for j in range(6):
+            out.A[i][j + 18] = legs.leg[j].H_force[i]
+            out.A[i + 3][j + 18] = legs.leg[j].H_moment[i]
+    for i in range(6):
+        for j in range(6):
+            out.A[i][j] = by.inertia[i][j]
+    for i in range(6):
+        for j in range(3):
+            for k in range(3):
+                forces_by[k][3 * i + j] = -legs.leg[i].tau_t[3 * j + k] / by.extent[3 * i + j]
+                forces_by[k + 3][3 * i + j] = -legs.leg[i].tau_r[3 * j + k] / by.extent[3 * i + j]
+                forces_by[k + 6][3 * i + j] = -legs.leg[i].tau_v[3 * j + k] / by.extent[3 * i + j]
+                forces_by[k + 9][3 * i + j] = -legs.leg[i].tau_w[3 * j + k] / by.extent[3 * i + j]
+    for c in range(18):
+        for i in range(24):
+            force[i] = forces_by[c][i]
+        for i in range(6):
+            wrench[i] = out.A[i][c + 6]
+        row_right(on, by, force, wrench, start, rest, right)
+        for i in range(6):
+            starts[c][i] = start[i]
+            out.A[i][c + 6] = right[i]
+    fault = solve_definite_24(on, out.A, on.ROUNDING)
+    for c in range(18):
+        for i in range(6):
+            right[i] = out.A[i][c + 6]
+            start[i] = starts[c][i]
+        row_back(on, by, right, start, wrench)
+        for i in range(6):
+            out.A[i][c + 6] = wrench[i]
+    out.status = on.where(apart.status == OK, on.where(legs.status == OK, fault, legs.status), apart.status)
+    return out
+
+
+def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
+    """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    F = on.arrays(F)
+    out = Linearisation()
+    legs = DerivativesLegs()
+    A = [[0.0] * 24 for _ in range(6)]
+    moved = forward_dynamics(on, model, motion, F)
+    status = moved.status
+    moving = with_acceleration(on, motion, moved.a, moved.alpha)
+    for i in range(6):
+        legs.given[i].F = F[i]
+    summed = derivatives_sums(on, model, moving, legs)
+    place_inertia_24(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
+    place_blocks_24(on, summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
+    place_blocks_24(on, summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
+    for i in range(3):
+        for j in range(6):
+            A[i][j + 18] = legs.leg[j].H_force[i]
+            A[i + 3][j + 18] = legs.leg[j].H_moment[i]
+    fault = solve_definite_24(on, A, on.KEPT)
+    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+        apart = slopes_apart(on, model, motion, moving, F)
+        for i in range(6):
+            for j in range(6, 24):
+                A[i][j] = on.where(fault == INDEFINITE, apart.A[i][j], A[i][j])
+        for i in range(3):
+            moved.a[i] = on.where(fault == INDEFINITE, apart.x[i], moved.a[i])
+            moved.alpha[i] = on.where(fault == INDEFINITE, apart.x[i + 3], moved.alpha[i])
+        fault = on.where(fault == INDEFINITE, apart.status, fault)
+    for i in range(3):
+        out.a[i] = moved.a[i]
+        out.alpha[i] = moved.alpha[i]
+    for i in range(6):
+        out.A[i][i + 6] = 1.0
+        for j in range(12):
+            out.A[i + 6][j] = -A[i][j + 6]
+        for j in range(6):
+            out.B[i + 6][j] = A[i][j + 18]
+    out.A[3][4] = -motion.omega[2]
+    out.A[3][5] = motion.omega[1]
+    out.A[4][3] = motion.omega[2]
+    out.A[4][5] = -motion.omega[0]
+    out.A[5][3] = -motion.omega[1]
+    out.A[5][4] = motion.omega[0]
+    out.status = on.where(status == OK, fault, status)
+    return checked_linearisation(on, out)
+
+
+
+def motion_of(on: Arithmetic, **fields: Any) -> Motion:
+    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+
+    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    """
+    made = Motion()
+    for name, value in fields.items():
+        if name not in vars(made):
+            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
+        array = on.xp.asarray(value, dtype=on.type)
+        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
+            array = on.xp.reshape(array, (*array.shape[:-2], 9))
+        count = len(getattr(made, name))
+        if array.ndim == 0 or array.shape[-1] != count:
+            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
+        setattr(made, name, [array[..., i] for i in range(count)])
+    return made

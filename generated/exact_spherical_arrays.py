@@ -1,0 +1,726 @@
+"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
+
+Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
+square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+"""
+
+from typing import Any
+
+from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+
+
+class Leg:
+    """One leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+
+
+class Robot:
+    """The machine."""
+
+    def __init__(self) -> None:
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = [Leg() for _ in range(6)]  # the legs
+
+
+class Motion:
+    """Motion of the platform and its load."""
+
+    def __init__(self) -> None:
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+
+
+class LegConstants:
+    """Prepared constants of one leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Added:
+    """What the legs add to the platform's constants."""
+
+    def __init__(self) -> None:
+        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Platform:
+    """Constants of the platform."""
+
+    def __init__(self) -> None:
+        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
+        self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
+        self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.dJ_P: Any = [0.0] * 3  # kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+
+
+class Model:
+    """A robot's constants, prepared once."""
+
+    def __init__(self) -> None:
+        self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
+        self.platform: Any = Platform()  # the platform
+        self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class Forces:
+    """Actuator forces of one pose."""
+
+    def __init__(self) -> None:
+        self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class LegTerms:
+    """What a leg has."""
+
+    def __init__(self) -> None:
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+        self.D: Any = 0.0  # N: known part of the actuator force
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class Sums:
+    """H, c, and what moments are made with."""
+
+    def __init__(self) -> None:
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+        self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
+        self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
+        self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
+
+
+class SharedTerms:
+    """What a pose has for all legs."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class ShiftTerms:
+    """The platform's part of c about platform point 1."""
+
+    def __init__(self) -> None:
+        self.c_tip: Any = [0.0] * 3  # N m: the platform's part of c, moment rows, about platform point 1
+
+
+class MomentTerms:
+    """A leg's moments about platform point 1."""
+
+    def __init__(self) -> None:
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        # N m: moment of the leg's part of c, force rows, about platform point 1
+        self.arm_c: Any = [0.0] * 3
+
+
+def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
+    """Constants of one leg, and what it adds to the platform: 0 (0 mul, 0 add, 0 div, 0 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    m_d = leg.m_d
+    r_d0_x, r_d0_y, r_d0_z = leg.r_d0
+    I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz = leg.I_d0
+    m_u = leg.m_u
+    r_u0_x, r_u0_y, r_u0_z = leg.r_u0
+    I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
+    C_u = leg.C_u
+    C_p = leg.C_p
+    C_s = leg.C_s
+    out = LegConstants()
+    out.b = [b_x, b_y, b_z]
+    out.p = [p_x, p_y, p_z]
+    out.m_d = m_d
+    out.r_d0 = [r_d0_x, r_d0_y, r_d0_z]
+    out.I_d0 = [I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz]
+    out.m_u = m_u
+    out.r_u0 = [r_u0_x, r_u0_y, r_u0_z]
+    out.I_u0 = [I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz]
+    out.C_u = C_u
+    out.C_p = C_p
+    out.C_s = C_s
+    out.M_add = 0.0
+    out.h_add = [0.0, 0.0, 0.0]
+    out.J_add = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.C_add = 0.0
+    return out
+
+
+def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
+    """Constants of the platform: 34 (12 mul, 22 add, 0 div, 0 sqrt)."""
+    M = robot.M
+    R_0_x, R_0_y, R_0_z = robot.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
+    g_x, g_y, g_z = robot.g
+    M_add = total.M_add
+    h_add_x, h_add_y, h_add_z = total.h_add
+    J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
+    c1 = R_0_y * R_0_y
+    c2 = R_0_z * R_0_z
+    J_P_xx = I_p_xx + J_add_xx + M * (c1 + c2)
+    c3 = M * R_0_x
+    J_P_xy = I_p_xy + J_add_xy - R_0_y * c3
+    J_P_xz = I_p_xz + J_add_xz - R_0_z * c3
+    c4 = R_0_x * R_0_x
+    J_P_yy = I_p_yy + J_add_yy + M * (c2 + c4)
+    c5 = M * R_0_y
+    J_P_yz = I_p_yz + J_add_yz - R_0_z * c5
+    J_P_zz = I_p_zz + J_add_zz + M * (c1 + c4)
+    out = Platform()
+    out.M_P = M + M_add
+    out.h_P = [c3 + h_add_x, c5 + h_add_y, M * R_0_z + h_add_z]
+    out.J_P = [J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz]
+    out.dJ_P = [J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx]
+    out.g = [g_x, g_y, g_z]
+    return out
+
+
+def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
+    """What the legs add to the platform, with one leg more."""
+    out = Added()
+    out.M_add = total.M_add + more.M_add
+    for i in range(3):
+        out.h_add[i] = total.h_add[i] + more.h_add[i]
+    for i in range(6):
+        out.J_add[i] = total.J_add[i] + more.J_add[i]
+    out.C_add = total.C_add + more.C_add
+    return out
+
+
+def lost_digits(on: Arithmetic, model: Any) -> Any:
+    """Zero as long as all constants are finite."""
+    lost = 0.0
+    for leg in range(6):
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].b[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].p[i]
+        lost = lost + 0.0 * model.leg[leg].m_d
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].r_d0[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].I_d0[i]
+        lost = lost + 0.0 * model.leg[leg].m_u
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].r_u0[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].I_u0[i]
+        lost = lost + 0.0 * model.leg[leg].C_u
+        lost = lost + 0.0 * model.leg[leg].C_p
+        lost = lost + 0.0 * model.leg[leg].C_s
+        lost = lost + 0.0 * model.leg[leg].M_add
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h_add[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J_add[i]
+        lost = lost + 0.0 * model.leg[leg].C_add
+    lost = lost + 0.0 * model.platform.M_P
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.h_P[i]
+    for i in range(6):
+        lost = lost + 0.0 * model.platform.J_P[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.dJ_P[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.g[i]
+    return lost
+
+
+def per_length_of(on: Arithmetic, extent: Any) -> Any:
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
+    unit = 1.0
+    for turn in range(100):
+        unit = on.where(unit < extent, 2.0 * unit, unit)
+    for turn in range(100):
+        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
+    return on.where((extent >= on.SMALLEST) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+
+
+def prepare(on: Arithmetic, robot: Any) -> Any:
+    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    robot = on.arrays(robot)
+    model = Model()
+    total = Added()
+    for i in range(6):
+        found = prepare_leg(on, robot, robot.leg[i])
+        model.leg[i] = found
+        total = add_up(on, total, found)
+    model.platform = prepare_platform(on, robot, total)
+    extent = 0.0
+    for i in range(6):
+        for j in range(3):
+            extent = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
+    model.per_length = per_length_of(on, extent)
+    model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
+    return model
+
+
+def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """B and the platform's part of c, (7), (30)-(35): 174 (90 mul, 84 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M_P = platform.M_P
+    h_P_x, h_P_y, h_P_z = platform.h_P
+    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
+    dJ_P_x, dJ_P_y, dJ_P_z = platform.dJ_P
+    g_x, g_y, g_z = platform.g
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_xy = omega_xy - alpha_z
+    B_xz = alpha_y + omega_xz
+    B_yx = alpha_z + omega_xy
+    B_yy = -omega_xx - omega_zz
+    B_yz = omega_yz - alpha_x
+    B_zx = omega_xz - alpha_y
+    B_zy = alpha_x + omega_yz
+    B_zz = -omega_xx - omega_yy
+    # (30) first moment of the platform, base frame
+    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
+    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
+    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
+    # (33) g - a
+    fall_x = g_x - a_x
+    fall_y = g_y - a_y
+    fall_z = g_z - a_z
+    # angular velocity, platform frame
+    omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
+    omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
+    omega_P_z = R_xz * omega_x + R_yz * omega_y + R_zz * omega_z
+    # angular acceleration, platform frame
+    alpha_P_x = R_xx * alpha_x + R_yx * alpha_y + R_zx * alpha_z
+    alpha_P_y = R_xy * alpha_x + R_yy * alpha_y + R_zy * alpha_z
+    alpha_P_z = R_xz * alpha_x + R_yz * alpha_y + R_zz * alpha_z
+    P_xy = omega_P_x * omega_P_y
+    P_xz = omega_P_x * omega_P_z
+    P_yz = omega_P_y * omega_P_z
+    P_xx = omega_P_x * omega_P_x
+    P_yy = omega_P_y * omega_P_y
+    P_zz = omega_P_z * omega_P_z
+    # (34) external moment less I alpha + omega x I omega, platform frame
+    M_P_load_x = (J_P_xy * (P_xz - alpha_P_y) + M_ext_x - J_P_xx * alpha_P_x - J_P_xz * (P_xy + alpha_P_z) - J_P_yz
+        * (P_yy - P_zz) - P_yz * dJ_P_x)
+    M_P_load_y = (J_P_yz * (P_xy - alpha_P_z) + M_ext_y - J_P_xy * (P_yz + alpha_P_x) - J_P_xz * (P_zz - P_xx)
+        - J_P_yy * alpha_P_y - P_xz * dJ_P_y)
+    M_P_load_z = (J_P_xz * (P_yz - alpha_P_x) + M_ext_z - J_P_xy * (P_xx - P_yy) - J_P_yz * (P_xz + alpha_P_y)
+        - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
+    out = SharedTerms()
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
+        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
+        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
+        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
+    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - fall_y * h_base_z,
+        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - fall_z * h_base_x,
+        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x - fall_x * h_base_y]
+    return out
+
+
+def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 221 (128 mul, 91 add, 1 div, 1
+    sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    m_d = leg.m_d
+    r_d0_x = leg.r_d0[0]
+    I_d0_yy = leg.I_d0[3]
+    m_u = leg.m_u
+    r_u0_x = leg.r_u0[0]
+    I_u0_yy = leg.I_u0[3]
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    g_x, g_y, g_z = platform.g
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = shared.B
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = q_x + t_b_x
+    S_y = q_y + t_b_y
+    S_z = q_z + t_b_z
+    # (2) leg length
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
+    # (3) unit vector along the leg
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
+    # (4) omega x q
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
+    # (4) velocity of the platform point
+    S_dot_x = v_x + w_q_x
+    S_dot_y = v_y + w_q_y
+    S_dot_z = v_z + w_q_z
+    # (7) acceleration of the platform point
+    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
+    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
+    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    # part of e along the leg
+    e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    # part of u along the leg
+    u_x = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
+    # part of gamma along the leg
+    gamma_x = g_x * s_x + g_y * s_y + g_z * s_z
+    # part of w along the leg
+    w_x = omega_x * s_x + omega_y * s_y + omega_z * s_z
+    # part of e across the leg
+    e_across_x = S_ddot_x - e_x * s_x
+    e_across_y = S_ddot_y - e_x * s_y
+    e_across_z = S_ddot_z - e_x * s_z
+    # part of u across the leg
+    u_across_x = S_dot_x - s_x * u_x
+    u_across_y = S_dot_y - s_y * u_x
+    u_across_z = S_dot_z - s_z * u_x
+    # part of gamma across the leg
+    gamma_across_x = g_x - gamma_x * s_x
+    gamma_across_y = g_y - gamma_x * s_y
+    gamma_across_z = g_z - gamma_x * s_z
+    c1 = s_x * w_x
+    c2 = s_y * w_x
+    c3 = s_z * w_x
+    # part of w across the leg
+    w_across_x = omega_x - c1
+    w_across_y = omega_y - c2
+    w_across_z = omega_z - c3
+    # square of u across the leg
+    u_square = u_across_x * u_across_x + u_across_y * u_across_y + u_across_z * u_across_z
+    c4 = inv_L * inv_L
+    c5 = m_u * r_u0_x
+    # (24) known part of the actuator force
+    D = C_p * u_x + e_x * m_u - c4 * c5 * u_square - gamma_x * m_u
+    c6 = m_u * L * L
+    c7 = m_d * r_d0_x * r_d0_x
+    c8 = m_u * r_u0_x * r_u0_x
+    c9 = L * m_u
+    K_e = c4 * (I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2.0 * c9 * r_u0_x)
+    c10 = 2.0 * inv_L * u_x
+    K_u = (c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10
+        - c10 * c6 - c10 * c7 - c10 * c8 - 4.0 * c9 * inv_L * r_u0_x * u_x))
+    K_gamma = -inv_L * (c5 + c9 + m_d * r_d0_x)
+    c11 = C_s * inv_L
+    K_s_w = c11
+    # K, base frame
+    K_x = (K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
+        * u_across_x)
+    K_y = (K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
+        * u_across_y)
+    K_z = (K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
+        * u_across_z)
+    f_s_u = c11
+    # f, base frame
+    f_x = f_s_u * (s_y * u_across_z - s_z * u_across_y) - C_s * c1 - C_s * w_across_x
+    f_y = f_s_u * (s_z * u_across_x - s_x * u_across_z) - C_s * c2 - C_s * w_across_y
+    f_z = f_s_u * (s_x * u_across_y - s_y * u_across_x) - C_s * c3 - C_s * w_across_z
+    out = LegTerms()
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = 1.0
+    out.D = D
+    out.H_force = [s_x, s_y, s_z]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [f_x, f_y, f_z]
+    return out
+
+
+def find_legs(on: Arithmetic, model: Any, motion: Any, shared: Any, sums: Any) -> None:
+    """The legs."""
+    for i in range(6):
+        sums.leg[i] = leg_terms(on, model.leg[i], model.platform, motion, shared)
+
+
+def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
+    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    suspect = 0
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(A[i][k]) > on.size(A[k][k])
+            for j in range(k, 7):
+                upper = A[k][j]
+                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
+                A[i][j] = on.where(larger_below, upper, A[i][j])
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        inverse = 1.0 / A[k][k]
+        x[k] = inverse
+        for i in range(k + 1, 6):
+            factor = A[i][k] * inverse
+            for j in range(k + 1, 7):
+                A[i][j] = A[i][j] - factor * A[k][j]
+    for i in range(5, -1, -1):
+        total = A[i][6]
+        for j in range(i + 1, 6):
+            total = total - A[i][j] * x[j]
+        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    reach = 0.0
+    for j in range(3):
+        reach = on.larger(on.size(q[j]), reach)
+        reach = on.larger(on.size(t[j]), reach)
+        reach = on.larger(on.size(b[j]), reach)
+    return reach
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    fault = OK
+    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    return on.where(L <= on.MAX, fault, NOT_FINITE)
+
+
+def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
+    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    c_force_x, c_force_y, c_force_z = shared.c_force
+    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
+    out = ShiftTerms()
+    out.c_tip = [c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y, c_force_z * q_1_x + c_moment_y - c_force_x
+        * q_1_z, c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x]
+    return out
+
+
+def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
+    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
+    q_x, q_y, q_z = leg.q
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    H_force_x, H_force_y, H_force_z = leg.H_force
+    c_force_x, c_force_y, c_force_z = leg.c_force
+    # platform point from platform point 1
+    arm_x = q_x - q_1_x
+    arm_y = q_y - q_1_y
+    arm_z = q_z - q_1_z
+    out = MomentTerms()
+    out.H_moment = [H_force_z * arm_y - H_force_y * arm_z, H_force_x * arm_z - H_force_z * arm_x, H_force_y
+        * arm_x - H_force_x * arm_y]
+    out.arm_c = [arm_y * c_force_z - arm_z * c_force_y, arm_z * c_force_x - arm_x * c_force_z, arm_x * c_force_y
+        - arm_y * c_force_x]
+    return out
+
+
+def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
+    """Adds a leg's column of H and its part of c, moments about platform point 1."""
+    if i == 0:
+        for j in range(3):
+            sums.q_1[j] = leg.q[j]
+        tip = shift(on, sums, shared)
+        for j in range(3):
+            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
+    if i != 0:
+        turned = moments_of(on, leg, sums)
+        for j in range(3):
+            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
+            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
+    for j in range(3):
+        sums.H[j][i] = leg.H_force[j]
+
+
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
+    Y = [[0.0] * 6 for _ in range(6)]
+    G = [[0.0] * 6 for _ in range(6)]
+    v = [0.0] * 6
+    grown = [0.0] * 6
+    extent = 0.0
+    for i in range(6):
+        v[i] = 1.0
+        for j in range(3):
+            extent = on.larger(on.size(arm[i][j]), extent)
+    lost = 0.0
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * H[i][j]
+            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
+            Y[i][j] = on.where(i == j, 1.0, 0.0)
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(H[i][k]) > on.size(H[k][k])
+            for j in range(6):
+                upper_h = H[k][j]
+                upper_y = Y[k][j]
+                H[k][j] = on.where(larger_below, H[i][j], H[k][j])
+                Y[k][j] = on.where(larger_below, Y[i][j], Y[k][j])
+                H[i][j] = on.where(larger_below, upper_h, H[i][j])
+                Y[i][j] = on.where(larger_below, upper_y, Y[i][j])
+        for i in range(6):
+            factor = on.where(i == k, 0.0, H[i][k] / H[k][k])
+            for j in range(6):
+                H[i][j] = H[i][j] - factor * H[k][j]
+                Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
+        for k in range(6):
+            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
+    least = 1.0
+    for turn in range(4):
+        worst = 0.0
+        greatest = 0.0
+        for i in range(6):
+            total = 0.0
+            for k in range(6):
+                total = total + G[i][k] * v[k]
+            share = total / v[i]
+            worst = on.where(share <= worst, worst, share)
+            greatest = on.larger(total, greatest)
+            grown[i] = total
+        least = on.where(worst <= least, worst, least)
+        for i in range(6):
+            v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+    return on.where(lost == 0.0, on.where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
+
+
+def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    model = on.arrays(model)
+    motion = on.arrays(motion)
+    out = Forces()
+    sums = Sums()
+    A = [[0.0] * 7 for _ in range(6)]
+    D = [0.0] * 6
+    L = [0.0] * 6
+    reach = [0.0] * 6
+    x = [0.0] * 6
+    status = model.status
+    suspect = 0
+    shared = shared_terms(on, model.platform, motion)
+    find_legs(on, model, motion, shared, sums)
+    for i in range(6):
+        leg = sums.leg[i]
+        reach[i] = reach_of(on, model.leg[i].b, motion.t, leg.q)
+        fault = fault_of(on, leg.L, leg.k3, reach[i])
+        status = on.where(status == OK, fault, status)
+        suspect = on.where(leg.L > on.SHORT_SHARE * reach[i], suspect, 1)
+        L[i] = leg.L
+        D[i] = leg.D
+        add_leg(on, leg, i, shared, sums)
+    for i in range(3):
+        A[i][6] = sums.c_force[i]
+        A[i + 3][6] = sums.c_moment[i] * model.per_length
+        for j in range(6):
+            A[i][j] = sums.H[i][j]
+            A[i + 3][j] = sums.H[i + 3][j] * model.per_length
+    small_pivot = eliminate(on, A, x)
+    suspect = on.where(small_pivot == 0, suspect, 1)
+    if on.anywhere(suspect == 1):
+        found = singular_status(on, sums.H, sums.arm, L, reach)
+        status = on.where((status == OK) & (suspect == 1), found, status)
+    for i in range(6):
+        out.F[i] = D[i] - x[i]
+        status = on.where((status != OK) | (on.size(out.F[i]) <= on.MAX), status, NOT_FINITE)
+    for i in range(6):
+        out.F[i] = on.where(status == OK, out.F[i], on.NAN)
+    out.status = status
+    return out
+
+
+
+def motion_of(on: Arithmetic, **fields: Any) -> Motion:
+    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+
+    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    """
+    made = Motion()
+    for name, value in fields.items():
+        if name not in vars(made):
+            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
+        array = on.xp.asarray(value, dtype=on.type)
+        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
+            array = on.xp.reshape(array, (*array.shape[:-2], 9))
+        count = len(getattr(made, name))
+        if array.ndim == 0 or array.shape[-1] != count:
+            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
+        setattr(made, name, [array[..., i] for i in range(count)])
+    return made
