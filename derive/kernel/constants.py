@@ -6,7 +6,7 @@ from ..emit.lane_scale import LARGEST, SMALLEST
 from .interface import STATUS as OF_INTERFACE
 
 STATUS = {name: (code, meaning) for name, code, meaning in OF_INTERFACE if name != "BAD_ARGUMENT"}
-"""Code and meaning by name, of what kernels without pointers and searches return."""
+"""Code and meaning by name, of what kernels without pointers return."""
 
 LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
 INTEGERS = STATUS | LIMITS
