@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable
 
 from ..block import Block
-from ..kernel.constants import LIMITS
+from ..kernel.constants import SEARCH
 from ..kernel.kinematics import legs_program, rotation_program, search_program
 from ..kernel.nodes import Program
 from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
@@ -38,7 +38,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
-        max_steps=LIMITS["MAX_STEPS"][0],
+        max_steps=SEARCH["MAX_STEPS"][0],
         steps=_listed(STEPS["double"]),
         float_steps=_listed(STEPS["float"]),
     )
