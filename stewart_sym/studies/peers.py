@@ -182,9 +182,14 @@ def _jax(poses: Poses) -> Runner:
     kernel = array_kernel(poses.robot, jnp, formulation=NAME)
     given = tuple(jnp.asarray(array) for array in poses.arrays)
     mapped = jax.jit(jax.vmap(lambda pose: kernel.forces(*pose).F))
-    compiled = mapped.lower(given).compile()
+    compiled = mapped.lower(given).compile(compiler_options=_UNFUSED)
     return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
 
+
+_UNFUSED = {
+    "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
+}
+"""Fused, XLA computes shared terms again for each use: seven times as long to compile, twice to run."""
 
 JAX = Contestant("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax, package="jax")
 """The same kernel by JAX on this processor; apart from the others, as it is slow to compile."""
