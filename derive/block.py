@@ -7,13 +7,15 @@ notebook shows them. A block knows nothing of the Stewart platform and nothing o
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import reduce
+from functools import cached_property, reduce
 from operator import mul
 from typing import Any
 
 import sympy as sp
 
 AXES = "xyz"
+
+_Runner = Callable[[Mapping[str, Any], Callable[[Any], Any]], Any]
 
 
 @dataclass(frozen=True)
@@ -149,13 +151,18 @@ class Block:
         values: a number for each input component, by name; sqrt: the square root of such numbers. Returns the
         components of each output by name; constants are integers.
         """
-        known = dict(values)
-        for step in self.steps:
-            known[step.name] = run(step.expr, known, sqrt)
-        return {
-            out.quantity.name: tuple(run(sp.sympify(expr), known, sqrt) for expr in out.exprs)
-            for out in self.outputs
-        }
+        known, (steps, outputs) = dict(values), self._runners
+        for name, runner in steps:
+            known[name] = runner(known, sqrt)
+        return {name: tuple(runner(known, sqrt) for runner in runners) for name, runners in outputs}
+
+    @cached_property
+    def _runners(self) -> tuple[list[tuple[str, _Runner]], list[tuple[str, list[_Runner]]]]:
+        """Names and expressions of the steps, and names and components of the outputs."""
+        return (
+            [(step.name, _runner(step.expr)) for step in self.steps],
+            [(out.quantity.name, [_runner(sp.sympify(e)) for e in out.exprs]) for out in self.outputs],
+        )
 
     def formula(self, name: str) -> tuple[sp.Expr, ...]:
         """Output ``name`` as expressions of the inputs alone, all steps substituted back."""
@@ -274,23 +281,29 @@ def terms_in_order(expr: sp.Add) -> list[sp.Expr]:
 
 def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:
     """Value of one expression in the arithmetic of the numbers in ``known``."""
+    return _runner(expr)(known, sqrt)
+
+
+def _runner(expr: sp.Expr) -> _Runner:
+    """What runs an expression; made once, it is many times as fast as a walk over SymPy's tree."""
     if expr.is_Symbol:
-        return known[expr.name]
-    if expr.is_Integer:
-        return int(expr)
-    if expr.is_Rational and expr.q == 2:
-        return expr.p * 0.5
+        name = expr.name
+        return lambda known, sqrt: known[name]
+    if expr.is_Integer or (expr.is_Rational and expr.q == 2):
+        constant = int(expr) if expr.is_Integer else expr.p * 0.5
+        return lambda known, sqrt: constant
+    first, *others = parts = [_runner(arg) for arg in (expr.args[:1] if expr.is_Pow else expr.args)]
     if expr.is_Pow and expr.exp == sp.Rational(1, 2):
-        return sqrt(run(expr.base, known, sqrt))
-    values = [run(arg, known, sqrt) for arg in expr.args]
+        return lambda known, sqrt: sqrt(first(known, sqrt))
     if expr.is_Add:
-        return sum(values[1:], values[0])
+        return lambda known, sqrt: sum([part(known, sqrt) for part in others], first(known, sqrt))
     if expr.is_Mul:
-        return reduce(mul, values)
+        return lambda known, sqrt: reduce(mul, [part(known, sqrt) for part in parts])
     if expr.is_Pow and expr.exp == -1:
-        return 1 / values[0]
+        return lambda known, sqrt: 1 / first(known, sqrt)
     if expr.is_Pow and expr.exp.is_Integer and expr.exp > 1:
-        return reduce(mul, [values[0]] * int(expr.exp))
+        times = int(expr.exp)
+        return lambda known, sqrt: reduce(mul, [first(known, sqrt)] * times)
     raise ValueError(f"no value for {type(expr).__name__} in {expr}")
 
 

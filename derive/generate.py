@@ -13,20 +13,23 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import bounds, c, fidelity_table, lanes, numpy
+from .emit import bounds, c, lanes, numpy
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
-from .emit import rotation as rotation_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel.constants import STATUS
-from .kernel.nodes import Program
+from .kernel.nodes import Constant, Program, parts_of
 from .kernel.outputs import FORCES, OUTPUTS, program
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
-from .package.languages import python_arithmetic, python_module, template
+from .package import fidelity_table
+from .package.header import common_header
+from .package.languages import python_arithmetic, python_module
+from .package.layout import layout
+from .package.words import template
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -90,8 +93,9 @@ def reduced_rotation() -> dict[str, Block]:
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
+    models: dict[str, int] = {}
     files = {
-        "c/stewart.h": c.common_header(version),
+        "c/stewart.h": common_header(version),
         "assembly.py": numpy.assembly(version),
         "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
         "__init__.py": _PACKAGE.format(version=version),
@@ -107,38 +111,31 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         fast = f"c/stewart_{form.kernel_name}_forces"
         files[f"{fast}.h"] = lanes.header(forces, smooth, version)
         files[f"{fast}.c"] = lanes.source(forces, version)
-        files[f"{form.kernel_name}.py"] = numpy.module(
-            built, counts, force_counts, lanes.model_numbers(forces), version
-        )
-        files[f"{form.kernel_name}_arrays.py"] = python_module(
-            output_program(form, OUTPUTS if form == EXACT else (FORCES,)),
-            f"from .arithmetic import {', '.join(sorted(STATUS))}, Arithmetic",
-            version,
-        )
+        models[form.kernel_name] = lanes.model_numbers(forces)
+        files[f"{form.kernel_name}.py"] = numpy.module(built, counts, force_counts, version)
+        arrays = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
+        files[f"{form.kernel_name}_arrays.py"] = python_module(arrays, _imported(arrays), version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
-    files |= _fidelities(version, progress)
+    models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
+    progress("deriving the fidelities")
+    files |= _fidelities(version, models)
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
     progress("deriving the closed form")
     files |= _closed_form(version)
     progress("deriving the kinematics")
     blocks = reduced_kinematics()
-    files["c/stewart_kinematics.h"] = kinematics_text.header(blocks, version)
-    files["c/stewart_kinematics.c"] = kinematics_text.source(blocks, version)
-    files["c/stewart_legs.h"] = kinematics_text.legs_header(blocks, version)
-    files["c/stewart_legs.c"] = kinematics_text.legs_source(blocks, version)
-    files["c/stewart_rotation.h"] = rotation_text.header(version)
-    files["c/stewart_rotation.c"] = rotation_text.source(
-        reduced_rotation()["motion_from_rpy"], reduced_rotation()["motion_from_quaternion"], version
-    )
+    made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
+    made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
+    files |= {f"c/{name}": text for name, text in made.items()}
+    files["interface.py"] = layout(models, version)
     return files
 
 
 def _error_bounds(version: str) -> dict[str, str]:
     name, built = EXACT.kernel_name, reduced_forces(EXACT)
     return {
-        f"{name}_bounds.py": bounds.python_module(built, version),
         f"c/stewart_{name}_bounds.h": bounds.header(built, version),
         f"c/stewart_{name}_bounds.c": bounds.source(built, version),
     }
@@ -150,13 +147,14 @@ def reduced_fidelity(level: Fidelity) -> ForceKernel:
     return shared_blocks(fidelity_kernel(EXACT, level))
 
 
-def _fidelities(version: str, progress: Callable[[str], None]) -> dict[str, str]:
-    progress("deriving the fidelities")
+def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
+    """Files of the levels; what their models hold is added to ``models``."""
     files, kernels = {}, {}
     for level in FIDELITIES.values():
         built = reduced_fidelity(level)
         kernels[level] = built if built.fidelity != "general" else prepared_model(EXACT)
         if built.fidelity != "general":
+            models[built.name] = lanes.model_numbers(built)
             files[f"c/stewart_{built.name}_forces.h"] = lanes.header(built, None, version)
             files[f"c/stewart_{built.name}_forces.c"] = lanes.source(built, version)
     files["fidelities.py"] = fidelity_table.module(kernels, version)
@@ -211,6 +209,17 @@ def _closed_form(version: str) -> dict[str, str]:
         ),
         **{f"c/{file}": text for file, text in sources.items()},
     }
+
+
+def _imported(program: Program) -> str:
+    """The import of what a program on arrays names in the module that they share."""
+    named = {
+        each.name
+        for function in program.functions
+        for each in parts_of(function.body)
+        if isinstance(each, Constant)
+    }
+    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
 
 
 _ARITHMETIC = '''\

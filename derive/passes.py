@@ -7,10 +7,11 @@ this module only puts them in order.
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from .emit import c, lanes
+from .emit import lanes
 from .formulation import EXACT
 from .generate import generator_version, prepared_model, shared_blocks
 from .operations import force_operations
+from .package.header import common_header
 from .regroup import ForceKernel, elimination_kernel, force_kernel, regrouped, with_shared_pose
 
 
@@ -73,7 +74,7 @@ def _after(name: str, meaning: str, derive: Callable[[bool], ForceKernel]) -> Pa
         meaning,
         operations=(force_operations(smooth).total.total, force_operations(rough).total.total),
         sources={
-            "stewart.h": c.common_header(version),
+            "stewart.h": common_header(version),
             "stewart_exact_forces.h": lanes.header(rough, smooth, version),
             "stewart_exact_forces.c": lanes.source(rough, version),
         },

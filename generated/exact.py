@@ -42,7 +42,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_exact_forces.h, and how many numbers its prepared model holds.
+# The same of stewart_exact_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (156, 105, 2, 2),
@@ -63,7 +63,6 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (1062, 799, 18, 12),
     },
 }
-MODEL_NUMBERS = 300
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -12,7 +12,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact",
         "meaning": "everything",
         "universal": True,
-        "model_numbers": 300,
         "operations": {
             "leg": 265, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 2101,
@@ -22,7 +21,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_frictionless",
         "meaning": "no friction",
         "universal": True,
-        "model_numbers": 257,
         "operations": {
             "leg": 234, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 1891,
@@ -32,7 +30,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_axisymmetric_friction",
         "meaning": "legs alike all round their axis, with friction",
         "universal": True,
-        "model_numbers": 186,
         "operations": {
             "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 1861,
@@ -42,7 +39,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_axisymmetric",
         "meaning": "legs alike all round their axis",
         "universal": True,
-        "model_numbers": 161,
         "operations": {
             "leg": 194, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 1651,
@@ -52,7 +48,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender_friction",
         "meaning": "no inertia about the leg's axis, with friction",
         "universal": True,
-        "model_numbers": 170,
         "operations": {
             "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 1849,
@@ -62,7 +57,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender",
         "meaning": "no inertia about the leg's axis",
         "universal": False,
-        "model_numbers": 89,
         "operations": {
             "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 1129,
@@ -72,7 +66,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_point_masses_friction",
         "meaning": "parts of the legs as points, with friction",
         "universal": True,
-        "model_numbers": 170,
         "operations": {
             "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 1849,
@@ -82,7 +75,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_point_masses",
         "meaning": "parts of the legs as points",
         "universal": False,
-        "model_numbers": 89,
         "operations": {
             "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 1129,
@@ -92,7 +84,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless_friction",
         "meaning": "legs without mass, with friction",
         "universal": True,
-        "model_numbers": 114,
         "operations": {
             "leg": 126, "platform": 180, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
             "total": 1255,
@@ -102,7 +93,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless",
         "meaning": "legs without mass, (41)",
         "universal": False,
-        "model_numbers": 65,
         "operations": {
             "leg": 31, "platform": 174, "moments": 12, "sum of c": 0, "solve": 157, "forces": 0,
             "total": 577,
@@ -112,7 +102,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_general_static",
         "meaning": "at rest",
         "universal": True,
-        "model_numbers": 138,
         "operations": {
             "leg": 88, "platform": 72, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 901,
@@ -122,7 +111,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_slender_static",
         "meaning": "at rest, centres of mass on the legs' axes",
         "universal": False,
-        "model_numbers": 66,
         "operations": {
             "leg": 40, "platform": 72, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
             "total": 613,
@@ -132,7 +120,6 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "kernel": "exact_massless_static",
         "meaning": "at rest, legs without mass",
         "universal": False,
-        "model_numbers": 58,
         "operations": {
             "leg": 31, "platform": 72, "moments": 12, "sum of c": 0, "solve": 157, "forces": 0,
             "total": 475,

@@ -42,7 +42,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_paper_forces.h, and how many numbers its prepared model holds.
+# The same of stewart_paper_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (142, 97, 2, 2),
@@ -63,7 +63,6 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (978, 751, 18, 12),
     },
 }
-MODEL_NUMBERS = 218
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

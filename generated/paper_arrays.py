@@ -9,7 +9,7 @@ square roots and constants. Where a status is not 0, the other numbers of a resu
 
 from typing import Any
 
-from .arithmetic import INDEFINITE, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
 
 
 class Leg:

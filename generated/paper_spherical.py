@@ -42,7 +42,7 @@ OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     },
 }
 
-# The same of stewart_paper_spherical_forces.h, and how many numbers its prepared model holds.
+# The same of stewart_paper_spherical_forces.h.
 FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
     "friction": {
         "leg": (129, 91, 1, 1),
@@ -63,7 +63,6 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "total": (768, 649, 12, 6),
     },
 }
-MODEL_NUMBERS = 249
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -6,7 +6,6 @@ Stands beside ``forces``, whose forces it hands back to the last bit. Lays array
 
 import ctypes
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from .checks import option
 from .dynamics import need_motion, need_universal, report_faults
 from .faults import ON_FAULT, OnFault
 from .forces import Precision
+from .generated.interface import MODELS
 from .kernel import MOTION, address, kernel_name, library, overflows, robot_numbers
 from .motion import Motion
 from .results import OK
@@ -90,10 +90,9 @@ def _run(model: Array, motion: Motion, precision: Precision) -> ForceBounds:
 def _prepared(robot: Robot, precision: Precision) -> Array:
     """The numbers of the C's ``stewart_exact_bounds_model``."""
     dtype = np.float64 if precision == "double" else np.float32
-    layout = import_module(f"stewart_sym.generated.{KERNEL}_bounds")
     with np.errstate(over="ignore"):
         numbers = robot_numbers(robot).astype(dtype)
-    model = np.zeros(layout.MODEL_NUMBERS, dtype=dtype)
+    model = np.zeros(MODELS[f"{KERNEL}_bounds"], dtype=dtype)
     if _function(precision, "bounds_prepare")(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
     return model

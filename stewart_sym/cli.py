@@ -1,7 +1,7 @@
-"""The command ``stewart-sym``: one verb for each job.
+"""The command ``stewart-sym``: one subcommand for each job.
 
 Reads arguments, calls the library, prints, and turns errors into one line and an exit code: 0 success,
-1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What a verb needs
+1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What one needs
 is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but those that use them.
 """
 
@@ -21,7 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO, cast
 
-from .extras import needed_for
+from .extras import need, needed_for
 from .faults import SingularPoseWarning
 from .interrupts import as_interrupts
 from .native import CompilerError
@@ -40,7 +40,7 @@ ATLAS_CASES = 1_000_000
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one verb; ``argv`` without the program's name, None for this process's. Returns the exit code."""
+    """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
     try:
         arguments = _parser().parse_args(argv)
         # An error of the system that names no file is one of printing: all that write files name theirs.
@@ -63,7 +63,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
 
 
-# Verbs
+# Subcommands
 
 
 def _reproduce(arguments: argparse.Namespace) -> int:
@@ -90,27 +90,21 @@ def _reproduce(arguments: argparse.Namespace) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from .plausibility import doubts
-    from .robot import PhysicalityWarning, Robot
     from .studies.describe import description
 
-    robot = Robot.from_toml(arguments.robot)
-    for name, text in doubts(robot):
-        warnings.warn(f"{arguments.robot}: {text} [{name}]", PhysicalityWarning, stacklevel=2)
-    print(description(robot))
+    print(description(_robot_of(arguments.robot)))
     return 0
 
 
 def _forces(arguments: argparse.Namespace) -> int:
     from .interpolation import between
     from .publish import replaced_file
-    from .robot import Robot
     from .studies.output import csv_lines
     from .studies.singularities import crossing_warning
     from .studies.track import Digest, in_parts
 
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
-    robot = Robot.from_toml(arguments.robot)
+    robot = _robot_of(arguments.robot)
     with replaced_file(arguments.output) as stream, _progress() as progress:
         trajectory = _trajectory(robot, arguments.trajectory, arguments, progress)
         digest, count = Digest(robot, trajectory.time), len(trajectory.time)
@@ -141,7 +135,6 @@ def _forces(arguments: argparse.Namespace) -> int:
 def _singularities(arguments: argparse.Namespace) -> int:
     from .interpolation import between
     from .publish import replaced_file
-    from .robot import Robot
     from .studies import singularities
     from .studies.output import csv_lines
     from .trajectory import PATHS
@@ -149,7 +142,7 @@ def _singularities(arguments: argparse.Namespace) -> int:
     if arguments.pictures:
         _plots()
         from .studies import singularities_plot
-    robot = Robot.from_toml(arguments.robot)
+    robot = _robot_of(arguments.robot)
     with _folder(arguments, "report.txt", "events.csv", "path.csv") as folder, _progress() as progress:
         name = arguments.path
         if name in PATHS:
@@ -199,9 +192,8 @@ def _derive(arguments: argparse.Namespace) -> int:
 
 def _generate(arguments: argparse.Namespace) -> int:
     from .kit import Choice, kit_names, write_kit
-    from .robot import Robot
 
-    robot = Robot.from_toml(arguments.robot)
+    robot = _robot_of(arguments.robot)
     names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
     functions = tuple(name.strip() for name in arguments.functions.split(","))
     choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
@@ -245,10 +237,9 @@ def _identify(arguments: argparse.Namespace) -> int:
 def _bench(arguments: argparse.Namespace) -> int:
     import json
 
-    from .robot import Robot
     from .studies import bench, bench_plot
 
-    robot = None if arguments.robot is None else Robot.from_toml(arguments.robot)
+    robot = None if arguments.robot is None else _robot_of(arguments.robot)
     with _folder(arguments, "bench.txt", "bench.json") as folder:
         with _progress() as progress:
             found = bench.bench(robot, arguments.quick, progress)
@@ -270,9 +261,11 @@ def _simulate(arguments: argparse.Namespace) -> int:
     from .studies import energy_drift, run
     from .studies.output import csv_lines
 
+    need("scipy", "simulation")
     if arguments.pictures:
         _plots()
     scene = read_scene(arguments.scene)
+    _warn_of_doubts(scene.robot, arguments.scene)
     springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
     with _folder(arguments, "summary.txt", "run.csv") as folder, _progress() as progress:
         done = scene.run(_shares(progress, "simulating"))
@@ -310,7 +303,6 @@ def _control(arguments: argparse.Namespace) -> int:
     import json
 
     from .publish import replaced_file
-    from .robot import Robot
     from .studies import control, control_report, run
     from .studies.output import csv_lines
 
@@ -318,7 +310,7 @@ def _control(arguments: argparse.Namespace) -> int:
         _plots()
     machines = control.papers_machines()
     if arguments.robot is not None:
-        machines = {"robot": Robot.from_toml(arguments.robot)}
+        machines = {"robot": _robot_of(arguments.robot)}
     paths = control.TRACKED if arguments.path is None else (arguments.path,)
     settings = control.Settings(rate=arguments.rate)
     with _folder(arguments, "control.txt", "control.csv", "control.json") as folder, _progress() as progress:
@@ -348,11 +340,10 @@ def _control(arguments: argparse.Namespace) -> int:
 
 
 def _controller(arguments: argparse.Namespace) -> int:
-    from .robot import Robot
     from .studies.controller import measure, report
     from .studies.reproduce import paper_machine
 
-    robot = paper_machine() if arguments.robot is None else Robot.from_toml(arguments.robot)
+    robot = paper_machine() if arguments.robot is None else _robot_of(arguments.robot)
     with contextlib.ExitStack() as stack:
         folder = (
             None
@@ -422,6 +413,7 @@ def _advise(arguments: argparse.Namespace) -> int:
     if arguments.json is not None:
         _refuse_overwrite(arguments.json, arguments.scene)
     budget = read_budget(arguments.scene)
+    _warn_of_doubts(budget.robot, arguments.scene)
     with contextlib.ExitStack() as opened, _progress() as progress:
         stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
         found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
@@ -463,6 +455,7 @@ def _chart(arguments: argparse.Namespace) -> int:
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
         robot, motions = scene.robot, dict(scene.motions)
+        _warn_of_doubts(robot, arguments.scene)
     with _folder(arguments, "chart.txt", "chart.json") as folder, _progress() as progress:
         found = economy(robot, motions, True, ROUNDS, progress)
         text = table(found)
@@ -483,6 +476,24 @@ def _chart(arguments: argparse.Namespace) -> int:
 
 
 # Their parts
+
+
+def _robot_of(source: Path) -> "Robot":
+    """The robot of a file; warns of what is doubtful about it."""
+    from .robot import Robot
+
+    robot = Robot.from_toml(source)
+    _warn_of_doubts(robot, source)
+    return robot
+
+
+def _warn_of_doubts(robot: "Robot", source: Path) -> None:
+    """Warn of a robot's doubtful numbers, in one line each; ``source``: the file that gives or names it."""
+    from .plausibility import doubts
+    from .robot import PhysicalityWarning
+
+    for name, text in doubts(robot):
+        warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=3)
 
 
 def _trajectory(
@@ -543,12 +554,17 @@ def _measured(
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about measured forces, by name, and the estimate."""
     from .logs import HeaderError
-    from .robot import Robot
-    from .smooth_motion import PoseNoise
+    from .physical import POSSIBLE
+    from .smooth_motion import WITHOUT_PERIOD, PoseNoise
     from .studies.identify import from_measurement, measured_texts
     from .trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
 
-    robot = Robot.from_toml(arguments.robot)
+    if arguments.physical:
+        need("scipy", POSSIBLE)
+    noisy = _pose_noise(arguments)
+    if noisy and arguments.period is None:
+        need("scipy", WITHOUT_PERIOD)
+    robot = _robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = _form(arguments)
     try:
@@ -563,7 +579,7 @@ def _measured(
     trajectory = cast("Trajectory", _poses(robot, log, arguments.start, progress))
     time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
     noise = None
-    if _pose_noise(arguments):
+    if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
         noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
     model = (not arguments.no_friction, arguments.physical)
@@ -576,7 +592,6 @@ def _simulated(
 ) -> "tuple[dict[str, str], Estimate]":
     """Texts of the files about a simulated measurement, by name, and the estimate."""
     from .logs import LogFormat
-    from .robot import Robot
     from .studies.identify import identification, simulated_texts
 
     for option in ("no_friction", "physical"):
@@ -586,7 +601,7 @@ def _simulated(
         raise ValueError(
             "--start and options of the trajectory's file: are for measured forces, expected --measured"
         )
-    robot = Robot.from_toml(arguments.robot)
+    robot = _robot_of(arguments.robot)
     names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
     options = {name: getattr(arguments, name) for name in names}
     if options["harmonics"] is None:
@@ -778,7 +793,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="Example: stewart-sym reproduce -o reproduce",
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {version('stewart-sym')}")
-    verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    verbs = parser.add_subparsers(title="subcommands", metavar="SUBCOMMAND", required=True)
 
     verb = _verb(
         verbs,
@@ -830,7 +845,7 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--allow-singular",
         action="store_true",
-        help="write nan and a status for poses without an answer instead of refusing the trajectory",
+        help="write nan and a status for unsolvable poses instead of rejecting the trajectory",
     )
     verb.add_argument(
         "--noise-share",

@@ -10,13 +10,15 @@ import functools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib.resources import files
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import native
 from .forces import ForceKernel, prepare
+from .generated.interface import OUTPUTS as _OUTPUTS
+from .generated.interface import STRUCTS
 from .kernel import MOTION, address, contiguous, loaded, module, stored
 from .motion import Motion
 from .robot import Robot
@@ -25,25 +27,8 @@ Array = NDArray[np.float64]
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
 
 NAME = "exact"
-OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {
-    "equations": {
-        "M": (6, 6),
-        "C": (6, 6),
-        "g": (6,),
-        "friction": (6,),
-        "bias": (6,),
-        "H": (6, 6),
-        "H_dot": (6, 6),
-    },
-    "bias": {"bias": (6,)},
-    "forward_dynamics": {"acceleration": (6,)},
-    "joint_inertia": {"inertia": (6, 6)},
-    "derivatives": {"F": (6,), "by_pose": (6, 6), "by_twist": (6, 6), "by_acceleration": (6, 6)},
-    "linearisation": {"acceleration": (6,), "A": (12, 12), "B": (12, 6)},
-}
+OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {what: _OUTPUTS[what] for what in get_args(What)}
 """What each function hands out, with the shape of a pose's part."""
-
-_STRUCTS = ("equations", "derivatives", "linearisation")
 
 
 class ClosedForm(Protocol):
@@ -91,7 +76,7 @@ class CClosedForm:
             ctypes.c_size_t(status.size),
             (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
             *(address(array) for array in forces),
-            (ctypes.c_void_p * len(targets))(*targets) if what in _STRUCTS else targets[0],
+            (ctypes.c_void_p * len(targets))(*targets) if what in STRUCTS else targets[0],
             address(status),
         )
         return {**outputs, "status": status}

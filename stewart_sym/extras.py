@@ -26,6 +26,12 @@ def absent(*packages: str) -> tuple[str, ...]:
     return tuple(package for package in packages if importlib.util.find_spec(package) is None)
 
 
+def need(package: str, what: str, otherwise: str = "") -> None:
+    """Raise the error of ``needed_for`` at once where a package is not installed: before long work."""
+    if absent(package):
+        raise _missing(package, what, otherwise)
+
+
 @contextlib.contextmanager
 def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     """Import optional packages in this block.
@@ -43,10 +49,12 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        known = EXTRAS.get((error.name or "").partition(".")[0])
-        if known is None:
+        package = (error.name or "").partition(".")[0]
+        if package not in EXTRAS:
             raise
-        package, extra = known
-        raise MissingExtraError(
-            f'{what} needs {package}: pip install "stewart-sym[{extra}]"{otherwise}'
-        ) from None
+        raise _missing(package, what, otherwise) from None
+
+
+def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
+    name, extra = EXTRAS[package]
+    return MissingExtraError(f'{what} needs {name}: pip install "stewart-sym[{extra}]"{otherwise}')

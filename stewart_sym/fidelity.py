@@ -6,6 +6,7 @@ scene may not need; each has a kernel of its own. Knows names and counts, no equ
 
 from .checks import shown
 from .generated.fidelities import FIDELITIES as _TABLE
+from .generated.interface import MODELS
 from .kernel import kernel_name, module
 from .robot import Robot
 
@@ -58,10 +59,7 @@ def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
 
 def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
     """How many numbers the kernel's prepared model holds."""
-    level = resolved(robot, formulation, fidelity)
-    if level == _GENERAL:
-        return int(module(kernel_name(formulation, robot.base_joint)).MODEL_NUMBERS)
-    return int(_TABLE[level]["model_numbers"])
+    return MODELS[force_kernel_name(robot, formulation, fidelity)]
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:

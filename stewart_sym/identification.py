@@ -22,13 +22,14 @@ from .checks import finite_array, instance, real_array, truth
 from .dynamics import inverse_dynamics, need_motion, need_universal
 from .equations import force_derivatives
 from .excitation import Excitation, force_regressor, need_seed
+from .extras import need
 from .identifiable import BaseParameters, base_parameters
 from .motion import Motion
 from .parameters import Parameters, inertial_parameters, is_friction, with_parameters
-from .physical import impossible, possible_fit
+from .physical import POSSIBLE, Negative, negative, possible_fit
 from .robot import LEGS, Robot
 from .rotation import rotation_from_vector
-from .smooth_motion import Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
+from .smooth_motion import WITHOUT_PERIOD, Basis, PoseNoise, chain, coordinates, from_best, pose_fit, residual
 
 Array = NDArray[np.float64]
 
@@ -66,7 +67,8 @@ class Estimate:
     verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3,
     or the fit did not converge or is not linear within its deviations; "untested": no more forces than
     unknowns. doubts: a line for each reason.
-    impossible: a line for each value that no machine can have; beside its deviation it may be small.
+    impossible: a line for each value that no machine can have, more than four deviations below zero.
+    near_zero: a line for each value that is below zero by less: not distinguishable from 0.
 
     motion: along which the parameters were estimated, (...). parameters: of possible bodies that have these
     values, (148,), if they were asked for. free: the estimate that was not kept to possible bodies, then.
@@ -82,6 +84,7 @@ class Estimate:
     verdict: str
     doubts: tuple[str, ...]
     impossible: tuple[str, ...]
+    near_zero: tuple[str, ...]
     motion: Motion
     parameters: Parameters | None = None
     free: Estimate | None = None
@@ -154,13 +157,17 @@ def identify(
     ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
+    truth(physical, "physical")
+    if physical:
+        need("scipy", POSSIBLE)
+    if isinstance(noise, PoseNoise) and noise.period is None:
+        need("scipy", WITHOUT_PERIOD)
     if noise is None:
         need_motion(robot, motion)
     if base is None:
         base = base_parameters(robot)
     instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
-    truth(physical, "physical")
     forces = finite_array(F, (LEGS,), "F")
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
@@ -462,6 +469,7 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
     covariance = np.diag(np.full(data.base.rank, np.inf)) if rejected else inflation**2 * fit.covariance
+    below = Negative((), ()) if rejected else negative(data.robot, data.base, fit.values, covariance)
     return Estimate(
         base=data.base,
         values=fit.values,
@@ -472,7 +480,8 @@ def _tested(data: _Data, fit: _Fit, remedy: tuple[str, ...]) -> Estimate:
         inflation=inflation,
         verdict=verdict,
         doubts=(*doubts, *(remedy if doubts else ())),
-        impossible=() if rejected else impossible(data.robot, data.base, fit.values, covariance),
+        impossible=below.impossible,
+        near_zero=below.near_zero,
         motion=fit.motion,
     )
 
@@ -557,6 +566,7 @@ def _possible(robot: Robot, found: Estimate) -> Estimate:
         verdict=verdict,
         doubts=doubts,
         impossible=(),
+        near_zero=(),
         parameters=fit.parameters,
         free=found,
     )

@@ -9,8 +9,9 @@ hides on which side the pose is, it hides what the motion does there: that sampl
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from .conditioning import characteristic_length
 from .forward import (
     REASONS,
     Guess,
+    ToSingular,
     checked_lengths,
     fault,
     forward_acceleration,
@@ -74,6 +76,8 @@ _ASTRAY = 0.1
 _SAME_POSE = 1e-8
 # Lengths may be off by this many deviations of their noise.
 _SURE = 5.0
+# Samples whose rates are found at once.
+_PART = 1 << 14
 # Samples found at once at most.
 _MANY = 256
 # A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
@@ -116,6 +120,17 @@ class _State(NamedTuple):
     def at(self, part: slice) -> _State:
         """Some of the states."""
         return _State(self.pose.at(part), self.twist[part], self.rate[part])
+
+
+class _Run(NamedTuple):
+    """States of samples that follow one another, and the way from each to the next singular pose."""
+
+    state: _State
+    near: ToSingular
+
+    def first(self, count: int) -> _Run:
+        """The first of them."""
+        return _Run(self.state.at(slice(count)), ToSingular(*(x[:count] for x in self.near)))
 
 
 class _LostError(ValueError):
@@ -165,12 +180,18 @@ def motion_from_lengths(
     when = _checked_times(time, len(lengths)) if time is not None else None
     deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
     R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations)
-    v, omega = forward_velocity(robot, R, t, rates["L_dot"], on_failure="nan")
+    v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))
     a = alpha = None
     if "L_ddot" in rates:
         _reject_unsettled(v)
-        a, alpha = forward_acceleration(robot, R, t, v, omega, rates["L_ddot"], on_failure="nan")
+        a, alpha = _in_parts(
+            lambda i: forward_acceleration(robot, R[i], t[i], v[i], omega[i], rates["L_ddot"][i], "nan"),
+            len(t),
+        )
     _reject_unsettled(v if a is None else a)
+    # Copies of the arguments would be in memory beside those of the motion.
+    rates.clear()
+    del lengths
     return Motion(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
 
 
@@ -212,6 +233,17 @@ def _checked_deviations(sigma: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise ValueError(f"sigma: expected {expected}, got shape {values.shape}") from None
 
 
+def _in_parts(function: Callable[[slice], tuple[Array, Array]], count: int) -> tuple[Array, Array]:
+    """Two vectors at each of many samples, (n, 3), without all that makes them in memory at once."""
+    found = np.empty((2, count, 3))
+    # None is much smaller than the others: few poses take NumPy's kinematics, whose last bits are other ones.
+    starts = [i * _PART for i in range(max(1, count // _PART))]
+    for start, end in itertools.pairwise([*starts, count]):
+        part = slice(start, end)
+        found[0, part], found[1, part] = function(part)
+    return found[0], found[1]
+
+
 def _reject_unsettled(rate: Array) -> None:
     bad = np.flatnonzero(~np.isfinite(rate).all(axis=-1))
     if bad.size:
@@ -240,20 +272,30 @@ def _follow(
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
             raise _LostError(sample, reason)
-    states = _walk(robot, first, _Legs(L, L_dot, rates), np.diff(time))
     noise = _noise(time, L) if sigma is None else sigma
-    decided = _decided(robot, states.pose, noise)
-    same = decided - int(states.pose.sign[decided - 1] != first.sign[0])
-    _reject_crossings(robot, time[:same], states.at(slice(same)))
+    R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
+    done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())
+    for run in _walk(robot, first, _Legs(L, L_dot, rates), np.diff(time)):
+        here = slice(done, done + len(run.state.twist))
+        R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]
+        undecided = np.flatnonzero(_may_be_singular(run.near, noise[here]))
+        if noisy and undecided.size:
+            decided = min(decided, max(1, done + int(undecided[0])))
+        done, sign = here.stop, run.state.pose.sign[-1]
+        if decided < done:
+            break
+    decided = min(decided, done)
+    same = decided - int(decided == done and sign != first.sign[0])
+    _reject_crossings(robot, time[:same], R[:same], t[:same], twist[:same], rate[:same])
     if same < decided:
         raise _LostError(same, CROSSED)
     if decided < len(L):
-        last = states.pose.at(slice(decided - 1, decided))
-        miss = newton(robot, L[decided : decided + 1], last.R, last.t).residual[0]
+        last = slice(decided - 1, decided)
+        miss = newton(robot, L[decided : decided + 1], R[last], t[last]).residual[0]
         most = _SURE * float(noise[decided].max())
-        near = decided < len(states.twist) or miss <= most
+        near = decided < done or miss <= most
         raise _LostError(decided, UNDECIDED.format(most / _SURE) if near and most > 0.0 else NO_WAY)
-    return states.pose.R, states.pose.t
+    return R, t
 
 
 def _noise(time: Array, L: Array) -> Array:
@@ -264,35 +306,23 @@ def _noise(time: Array, L: Array) -> Array:
     return np.broadcast_to(shown_noise, L.shape)
 
 
-def _decided(robot: Robot, poses: _Pose, sigma: Array) -> int:
-    """Number of poses, at least 1, before the first that noise could carry through a singular one."""
-    count = len(poses.t)
-    if not sigma.any():
-        return count
-    near = way_to_singular(robot, poses.R, poses.t)
-    noise = np.linalg.norm(near.legs * sigma[:count], axis=-1)
-    undecided = np.flatnonzero(near.lengths <= _SURE * noise)
-    return max(1, int(undecided[0])) if undecided.size else count
+def _may_be_singular(near: ToSingular, sigma: Array) -> NDArray[np.bool_]:
+    """Whether noise of lengths, (n, 6), could carry poses through a singular one."""
+    return np.asarray(near.lengths <= _SURE * np.linalg.norm(near.legs * sigma, axis=-1))
 
 
 def _joined(poses: Sequence[_Pose]) -> _Pose:
     return _Pose(*(np.concatenate(parts) for parts in zip(*poses, strict=True)))
 
 
-def _all(states: list[_State]) -> _State:
-    poses, twists, rates = zip(*states, strict=True)
-    return _State(_joined(poses), np.concatenate(twists), np.concatenate(rates))
-
-
-def _reject_crossings(robot: Robot, time: Array, states: _State) -> None:
+def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:
     """Name the first sample before which J's determinant changes its sign, between samples too."""
-    bad = np.flatnonzero(~np.isfinite(states.twist + states.rate).all(axis=-1))
-    known = int(bad[0]) if bad.size else len(states.twist)
+    bad = np.flatnonzero(~np.isfinite(twist + rate).all(axis=-1))
+    known = int(bad[0]) if bad.size else len(twist)
     if known > 1:
-        pose, twist, rate = states.at(slice(known))
-        motion = Motion(pose.R, pose.t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
-        path = between(Trajectory(time[:known], motion, "L", tuple(range(known))))
-        found = crossings(robot, path, time[:known])
+        arrays = (R, t, twist[:, 3:], twist[:, :3], rate[:, 3:], rate[:, :3])
+        motion = Motion.unchecked(*(x[:known] for x in arrays))
+        found = crossings(robot, between(Trajectory(time[:known], motion, "L", range(known))), time[:known])
         if found:
             raise _LostError(int(np.searchsorted(time[:known], found[0].time)), CROSSED)
     if bad.size:
@@ -302,31 +332,33 @@ def _reject_crossings(robot: Robot, time: Array, states: _State) -> None:
 # From one sample to the next
 
 
-def _walk(robot: Robot, first: _Pose, legs: _Legs, steps: Array) -> _State:
+def _walk(robot: Robot, first: _Pose, legs: _Legs, steps: Array) -> Iterator[_Run]:
     """The states from the first pose on, up to the first sample without one or with J's other sign.
 
     Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
     more of them before many are tried again.
     """
-    walked, done = [_state(robot, first, legs.at(slice(1)))], 1
+    last, done = _state(robot, first, legs.at(slice(1))), 1
+    yield _Run(last, way_to_singular(robot, first.R, first.t))
     many, alone, again = 1, 1, 1
-    while done < len(legs.L) and walked[-1].pose.sign[-1] == first.sign[0]:
-        last, here = walked[-1].at(slice(-1, None)), slice(done, done + many)
+    while done < len(legs.L) and last.pose.sign[0] == first.sign[0]:
+        here = slice(done, done + many)
         run = _run(robot, last, legs.at(here), steps[done - 1 : done - 1 + many]) if done >= again else None
-        if run is not None and len(run.twist):
-            many, alone = min(2 * many, _MANY) if len(run.twist) == many else 1, 1
+        if run is not None and len(run.state.twist):
+            many, alone = min(2 * many, _MANY) if len(run.state.twist) == many else 1, 1
         else:
             if run is not None:
                 many, alone, again = 1, min(2 * alone, _MANY), done + alone
-            run = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
-            if run is None:
+            state = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
+            if state is None:
                 break
-        walked.append(run)
-        done += len(run.twist)
-    return _all(walked)
+            run = _Run(state, way_to_singular(robot, state.pose.R, state.pose.t))
+        yield run
+        last = run.state.at(slice(-1, None))
+        done += len(run.state.twist)
 
 
-def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _State:
+def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _Run:
     """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
     R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
     ends = newton(robot, legs.L, R, t)
@@ -335,12 +367,13 @@ def _run(robot: Robot, last: _State, legs: _Legs, h: Array) -> _State:
     before = _State(
         poses, *(np.concatenate([x[0], x[1][:-1]]) for x in zip(last[1:], after[1:], strict=True))
     )
-    near = np.abs(way_to_singular(robot, ends.R, ends.t).way)
+    run = _Run(after, way_to_singular(robot, ends.R, ends.t))
+    near = np.abs(run.near.way)
     clear = (near >= _NEAR * characteristic_length(robot)) | (
         _misfit(robot, before, after, h) < _ASTRAY * near
     )
     sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
-    return after.at(slice(len(h) if sure.all() else int(np.argmin(sure))))
+    return run.first(len(h) if sure.all() else int(np.argmin(sure)))
 
 
 def _next(robot: Robot, state: _State, legs: _Legs, h: Array) -> _State | None:

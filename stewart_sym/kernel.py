@@ -7,7 +7,6 @@ stewart.h and nothing of the equations.
 import ctypes
 import functools
 import importlib
-from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.resources import files
 from types import ModuleType, SimpleNamespace
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 from . import native
 from .checks import shown
 from .frozen import Frozen, read_only
+from .generated.interface import OUTPUTS, STRUCTS
 from .motion import Motion
 from .results import Forces, Reactions
 from .robot import Robot
@@ -26,23 +26,10 @@ from .robot import Robot
 Array = NDArray[np.float64]
 
 FORMULATIONS = ("exact", "paper")
-MOTION = {"R": (3, 3), **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), (3,))}
+MOTION = STRUCTS["motion"]
 """Arrays of a motion in the order of ``stewart_motion``, with the shape of a pose's part."""
 
-_LEG = ("b", "p", "k", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
-_PLATFORM = ("M", "R_0", "I_p", "g")
-_FORCES: Mapping[str, tuple[int, ...]] = {
-    "F": (6,),
-    "D": (6,),
-    "x": (6,),
-    "K": (6, 3),
-    "H": (6, 6),
-    "c": (6,),
-}
-_REACTIONS: Mapping[str, tuple[int, ...]] = {
-    **dict.fromkeys(("F_s", "F_u", "F_p", "F_c", "M_p"), (6, 3)),
-    "M_u": (6,),
-}
+_LEG, _PLATFORM = (tuple(STRUCTS[name]) for name in ("leg", "platform"))
 _UPPER = np.triu_indices(3)
 
 
@@ -125,19 +112,21 @@ class CKernel(Frozen):
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
-        outputs, status = self._run("inverse_dynamics", motion, _FORCES, None)
+        outputs, status = self._run("inverse_dynamics", motion, None)
         return Forces(**outputs, status=status)
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
-        outputs, status = self._run("joint_reactions", motion, _REACTIONS, np.ascontiguousarray(bearing))
+        outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
         return Reactions(**outputs, status=status)
 
     def _run(
-        self, function: str, motion: Motion, shapes: Mapping[str, tuple[int, ...]], bearing: Array | None
+        self, function: str, motion: Motion, bearing: Array | None
     ) -> tuple[dict[str, Array], NDArray[np.int32]]:
         inputs = [contiguous(getattr(motion, name)) for name in MOTION]
-        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in shapes.items()}
+        outputs = {
+            name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()
+        }
         status = np.zeros(motion.shape, dtype=np.int32)
         call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
         call(

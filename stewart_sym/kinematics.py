@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import instance
+from .generated.interface import STRUCTS
 from .kernel import MOTION, address, contiguous, library, robot_numbers
 from .motion import Motion
 from .native import CompilerError
@@ -73,7 +74,7 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
     return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
 
 
-_SHAPES = {**dict.fromkeys(("L", "L_dot", "L_ddot"), (6,)), "s": (6, 3), "S": (6, 3)}
+_SHAPES = STRUCTS["legs"]
 
 
 def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:

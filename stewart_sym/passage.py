@@ -30,6 +30,8 @@ from .singular_poses import Singularity, last_directions, singularity
 Array = NDArray[np.float64]
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
 _CARE = 2.0
+# Intervals are passed over unseen only where bounds of them exceed four times that, and what H changes.
+_SURE = 4.0 * _CARE
 # A smallest singular value below this share of the largest is rounding error along a path.
 _NOTHING = 1e-13
 # What elimination leaves of det H = 0, beside the product of the columns' sizes.
@@ -103,7 +105,7 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
     between two times is found as well. Raises ValueError naming the argument.
     """
     with np.errstate(over="ignore", invalid="ignore"):
-        return _Search(robot, path, _checked(robot, path, times)).crossings
+        return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
 
 
 def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
@@ -164,12 +166,13 @@ class _Samples(NamedTuple):
 class _Search:
     """A path's singular poses: the points looked at, then what lies between them."""
 
-    def __init__(self, robot: Robot, path: Path, times: Array) -> None:
+    def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
+        """everywhere: whether singular values count at all times, or only where one may vanish."""
         self.robot, self.path, self.times = robot, path, times
         self.length = characteristic_length(robot) or 1.0
         ends = path(times[[0, -1]])
         self.reach = float(leg_vectors(robot, *_pose(ends))[2].max()) or 1.0
-        at_times = _in_chunks(self._look_about, times)
+        at_times = _in_chunks(self._look_about, times) if everywhere else self._look_where_near()
         inner = np.setdiff1d(self._inner_points(at_times), times)
         order = np.argsort(np.concatenate([times, inner]))
         self.points = np.concatenate([times, inner])[order]
@@ -211,6 +214,40 @@ class _Search:
         chosen = np.flatnonzero(may_vanish | may_turn | unknown)
         edges = np.stack([times[chosen], times[chosen + 1]], axis=-1)
         return turning_points(self._determinants, edges, np.full(len(edges), _FLOOR * self._size))
+
+    def _look_where_near(self) -> Array:
+        """``_look_about`` beside steps in which a singular value may vanish; bounds and no rate elsewhere.
+
+        The smallest singular value is at least |det H| over the fifth power of the mean of the five others.
+        """
+        n = len(self.times)
+        parts = [slice(i, min(i + _CHUNK, n - 1) + 1) for i in range(0, n - 1, _CHUNK)]
+        looks, steps = zip(*(self._look_coarsely(self.times[part]) for part in parts), strict=True)
+        found = np.concatenate([looks[0], *(look[1:] for look in looks[1:])])
+        _, least, _, _, speed = found.T
+        change = _SURE * np.maximum(
+            np.maximum(speed[:-1], speed[1:]) * np.diff(self.times), np.concatenate(steps)
+        )
+        near = ~(least[:-1] + least[1:] > change)
+        chosen = np.flatnonzero(np.append(near, False) | np.append(False, near))
+        if chosen.size:
+            found[chosen] = _in_chunks(self._look_about, self.times[chosen])
+        return found
+
+    def _look_coarsely(self, times: Array) -> tuple[Array, Array]:
+        """As ``_look_about`` with bounds in place of singular values; changes of H from time to time."""
+        motion = self.path(times)
+        H, L = self._scaled_H(motion)
+        good = _known(H)
+        found = np.full((len(times), 5), np.nan)
+        found[:, 0] = self._determinant(H, L)
+        found[:, 2] = np.linalg.norm(H, axis=(-2, -1))
+        with np.errstate(divide="ignore"):
+            volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
+        found[:, 1] = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
+        H_dot = _scaled_rate(self.robot, motion[good], self.length)
+        found[good, 4] = np.linalg.norm(H_dot, axis=(-2, -1))
+        return found, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1))
 
     def _look_about(self, times: Array) -> Array:
         """A sample, the rate of its smallest singular value and a bound of any's, 1/s, (n, 5)."""

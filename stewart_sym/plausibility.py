@@ -6,6 +6,7 @@ said.
 """
 
 import itertools
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -17,6 +18,7 @@ from .conditioning import scaled_condition_number
 from .dynamics import inverse_dynamics
 from .home import home_pose, radius
 from .motion import Motion
+from .mounting import AssemblyModeWarning
 from .robot import LEGS, Robot, legs_text
 from .rotation import rotation_from_quaternion, rotation_from_vector
 
@@ -75,7 +77,9 @@ def doubts(robot: Robot) -> list[Doubt]:
     A doubt that explains others stands for them: where a unit is wrong or all poses are singular, nothing is
     said of poses.
     """
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # On which side of the base the platform is decides no doubt.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
         found = _found(robot)
     return [doubt for doubt in found if doubt.name not in robot.accept]
 
@@ -87,7 +91,8 @@ def _found(robot: Robot) -> list[Doubt]:
             "base or platform points so far out that distances overflow; likely cause: a slip in an exponent"
         )
         return [Doubt("length-unit", text)]
-    collapsed = min(base, platform) <= _SAME**2 * max(base, platform)
+    reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
+    collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
     found = [] if collapsed else list(_of_numbers(robot))
     if not found:
         found = list(_of_geometry(robot))
@@ -268,6 +273,8 @@ def _why_singular(robot: Robot) -> str:
 
 
 _SAME = 1e-3
+# A radius below this share of the coordinates is made of their rounding errors.
+_ROUNDING = 1e-12
 
 
 def _near(points: Array, i: int) -> list[int]:

@@ -11,28 +11,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-OK = 0
-NOT_FINITE = 1
-SHORT_LEG = 2
-POLE = 3
-SINGULAR = 4
-BAD_ARGUMENT = 5
-INDEFINITE = 6
-NOT_CONVERGED = 7
+from .generated.interface import STATUS
+
+OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
+    code for code, _ in STATUS.values()
+)
 OUT_OF_LIMITS = 8
 
-STATUS_TEXT = {
-    OK: "ok",
-    NOT_FINITE: "an input is not finite, or a result overflows",
-    SHORT_LEG: "a leg has length zero",
-    POLE: "a leg lies along the fixed axis of its universal joint",
-    SINGULAR: "H is singular: no leg forces can hold the platform",
-    BAD_ARGUMENT: "a required argument is missing",
-    INDEFINITE: "the inertia matrix M is not positive definite: no body has such inertias",
-    NOT_CONVERGED: "no pose with these leg lengths was found",
-    OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
-}
-"""One line for each status code: 0 to 6 of the kernels, the rest of forward kinematics."""
+STATUS_TEXT = dict(STATUS.values()) | {OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits"}
+"""One line for each status code: 0 to 7 of the kernels, the rest of forward kinematics."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,10 +15,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import instance, real_array, shown
+from .extras import needed_for
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 
 Array = NDArray[np.float64]
+
+WITHOUT_PERIOD = "a smooth motion without a period"
+"""What needs SciPy, in words."""
+
 
 # Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
 _STEEPEST = 1.4
@@ -240,10 +245,8 @@ def _fourier(time: Array, period: float, harmonics: int) -> Basis:
 
 def _spline(time: Array, size: int) -> Basis:
     """B-splines whose knots lie among the instants as densely as these do."""
-    try:
+    with needed_for(WITHOUT_PERIOD):
         from scipy.interpolate import BSpline
-    except ImportError:
-        raise ImportError("a smooth motion without a period needs SciPy: pip install scipy") from None
     since = time - time[0]
     inner = np.interp(np.linspace(0.0, len(time) - 1.0, size - _DEGREE + 1), np.arange(len(time)), since)
     knots = np.concatenate([np.repeat(since[0], _DEGREE), inner, np.repeat(since[-1], _DEGREE)])

@@ -12,6 +12,7 @@ import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from functools import partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array, shown
-from .extras import needed_for
+from .extras import need, needed_for
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
@@ -258,7 +259,15 @@ _LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
 _LOADS = ("F_ext", "M_ext")
 FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
 """Columns of actuator forces."""
+# Columns in words.
+_KNOWN = (
+    "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
+    "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*; for other names give "
+    "--columns NAME=HEADER,..."
+)
 _MIN_SPLINE_POINTS = 4
+# What needs SciPy, and what helps without.
+_SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
 _PART = 1 << 14
 _ANGLES = ("theta", "theta_dot", "theta_ddot")
 _PLAIN = LogFormat()
@@ -433,7 +442,7 @@ def read_log(
     """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
     source = file_name(path)
     with opened(source, "trajectory", _MOST_BYTES) as stream:
-        columns, rows = read_columns(stream, source, _check_header, form)
+        columns, rows = read_columns(stream, source, partial(_check_log, smoothing=smoothing), form)
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     log = _Log(source, rows, columns["time"], written, form, smoothing)
@@ -572,15 +581,17 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
             f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
         )
     if "L_dot" in log.written:
-        L_dot, L_ddot = (log.vector(name) for name in _LENGTH_DERIVATIVES)
-        noise = _as_given(
-            log, np.stack([L, L_dot, L_ddot]), [log.steps(name) for name in ("L", "L_dot", "L_ddot")]
-        )
+        found = np.empty((3, *L.shape))
+        found[0] = L
+        for i, name in enumerate(_LENGTH_DERIVATIVES):
+            found[i + 1] = log.vector(name)
+        noise = _as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
     else:
-        (L, L_dot, L_ddot), noise = _differentiate(log, L, log.steps("L"))
+        found, noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
-    _warn_of_units(log, np.stack([L, L_dot, L_ddot]))
+    _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in _LOADS)
+    L, L_dot, L_ddot = found
     return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
 
 
@@ -631,16 +642,28 @@ def _components(*names: str) -> list[str]:
     ]
 
 
+def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
+    """Reject a header, and rows that nothing will differentiate, before they are read."""
+    _check_header(header, source)
+    if not smoothing.on and not {"v_x", "L_dot_1"} & set(header):
+        need("scipy", *_SPLINE)
+
+
 def _check_header(header: list[str], source: str) -> None:
     in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
     of_pose = _components(*_POSE, *_DERIVATIVES)
+    lengths, poses = ([c for c in header if c in known] for known in (in_joints, of_pose))
+    if lengths and poses:
+        raise ValueError(
+            f"{source}: columns {poses[0]} and {lengths[0]}: expected poses or leg lengths, got both"
+        )
     # Poses are what a header without any of the two is taken to lack.
-    joints = any(c in in_joints for c in header) and not any(c in of_pose for c in header)
+    joints = bool(lengths)
     position: tuple[str, ...] = _QUATERNION if "q_w" in header else _POSE
     derivatives: tuple[str, ...] = () if "q_w" in header else _DERIVATIVES
     if joints:
         position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
-    _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source)
+    _check_names(header, ["time", *_components(*position, *derivatives, *_LOADS)], source, _KNOWN)
     missing = [c for c in _components(*derivatives) if c not in header]
     if missing and len(missing) < len(_components(*derivatives)):
         raise ValueError(
@@ -656,11 +679,11 @@ def _check_header(header: list[str], source: str) -> None:
             raise ValueError(f"{source}: missing column {column}")
 
 
-def _check_names(header: list[str], known: list[str], source: str) -> None:
-    """Refuse columns that are not known or given twice."""
+def _check_names(header: list[str], known: list[str], source: str, expected: str = "") -> None:
+    """Reject columns that are not known, with what is expected in words, or that are given twice."""
     for column in header:
         if column not in known:
-            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected some of {', '.join(known)}")
+            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected {expected}")
         if header.count(column) > 1:
             name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
             raise ValueError(f"{source}: column {name} is given twice")
@@ -760,6 +783,6 @@ def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
 
 
 def _spline_maker() -> Callable[..., Callable[..., Array]]:
-    with needed_for("a trajectory without derivatives"):
+    with needed_for(*_SPLINE):
         from scipy.interpolate import make_interp_spline
     return make_interp_spline  # type: ignore[no-any-return]

@@ -1,7 +1,6 @@
 """`bench`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
 
 import dataclasses
-import io
 import itertools
 import json
 import os
@@ -23,6 +22,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import forces
 from stewart_sym.cli import main
+from stewart_sym.generated.interface import MODELS
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
 from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, host, timing
@@ -65,7 +65,7 @@ def padded(numbers: int) -> dict[str, str]:
 
 def some_passes() -> tuple[Pass, ...]:
     """Two passes whose models differ; deriving the real ones takes too long here."""
-    numbers = module("exact").MODEL_NUMBERS
+    numbers = MODELS["exact"]
     return (
         Pass("as derived", "steps as stated", (30, 40), padded(1_000), numbers + 1_000),
         Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), numbers),
@@ -90,13 +90,44 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the command wrote."""
-    folder = tmp_path_factory.mktemp("bench") / "new"
+def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
+    """What the command wrote of a robot file, and what it had measured."""
+    folder = tmp_path_factory.mktemp("bench")
+    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+    file = folder / "mine.toml"
+    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    measured: list[bench.Benchmark] = []
+    plain = bench.bench
+
+    def keeping(*arguments: Any) -> bench.Benchmark:
+        measured.append(plain(*arguments))
+        return measured[-1]
+
     with pytest.MonkeyPatch.context() as patch:
         shorten(patch)
-        assert main(["bench", "--quick", "-o", str(folder)]) == 0
-    return folder
+        patch.setattr(bench, "bench", keeping)
+        assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
+    (found,) = measured
+    return folder / "new", found
+
+
+@pytest.fixture(scope="module")
+def written(run: tuple[Path, bench.Benchmark]) -> Path:
+    """What the command wrote."""
+    return run[0]
+
+
+@pytest.fixture(scope="module")
+def reduced() -> bench.Benchmark:
+    """A run on the paper's machine without passes, text and batches that fit, disturbed throughout."""
+    at = itertools.count(0.0, 1e6)
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
+        patch.setattr(bench_passes, "stages", lambda _: ())
+        patch.setattr(bench_compile, "text_size", lambda: None)
+        patch.setattr(host, "_work_of_others", lambda: next(at))
+        return bench.bench(quick=True)
 
 
 @pytest.fixture(scope="module")
@@ -398,25 +429,19 @@ def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.Monkey
     assert bench_compile.text_size() is None
 
 
-@pytest.mark.usefixtures("small")
-def test_tables_without_passes_and_text_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bench_passes, "stages", lambda _: ())
-    monkeypatch.setattr(bench_compile, "text_size", lambda: None)
+def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
+    assert reduced.as_json()["text"] is None
+    assert "after the pass" not in report(reduced)
+    assert "bytes" not in report(reduced)
+
+
+def test_a_run_that_others_disturbed_says_so(
+    reduced: bench.Benchmark, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "100 % of the cores' time: the figures" in report(reduced)
     monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
-    found = bench.bench(quick=True)
-    assert found.as_json()["text"] is None
-    assert "after the pass" not in report(found)
-    assert "bytes" not in report(found)
-    # Nor did others do anything.
-    assert "took 0 % of the cores' time\n" in report(found)
-
-
-@pytest.mark.usefixtures("small")
-def test_a_run_that_others_disturbed_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    at = itertools.count(0.0, 1e6)
-    monkeypatch.setattr(host, "_work_of_others", lambda: next(at))
-    monkeypatch.setattr(bench_passes, "stages", lambda _: ())
-    assert "100 % of the cores' time: the figures" in report(bench.bench(quick=True))
+    undisturbed = reduced.machine | {"taken_by_others": host.Others().share()}
+    assert "took 0 % of the cores' time\n" in report(dataclasses.replace(reduced, machine=undisturbed))
 
 
 def test_own_work_is_not_that_of_others() -> None:
@@ -460,11 +485,9 @@ def test_the_picture_shows_every_contestant(written: Path) -> None:
     assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
 
 
-@pytest.mark.usefixtures("small")
-def test_labels_in_the_picture_do_not_overlap() -> None:
-    found = bench.bench(quick=True)
-    for canvas in (picture(found), motion_picture(found)):
-        canvas.savefig(io.BytesIO(), format="png")
+def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark]) -> None:
+    for canvas in (picture(run[1]), motion_picture(run[1])):
+        canvas.draw_without_rendering()
         above = canvas.axes[0]
         boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
         legend = above.get_legend()
@@ -473,13 +496,8 @@ def test_labels_in_the_picture_do_not_overlap() -> None:
         assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
 
 
-@pytest.mark.usefixtures("small")
-def test_the_command_takes_any_robot_file(tmp_path: Path) -> None:
-    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
-    file = tmp_path / "mine.toml"
-    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
-    assert main(["bench", "--quick", "--robot", str(file), "-o", str(tmp_path / "out")]) == 0
-    assert json.loads((tmp_path / "out" / "bench.json").read_text())["robot"] == "mine"
+def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: bench.Benchmark) -> None:
+    assert (figures["robot"], reduced.robot) == ("mine", dasgupta().name)
 
 
 def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:
@@ -576,11 +594,8 @@ def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         timing.time_source()
 
 
-@pytest.mark.usefixtures("small")
-def test_batches_that_do_not_fit_into_memory_are_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bench, "QUICK_SIZES", (8, 10**12))
-    found = bench.bench(quick=True)
-    assert {figure.poses for figure in found.sweep} == {8}
+def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
+    assert {figure.poses for figure in reduced.sweep} == {8}
 
 
 def test_multiply_adds_are_what_their_count_says() -> None:

@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 from sweeps import FULL
 
 from stewart_sym import cli, fixed_step, laws
-from stewart_sym.derive.emit.kit import build as kit_build
-from stewart_sym.derive.emit.kit import cpp as kit_cpp
-from stewart_sym.derive.emit.kit.functions import MODEL, NOTHING, Function
-from stewart_sym.derive.emit.kit.functions import ROBOT as OF_ROBOT
+from stewart_sym.derive.kernel.interface import CALLS
+from stewart_sym.derive.package import build as kit_build
+from stewart_sym.derive.package import cpp as kit_cpp
+from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
+from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
 from stewart_sym.equations import ForwardDynamics
 from stewart_sym.kernel import c_sources
 from stewart_sym.kit import Choice, kit
@@ -583,7 +584,7 @@ def test_every_function_can_be_wrapped_and_no_status_ignored(tmp_path: Path, com
     stems = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
     functions = [Function(s, f"stewart_{s}", "stewart_kinematics.h", OF_ROBOT, "") for s in stems]
     turned = {"motion_from_rpy", "motion_from_quaternion"}  # of a kit of the forces, made elsewhere
-    assert {function.stem for function in (*FUNCTIONS, *functions)} | turned == set(kit_cpp.METHODS)
+    assert {function.stem for function in (*FUNCTIONS, *functions)} | turned == set(CALLS)
     (tmp_path / "stewart_kinematics.h").write_text(KINEMATICS_H)
     (tmp_path / "stewart.h").write_text(c_sources("exact")["stewart.h"])
     (tmp_path / "stewart.hpp").write_text(kit_cpp.wrapper(functions, "0"))
@@ -603,6 +604,7 @@ def test_every_function_can_be_wrapped_and_no_status_ignored(tmp_path: Path, com
 
 def test_kernels_of_one_pose_have_no_batch_and_unknown_functions_are_told() -> None:
     pose = of_model("forces", "stewart_exact_pose.h", "stewart_exact_pose")
+    pose = dataclasses.replace(pose, one_pose=True)
     text = kit_cpp.wrapper([pose], "0")
     assert "class exact_pose_kernel" in text
     assert "batch" not in text

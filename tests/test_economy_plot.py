@@ -148,9 +148,10 @@ def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
 
 
 @pytest.mark.parametrize("spread", [1.0, 0.05])
-def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float) -> None:
+def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float, picture: Figure) -> None:
     found = made_up(spread)
-    for axes, panel in zip(figure(found).axes, (TOTAL, ROUNDING), strict=True):
+    drawn = picture if spread == 1.0 else figure(found)
+    for axes, panel in zip(drawn.axes, (TOTAL, ROUNDING), strict=True):
         names = boxes(axes)
         assert names.keys() == {p.name for p in points(found) if p.panel == panel and not p.beside}
         assert not overlapping(names)

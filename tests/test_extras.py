@@ -1,6 +1,7 @@
 """Each module and subcommand needs the extras of its own work alone, and says in one line what is missing."""
 
 import json
+import math
 import subprocess
 import sys
 import tomllib
@@ -64,3 +65,78 @@ def test_each_optional_package_is_in_the_extra_that_is_named_for_it(package: str
     project = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     needs = project["optional-dependencies"][EXTRAS[package][1]]
     assert any(need.startswith({"pinocchio": "pin"}.get(package, package)) for need in needs)
+
+
+RUN_ALL = """
+import contextlib, io, json, sys
+hidden, commands = json.loads(sys.argv[1])
+sys.modules.update(dict.fromkeys(hidden))
+from stewart_sym import native
+from stewart_sym.cli import main
+from stewart_sym.studies import identify, run, track
+def work(*_, **__):
+    raise AssertionError("work began")
+for module, name in ((track, "in_parts"), (identify, "from_measurement"), (run, "run_columns")):
+    setattr(module, name, work)
+def told(command):
+    with contextlib.redirect_stderr(io.StringIO()) as stream:
+        code = main(command)
+    return [code, stream.getvalue()]
+print(json.dumps([told(command) for command in commands]))
+"""
+
+
+def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> None:
+    robot = str(PACKAGE / "robots" / "dasgupta1998.toml")
+    log, scene, forces = (tmp_path / name for name in ("log.csv", "scene.toml", "forces.csv"))
+    rows = (f"{0.1 * i!r},{0.2 + 0.01 * math.sin(i)!r},0.0,0.5,0.0,0.0,0.0" for i in range(60))
+    log.write_text("\n".join(["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", *rows]) + "\n")
+    scene.write_text("schema = 1\n")
+    out = ["-o", str(tmp_path / "out")]
+    measured = ["identify", robot, *out, "--measured", str(log), str(forces)]
+    commands = {
+        "a trajectory without derivatives": [
+            ["forces", robot, str(log), "--no-smoothing", *out],
+            ["forces", robot, str(log), *out],
+            ["singularities", robot, str(log), "--no-pictures", *out],
+        ],
+        "simulation": [["simulate", str(scene), *out]],
+        "an estimate kept to bodies that can exist": [[*measured, "--physical"]],
+        "a smooth motion without a period": [
+            [*measured, "--noise-position", "1e-4", "--noise-angle", "1e-4"]
+        ],
+    }
+    hidden = [sorted(set(EXTRAS)), [command for group in commands.values() for command in group]]
+    command = [sys.executable, "-c", RUN_ALL, json.dumps(hidden)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    whats = [what for what, group in commands.items() for _ in group]
+    for what, (code, line) in zip(whats, json.loads(done.stdout), strict=True):
+        assert code == 2, line
+        assert line.startswith(f'stewart-sym: error: {what} needs SciPy: pip install "stewart-sym[sim]"')
+        assert line.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+IDENTIFY = """
+import sys
+sys.modules["scipy"] = None
+import numpy as np, stewart_sym as ss
+from stewart_sym import identification
+robot = ss.robots.dasgupta1998()
+path = ss.PATHS["I"].path
+motion = path.sample(np.linspace(0.0, 6.0, 50))
+noise = ss.PoseNoise(np.linspace(0.0, 6.0, 50), 1e-4, 1e-4)
+identification.base_parameters = None  # nothing is computed
+for options in ({"physical": True}, {"noise": noise}):
+    try:
+        ss.identify(robot, motion, np.zeros((50, 6)), 1.0, **options)
+    except ImportError as error:
+        print(error)
+"""
+
+
+def test_identify_says_which_extra_it_needs_before_it_computes() -> None:
+    done = subprocess.run([sys.executable, "-c", IDENTIFY], capture_output=True, text=True, check=True)
+    lines = done.stdout.splitlines()
+    assert len(lines) == 2
+    assert all(line.endswith(' needs SciPy: pip install "stewart-sym[sim]"') for line in lines)

@@ -34,8 +34,8 @@ from fmpy.validation import validate_fmu
 from numpy.typing import NDArray
 
 from stewart_sym import PATHS, inverse_dynamics, native
-from stewart_sym.derive.emit.kit import fmu as texts
-from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.derive.package import fmu as texts
+from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.home import home_pose
 from stewart_sym.kernel import MOTION, robot_numbers
 from stewart_sym.kit import Choice, kit
@@ -587,21 +587,11 @@ def guid(content: bytes) -> str:
     return found[1].decode()
 
 
-def test_same_unit_has_the_same_bytes_in_another_process(tmp_path: Path) -> None:
-    program = (
-        f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
-        f"import test_fmu; open({str(tmp_path / 'b')!r}, 'wb').write(test_fmu.made('lanes').content)"
-    )
-    env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
-    subprocess.run([sys.executable, "-c", program], env=env, check=True)
-    assert (tmp_path / "b").read_bytes() == made("lanes").content
-
-
 def test_archive_holds_description_page_all_sources_and_the_binary() -> None:
     held = contents(made("lanes").content)
     code = {f"sources/{name}": text.encode() for name, text in made("lanes").sources.items()}
     assert {name: held[name] for name in code} == code
-    own = {"sources/stewart_fmi2.c", "sources/stewart_fmi2.h"}
+    own = {f"sources/{name}" for name in ("stewart_fmi2.c", "stewart_fmi2.h", "stewart_unit.h")}
     binary = f"{binary_folder()}/{made('lanes').symbol}.so"
     page = {"modelDescription.xml", "documentation/index.html", "documentation/licenses/license.txt"}
     assert set(held) == set(code) | own | page | {binary}
@@ -622,7 +612,7 @@ def test_guid_follows_the_contents() -> None:
     units.append(guid(unit(made("lanes").robot, made("lanes").kernel, changed)))
     assert len(set(units)) == 4
     assert all(re.fullmatch(r"\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}", one) for one in units)
-    assert guid(made("lanes").content).encode() in contents(made("lanes").content)["sources/stewart_fmi2.c"]
+    assert guid(made("lanes").content).encode() in contents(made("lanes").content)["sources/stewart_unit.h"]
 
 
 def test_without_a_compiler_the_unit_has_its_sources_alone(

@@ -16,7 +16,8 @@ from test_bad_poses import CASES, at_rest
 
 import stewart_sym as ss
 from stewart_sym import forces
-from stewart_sym.kernel import address, c_sources, module, robot_numbers
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.kernel import address, c_sources, robot_numbers
 from stewart_sym.motion import Motion
 
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
@@ -238,7 +239,7 @@ int main(void)
         (tmp_path / "main.c").write_text(program)
         subprocess.run(["gcc", "main.c", "-o", "size"], check=True, cwd=tmp_path)
         done = subprocess.run(["./size"], check=True, capture_output=True, text=True, cwd=tmp_path)
-        assert int(done.stdout) == module(kernel).MODEL_NUMBERS
+        assert int(done.stdout) == MODELS[kernel]
 
 
 @pytest.mark.parametrize(

@@ -684,8 +684,11 @@ BAD = [
     ),
     (with_line(1, "time,L_1,L_2,L_3,L_4,L_5"), "missing column L_6"),
     (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_5"), "column L_5 is given twice"),
-    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_7"), "unknown column 'L_7', expected some of time, L_1"),
-    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,t_x"), "unknown column 'L_1', expected some of time, t_x"),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_7"), "unknown column 'L_7', expected time and either t_x"),
+    (
+        with_line(1, "time,L_1,L_2,L_3,L_4,L_5,t_x"),
+        "columns t_x and L_1: expected poses or leg lengths, got both",
+    ),
     (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
     (
         with_line(1, ",".join(["time", *LEGS, *RATES[:6]]), FULL),

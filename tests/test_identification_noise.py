@@ -22,6 +22,7 @@ from stewart_sym.excitation import force_regressor
 from stewart_sym.parameters import with_parameters
 from stewart_sym.robot import Robot
 from stewart_sym.rotation import rotation_from_vector
+from stewart_sym.studies import identify
 
 Array = NDArray[np.float64]
 NOISE = 1e-4
@@ -269,7 +270,7 @@ def test_parameters_make_the_robot_again() -> None:
 def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
     for seed in range(20):
         base, values = truth(robot(seed))
-        assert physical.impossible(robot(seed), base, values, np.eye(base.rank)) == ()
+        assert physical.negative(robot(seed), base, values, np.eye(base.rank)) == ((), ())
     place = {name: i for i, name in enumerate(base.names)}
     for name, shift, words in (
         ("C_p3", -1e6, "C_p3: expected no negative value"),
@@ -280,9 +281,32 @@ def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
     ):
         wrong = values.copy()
         wrong[place[name]] += shift
-        named = physical.impossible(robot(seed), base, wrong, np.eye(base.rank))
-        assert len(named) == 1
+        named, near = physical.negative(robot(seed), base, wrong, np.eye(base.rank))
+        assert (len(named), near) == (1, ())
         assert named[0].startswith(words)
+
+
+@pytest.mark.parametrize(("deviations", "sure"), [(0.1, False), (3.5, False), (4.5, True), (100.0, True)])
+def test_a_value_below_zero_by_its_noise_alone_is_not_distinguishable_from_0(
+    deviations: float, sure: bool
+) -> None:
+    base, values = truth(robot(0))
+    i = base.names.index("C_p3")
+    values[i], sigma = -0.02, 0.02 / deviations
+    found = physical.negative(robot(0), base, values, sigma**2 * np.eye(base.rank))
+    lines = found.impossible if sure else found.near_zero
+    assert sum(map(len, found)) == 1
+    said = "expected no negative value, got" if sure else "not distinguishable from 0,"
+    assert lines[0].startswith(f"C_p3: {said} -0.02 +- ")
+
+
+def test_a_right_experiment_calls_no_result_impossible() -> None:
+    machine = dataclasses.replace(robot(0), C_u=np.zeros(6), C_p=np.zeros(6), C_s=np.zeros(6))
+    found = ss.simulated_experiment(machine, excited(0), 30.0).estimate
+    assert found.impossible == ()
+    assert found.near_zero
+    assert all("not distinguishable from 0" in line for line in found.near_zero)
+    assert identify.doubts(found) == list(found.doubts)
 
 
 def test_no_machine_has_less_upper_mass_than_its_first_moments_call_for() -> None:
@@ -302,7 +326,7 @@ def test_no_machine_has_less_upper_mass_than_its_first_moments_call_for() -> Non
     platform = [place[name] for name in physical._PLATFORM]
     for share_of, count in ((1.001, 0), (0.999, 1)):
         values[platform] = share_of * body
-        assert len(physical.impossible(robot(3), base, values, np.eye(base.rank))) == count
+        assert sum(map(len, physical.negative(robot(3), base, values, np.eye(base.rank)))) == count
 
 
 def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> None:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym import joint_space
 from stewart_sym.cli import main
 from stewart_sym.joint_space import on_platform
 from stewart_sym.leg_steps import accelerations, times_from_rates
@@ -255,3 +256,14 @@ def test_times_are_checked() -> None:
     for bad in (time[1:], time[::-1], np.full(60, np.nan)):
         with pytest.raises(ValueError, match=r"^time: expected 60 finite times, increasing"):
             ss.motion_from_lengths(robot, *legs, time=bad)
+
+
+def test_a_motion_found_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    machine, path = dasgupta(), ss.PATHS["I"].path
+    legs = ss.inverse_kinematics(machine, path.sample(np.linspace(0.0, 6.0, 5500)))
+    found = []
+    for size in (6000, 2500):
+        monkeypatch.setattr(joint_space, "_PART", size)
+        found.append(ss.motion_from_lengths(machine, L=legs.L, L_dot=legs.L_dot, L_ddot=legs.L_ddot))
+    for name in ("R", "t", "omega", "v", "alpha", "a"):
+        assert np.array_equal(getattr(found[0], name), getattr(found[1], name)), name

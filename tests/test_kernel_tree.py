@@ -15,12 +15,11 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.derive import notation as n
-from stewart_sym.derive.emit.c import STATUS as OF_C
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel import read
-from stewart_sym.derive.kernel.constants import STATUS, constants
+from stewart_sym.derive.kernel.constants import constants
 from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
 from stewart_sym.derive.kernel.nodes import Program
 from stewart_sym.derive.kernel.outputs import OUTPUTS, program
@@ -293,11 +292,6 @@ def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Pat
     with pytest.raises(ValueError, match=f"^{line}"):
         write_kit(dasgupta(), tmp_path, choice)
     assert not list(tmp_path.iterdir())
-
-
-def test_status_codes_are_those_of_the_c() -> None:
-    of_c = {name: code for name, code, _ in OF_C}
-    assert {name: code for name, (code, _) in STATUS.items()}.items() <= of_c.items()
 
 
 def with_while(x: "array(6)") -> "Real":  # noqa: F821

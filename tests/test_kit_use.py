@@ -15,8 +15,8 @@ import pytest
 
 from stewart_sym import kernel, native
 from stewart_sym.cli import main
-from stewart_sym.derive.emit.kit.licence import SPDX
-from stewart_sym.derive.emit.kit.words import robot_symbol
+from stewart_sym.derive.package.licence import SPDX
+from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice, Kit, kit, put
 from stewart_sym.kit.poses import sample
 from stewart_sym.motion import Motion

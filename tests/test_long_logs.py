@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import stewart_sym as ss
+from stewart_sym import joint_space, passage
 from stewart_sym.cli import main
 from stewart_sym.interpolation import between
 from stewart_sym.logs import LogFormat, read_columns
@@ -220,3 +221,33 @@ def test_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.Mo
     parts = track.track(tight, given)
     assert (parts.summary, parts.doubts) == (whole.summary, whole.doubts)
     assert {line.split()[0] for line in whole.doubts} == {"force_limit", "speed_limit", "length_limits"}
+
+
+def joint_log(path: Path, count: int) -> Path:
+    """A log of leg lengths with rates and accelerations."""
+    time = np.linspace(0.0, 6.0, count)
+    motion = ss.PATHS["I"].path.sample(time)
+    legs = ss.inverse_kinematics(dasgupta1998(), motion)
+    names = [f"{name}_{i}" for name in ("L", "L_dot", "L_ddot") for i in range(1, 7)]
+    table = np.hstack([legs.L, legs.L_dot, legs.L_ddot])
+    path.write_text("".join(csv_lines({"time": time} | dict(zip(names, table.T, strict=True)))))
+    return path
+
+
+def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
+    robot_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module, name in ((joint_space, "_PART"), (track, "_PART"), (passage, "_CHUNK")):
+        monkeypatch.setattr(module, name, 256)
+    # Of some ten thousand samples at most, whatever the number of rows.
+    monkeypatch.setattr(joint_space, "_noise", lambda time, L: np.broadcast_to(np.zeros(6), L.shape))
+
+    def run(count: int) -> int:
+        log, out = joint_log(tmp_path / "log.csv", count), tmp_path / "forces.csv"
+        code, most = peak(lambda: main(["forces", str(robot_file), str(log), "-o", str(out)]))
+        assert code == 0
+        return most
+
+    run(100)
+    # Lengths, rates and poses of the row, as many again on their way; no matrices of all rows at once.
+    assert run(8_000) - run(4_000) < 4_000 * 8 * 100

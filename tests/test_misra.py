@@ -15,8 +15,8 @@ import pytest
 from sweeps import FULL
 
 import stewart_sym as ss
-from stewart_sym.derive.emit.kit.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.derive.generate import motion_files
+from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
 from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")

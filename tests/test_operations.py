@@ -9,12 +9,13 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 from stewart_sym import closed_form
-from stewart_sym.derive.emit import c, lanes
+from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.motion import F_LEG, NET
 from stewart_sym.derive.operations import elimination, kernel_operations
+from stewart_sym.derive.package.header import common_header
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
 from stewart_sym.robot import Robot
@@ -170,7 +171,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     robot = random_robot(rng, friction=False)
     kernel = reduced_forces(EXACT, friction=False)
     sources = {
-        "stewart.h": c.common_header("test"),
+        "stewart.h": common_header("test"),
         "stewart_exact_forces.h": lanes.header(kernel, kernel, "test"),
         "stewart_exact_forces.c": lanes.source(kernel, "test"),
     }

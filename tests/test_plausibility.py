@@ -328,6 +328,11 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "similar hexagons",
     ),
     "all platform points in one place": (of(p=lambda p: p[[0] * 6]), "singular-everywhere", "in one place"),
+    "all points in one place each, written with decimals": (
+        of(b=lambda b: np.tile([0.6, 0.2, 0.0], (6, 1)), p=lambda p: np.tile([0.3, 0.0, 0.1], (6, 1))),
+        "singular-everywhere",
+        "all legs coincide",
+    ),
     "all legs the same": (
         of(b=lambda b: b[[0] * 6], p=lambda p: p[[0] * 6]),
         "singular-everywhere",
@@ -413,6 +418,62 @@ def test_check_warns_in_one_line_and_the_file_may_accept_it(
         for line in lines:
             assert line.startswith(f"stewart-sym: warning: {path}: gravity: 9810 m/s^2; likely cause: ")
             assert line.endswith(" [gravity]")
+
+
+def arguments_of(command: str, robot: Path, folder: Path) -> list[str]:
+    """A call of a subcommand that reads a robot file, as short as can be."""
+    log = folder / "log.csv"
+    rows = "".join(f"{0.1 * i},0,0,{0.7 + 0.001 * i},0,0,0\n" for i in range(8))
+    log.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + rows)
+    scene = folder / "scene.toml"
+    legs = '[legs]\nlaw = "forces"\nforces = [0, 0, 0, 0, 0, 0]\n'
+    state = "[state]\nt = [0.0, 0.0, 0.7]\ntheta = [0.0, 0.0, 0.0]\n"
+    scene.write_text(f'schema = 1\nrobot = "{robot.name}"\nduration = 0.001\n{state}{legs}')
+    out = ["-o", str(folder / f"{command}.out")]
+    return {
+        "check": [command, str(robot)],
+        "generate": [command, str(robot), "--list", *out],
+        "forces": [command, str(robot), str(log), *out],
+        "singularities": [command, str(robot), str(log), "--no-pictures", *out],
+        "simulate": [command, str(scene), "--no-pictures", *out],
+    }[command]
+
+
+@pytest.mark.parametrize("command", ["check", "generate", "forces", "singularities", "simulate"])
+def test_every_subcommand_warns_of_a_doubtful_robot(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for change, count in ((ABSURD["speed limit in mm/s"][0], 1), (lambda robot: robot, 0)):
+        folder = tmp_path / str(count)
+        folder.mkdir()
+        path = folder / "robot.toml"
+        path.write_text(toml(change(sound())), encoding="utf-8")
+        assert main(arguments_of(command, path, folder)) == 0
+        told = [line for line in capsys.readouterr().err.splitlines() if "[speed-limit]" in line]
+        assert len(told) == count
+
+
+@pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
+def test_check_says_on_which_side_of_the_base_a_platform_stands(
+    gravity: float, stands: str, hangs: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(toml(dataclasses.replace(sound(), g=[0.0, 0.0, gravity])), encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    told = capsys.readouterr()
+    assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
+    assert f"one on the {hangs} side hangs from them (tension)" in told.out
+    assert told.err == ""
+
+
+@pytest.mark.parametrize("gravity", [[9.81, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 6.0, -7.0]])
+def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
+    gravity: list[float], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(toml(dataclasses.replace(unlimited(), g=gravity)), encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    assert "side of the base stands" not in capsys.readouterr().out
 
 
 def test_every_name_is_one_that_a_file_may_accept() -> None:

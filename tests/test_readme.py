@@ -5,11 +5,13 @@
 writes the README's tables anew; without DIR it only writes the tables.
 """
 
+import argparse
 import ast
 import copy
 import json
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -26,7 +28,7 @@ from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym import fidelity, reference
+from stewart_sym import cli, fidelity, reference
 from stewart_sym.budget import papers_motions, read_budget
 from stewart_sym.kernel import module
 from stewart_sym.scene import Scene, read_scene
@@ -375,6 +377,34 @@ def test_no_name_of_the_examples_changes_from_one_pose_to_many() -> None:
 def test_a_comment_that_says_something_else_is_found(text: str) -> None:
     with pytest.raises(AssertionError):
         run_and_compare(text, {})
+
+
+def written_files() -> set[str]:
+    """What the commands of the README and of --help write, and the files that the README says to save."""
+    helps = [README]
+    for name, sub in subcommands().items():
+        helps.append(sub.epilog or "")
+        default = sub.get_default("output")
+        helps.append(f"{name} -o {default}" if default else "")
+    text = " ".join(helps)
+    found = re.findall(r"(?:-o|--generate)\s+([a-z][\w.]*)", text)
+    found += re.findall(r"saved as `(\S+)`", text, re.IGNORECASE)
+    found += re.findall(r"stewart-sym \w+ ([a-z]\w*\.(?:toml|csv))", text)
+    return set(found)
+
+
+def subcommands() -> dict[str, argparse.ArgumentParser]:
+    parsers = [a for a in cli._parser()._actions if isinstance(a, argparse._SubParsersAction)]
+    return dict(parsers[0].choices)
+
+
+def test_what_the_commands_write_in_the_top_folder_is_no_change_of_the_repository() -> None:
+    names = written_files()
+    assert {"reproduce", "swing.toml", "enough.toml", "forces.csv", "kit", "simulation"} <= names
+    for name in sorted(names):
+        path = name if "." in name else f"{name}/report.txt"
+        done = subprocess.run(["git", "check-ignore", "-q", path], cwd=README_FOLDER, check=False)
+        assert done.returncode == 0, name
 
 
 def test_robot_example_is_a_valid_robot_file(tmp_path: Path) -> None:

@@ -21,10 +21,10 @@ from stewart_sym import fidelity, native
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import scalar
-from stewart_sym.derive.emit.c import common_header
 from stewart_sym.derive.fidelity import FIDELITIES, fidelity_kernel
 from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.derive.package.header import common_header
 from stewart_sym.kernel import MOTION, c_sources, kernel_name, loaded, robot_numbers
 from stewart_sym.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR

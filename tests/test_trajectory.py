@@ -362,6 +362,15 @@ def test_bad_csv_is_named(tmp_path: Path, text: str, expected: str) -> None:
     assert error_of(lambda: read_csv(path)).startswith(f"{path}: {expected}")
 
 
+@pytest.mark.parametrize(
+    "known", ["t_x t_y t_z", "q_w q_x q_y q_z", "L_1 to L_6, L_dot_*, L_ddot_*", "--columns NAME=HEADER,..."]
+)
+def test_an_unknown_column_is_answered_with_all_that_are_known(tmp_path: Path, known: str) -> None:
+    path = tmp_path / "traj.csv"
+    path.write_text(with_line(1, "zeit,t_x,t_y,t_z,theta_x,theta_y,theta_z"), encoding="utf-8")
+    assert known in error_of(lambda: read_csv(path))
+
+
 def test_a_row_that_makes_no_motion_is_named(tmp_path: Path) -> None:
     path = tmp_path / "traj.csv"
     turning = FULL[1].split(",")

@@ -446,7 +446,7 @@ class _Source:
             for to in [place.part(q, i)]
         )
         exprs = exprs_of(leg)
-        first = (
+        first: tuple[Statement, ...] = (
             *(Let(name, at(of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
             *(Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
             *(Assign(at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),

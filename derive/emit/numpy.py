@@ -17,13 +17,11 @@ def module(
     kernel: Kernel,
     counts: tuple[KernelOperations, KernelOperations],
     force_counts: tuple[KernelOperations, KernelOperations],
-    model_numbers: int,
     version: str,
 ) -> str:
     """``<kernel>.py``: the blocks as functions, and inverse dynamics and joint reactions made of them.
 
     counts, force_counts: operations with and without friction, of this kernel and of the regrouped one.
-    model_numbers: size of the regrouped kernel's prepared model.
     """
     name = kernel.formulation.kernel_name
     return _MODULE.format(
@@ -32,7 +30,6 @@ def module(
         operations=operations_table(*counts, ""),
         table=_operations_literal("OPERATIONS", *counts),
         force_table=_operations_literal("FORCE_OPERATIONS", *force_counts),
-        model_numbers=model_numbers,
         leg=block_function(kernel.leg, legs=True),
         platform=block_function(kernel.platform, legs=False),
         reactions=block_function(kernel.reactions, legs=True),
@@ -157,9 +154,8 @@ from .assembly import Array, solve, stack
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 {table}
 
-# The same of stewart_{name}_forces.h, and how many numbers its prepared model holds.
+# The same of stewart_{name}_forces.h.
 {force_table}
-MODEL_NUMBERS = {model_numbers}
 
 
 def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:

@@ -3,16 +3,21 @@
 from math import sqrt
 
 from ..emit.lane_scale import LARGEST, SMALLEST
+from .interface import STATUS as OF_INTERFACE
 
 STATUS = {
-    "OK": (0, "fine"),
-    "NOT_FINITE": (1, "a number of the robot, the motion or the result is not finite"),
-    "SHORT_LEG": (2, "a leg is too short beside the vectors that it is the sum of"),
-    "POLE": (3, "a leg lies along the fixed axis of its universal joint"),
-    "SINGULAR": (4, "H is singular to rounding"),
-    "INDEFINITE": (6, "the inertia is not positive definite"),
+    name: (code, meaning)
+    for name, code, meaning in OF_INTERFACE
+    if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
 }
-"""Code and meaning by name, as in ``stewart.h``."""
+"""Code and meaning by name, of what kernels without pointers and searches return."""
+
+SEARCH = {
+    "NOT_CONVERGED": next((code, says) for name, code, says in OF_INTERFACE if name == "NOT_CONVERGED"),
+    "MAX_STEPS": (30, "steps after which the search of a pose ends"),
+}
+INTEGERS = STATUS | SEARCH
+"""Whole numbers that written functions may use."""
 
 PRECISIONS = {
     "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from .constants import STATUS
+from .constants import INTEGERS
 from .nodes import (
     Array,
     Assign,
     Binary,
     Both,
+    Break,
     Call,
     Comment,
     Compare,
@@ -52,6 +53,10 @@ class Arithmetic:
     larger: Callable[[Any, Any], Any] = lambda one, other: one if one > other else other
     where: Callable[[Any, Any, Any], Any] = lambda test, yes, no: yes if test else no
     anywhere: Callable[[Any], bool] = bool
+
+
+class _Left(Exception):  # noqa: N818
+    """A loop has ended early."""
 
 
 class _Finished(Exception):  # noqa: N818
@@ -121,6 +126,8 @@ class Interpreter:
                     self._value(call, known)
                 case Return(value):
                     raise _Finished(None if value is None else self._value(value, known))
+                case Break():
+                    raise _Left
                 case Comment():
                     pass
 
@@ -128,7 +135,10 @@ class Interpreter:
         first, last = self._value(loop.first, known), self._value(loop.last, known)
         for index in range(first, last, -1 if loop.down else 1):
             known[loop.index] = index
-            self._run(loop.body, known)
+            try:
+                self._run(loop.body, known)
+            except _Left:
+                return
 
     def _store(self, target: Expression, value: Any, known: dict[str, Any]) -> None:
         match target:
@@ -145,7 +155,7 @@ class Interpreter:
             case Number(number):
                 return number if isinstance(number, int) else self.arithmetic.number(number)
             case Constant(name):
-                return STATUS[name][0] if name in STATUS else self.arithmetic.constants[name]
+                return INTEGERS[name][0] if name in INTEGERS else self.arithmetic.constants[name]
             case Name(name):
                 return known[name]
             case Member(owner, name):

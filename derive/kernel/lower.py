@@ -1,6 +1,6 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import reduce
 
 import sympy as sp
@@ -34,6 +34,9 @@ from .nodes import (
 )
 
 OUT = "out"
+
+Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
+"""Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 
 def expression(expr: sp.Expr) -> Expression:
@@ -144,21 +147,27 @@ def _place(member: str, count: int) -> Place:
     return place
 
 
-def block_function(
-    block: Block, name: str, result: str, arguments: Mapping[str, tuple[str, Iterable[Quantity]]]
-) -> Function:
+def block_function(block: Block, name: str, result: str, arguments: Arguments) -> Function:
     """A block as a function that returns a structure of its outputs.
 
     result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
-    name of the argument; without a structure's name the argument is a number.
+    name of the argument; without a structure's name the argument is a number, or an array of all components.
     """
     owners = {q: argument for argument, (_, held) in arguments.items() for q in held}
     used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
+    kinds = {name: _argument_type(kind, held) for name, (kind, held) in arguments.items()}
     loads = [
         Let(part, component(Name(owners[q]), q, i))
         for q in block.inputs
         if arguments[owners[q]][0]
         for i, part in enumerate(q.names)
+        if part in used
+    ]
+    loads += [
+        Let(part, Element(Name(argument), (Number(i),)))
+        for argument, (_, held) in arguments.items()
+        if isinstance(kinds[argument], Array)
+        for i, part in enumerate(part for q in held for part in q.names)
         if part in used
     ]
     out = Name(OUT)
@@ -170,10 +179,16 @@ def block_function(
     return Function(
         name,
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
-        tuple(Argument(each, Record(kind) if kind else Real()) for each, (kind, _) in arguments.items()),
+        tuple(Argument(name, kind) for name, kind in kinds.items()),
         Record(result),
-        (*loads, *steps_of(block.steps), Variable(OUT, Record(result)), *stores, Return(out)),
+        (*loads, *steps_of(block.steps), Variable(OUT, Record(result), blank=True), *stores, Return(out)),
     )
+
+
+def _argument_type(kind: str, held: tuple[Quantity, ...]) -> Type:
+    if kind:
+        return Record(kind)
+    return Array(Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else Real()
 
 
 def steps_of(steps: Iterable[Step]) -> list[Statement]:

@@ -6,7 +6,7 @@ from .. import notation as n
 from .. import prepared as p
 from ..block import Quantity
 from ..regroup import ForceKernel
-from .lower import Place, block_function, each_number, structure
+from .lower import Arguments, Place, block_function, each_number, structure
 from .nodes import (
     Argument,
     Array,
@@ -33,22 +33,24 @@ from .nodes import (
     Variable,
 )
 
-Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
-"""Structure of each argument of a block, "" of a number, and the quantities that it holds."""
-
 STATUS_FIELD = Field("status", Integer(), "0, or what is wrong")
+
+
+def machine_structures() -> list[Structure]:
+    """The robot and the motion."""
+    legs = Field("leg", Array(Record("Leg"), (6,)), "the legs")
+    return [
+        structure("Leg", "One leg.", n.LEG),
+        structure("Robot", "The machine.", n.PLATFORM, legs),
+        structure("Motion", "Motion of the platform and its load.", n.MOTION),
+    ]
 
 
 def model_structures(kernel: ForceKernel) -> list[Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
     of_leg = [out.quantity for out in kernel.prepare_leg.outputs]
-    robot = structure(
-        "Robot", "The machine.", n.PLATFORM, Field("leg", Array(Record("Leg"), (6,)), "the legs")
-    )
     return [
-        structure("Leg", "One leg.", n.LEG),
-        robot,
-        structure("Motion", "Motion of the platform and its load.", n.MOTION),
+        *machine_structures(),
         structure("LegConstants", "Prepared constants of one leg.", of_leg),
         structure("Added", "What the legs add to the platform's constants.", p.ADDED),
         structure("Platform", "Constants of the platform.", kernel.platform_constants()),
@@ -67,7 +69,7 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
 
 def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> list[Function]:
     """What ``written.forces.prepare`` calls."""
-    robot = {"robot": ("Robot", n.PLATFORM)}
+    robot: Arguments = {"robot": ("Robot", n.PLATFORM)}
     return [
         block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | {"leg": ("Leg", n.LEG)}),
         block_function(

@@ -13,10 +13,9 @@ from .. import prepared as p
 from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
-from .lower import block_function, stored_type, structure
+from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
-    Arguments,
     block_arguments,
     check_function,
     legs_function,

@@ -1,9 +1,10 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``break``, ``return``,
-``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
-``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
-of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``else``, ``break``,
+``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
+selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
+the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
+``"Real"``.
 
 For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
 ``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
@@ -24,7 +25,7 @@ from functools import reduce
 from types import MappingProxyType
 from typing import Any, cast
 
-from .constants import NAMES, STATUS
+from .constants import INTEGERS, NAMES
 from .nodes import (
     BUILT_IN,
     Argument,
@@ -161,7 +162,7 @@ class _Reader:
         typed = [each for each in typed if self.given.get(each[0]) is not False]
         self.types = {name: kind for name, kind, _ in typed}
         read = self.body(tree.body[1:])
-        changed = _changed(read, self.functions)
+        changed = _changed(read, self.functions, self.is_address)
         arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
         result = None if _is_none(tree.returns) else self.annotated(tree.returns)
         paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
@@ -329,7 +330,7 @@ class _Reader:
                 found = self.given.get(name)
                 if isinstance(found, Expression):
                     return found
-                return Constant(name) if name in (*STATUS, *NAMES) else Name(name)
+                return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
@@ -406,7 +407,7 @@ class _Reader:
             case Number(number):
                 return Real() if isinstance(number, float) else Integer()
             case Constant(name):
-                return Integer() if name in STATUS else Real()
+                return Integer() if name in INTEGERS else Real()
             case Name(name):
                 return self.types.get(name, Real())
             case Member(owner, name):
@@ -446,8 +447,17 @@ class _Reader:
         named = next(each for each in self.structures.values() if each.name == record.name)
         return next(each.type for each in named.members if each.name == name)
 
+    def is_address(self, node: Expression) -> bool:
+        """Whether a member of an argument is an address: what is there is no part of the argument."""
+        if not isinstance(node, Member) or not isinstance(node.owner, Name):
+            return False
+        owner = self.types.get(node.owner.name)
+        return isinstance(owner, Record) and isinstance(self.member(owner, node.name), Pointer)
 
-def _changed(body: tuple[Statement, ...], functions: Mapping[str, Function]) -> set[str]:
+
+def _changed(
+    body: tuple[Statement, ...], functions: Mapping[str, Function], is_address: Callable[[Expression], bool]
+) -> set[str]:
     """Names that are assigned to after their first value, in part, or by a function that changes them."""
     found: set[str] = set()
     for each in statements(body):
@@ -456,7 +466,7 @@ def _changed(body: tuple[Statement, ...], functions: Mapping[str, Function]) -> 
         for call in calls_in(each):
             arguments = functions[call.function].arguments if call.function in functions else ()
             pairs = zip(call.arguments, arguments, strict=False)
-            found |= {_root(value) for value, to in pairs if to.changed}
+            found |= {_root(value) for value, to in pairs if to.changed and not is_address(value)}
     return found
 
 

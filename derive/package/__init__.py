@@ -1,1 +1,1 @@
-"""What surrounds a program in a kit of another language than C: files of ``templates``, filled."""
+"""What surrounds kernels in a kit: files of ``templates``, filled with names, numbers and tables."""

@@ -3,8 +3,6 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
-from string import Template
 from typing import Any
 
 from .. import notation as n
@@ -15,6 +13,7 @@ from ..kernel.nodes import Array, Program
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
+from .words import template
 
 Numbers = Mapping[str, Any]
 
@@ -63,12 +62,6 @@ RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
 
 FORCED = ("forward_dynamics", "linearisation")
 """Outputs that take the actuator forces."""
-
-
-def template(name: str, values: Mapping[str, str]) -> str:
-    """A file of ``templates`` with each ``$word`` replaced."""
-    text = (files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8")
-    return Template(text).substitute(values)
 
 
 def statuses(line: str) -> str:

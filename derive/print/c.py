@@ -1,13 +1,14 @@
 """C99: structures by pointer, arrays with their dimensions, names with the prefix ``STEWART_``."""
 
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 
 from ..kernel.nodes import (
     Argument,
     Array,
     As,
+    Assign,
     Binary,
     Both,
     Call,
@@ -53,6 +54,7 @@ class C(Printer):
 
     functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
     ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
+    records: names of structures in C, where those are others. structures: those that variables have.
     """
 
     def __init__(
@@ -60,9 +62,13 @@ class C(Printer):
         functions: Iterable[Function] = (),
         sizes: Mapping[int, str] | None = None,
         brackets: bool = False,
+        records: Mapping[str, str] | None = None,
+        structures: Iterable[Structure] = (),
     ) -> None:
         self.functions_by_name = {each.name: each for each in functions}
         self.sizes, self.brackets = dict(sizes or {}), brackets
+        self.records = dict(records or {})
+        self.structures = {each.name: each for each in structures}
         self.pointers: set[str] = set()
         self.numbers: set[str] = set()
 
@@ -104,7 +110,7 @@ class C(Printer):
             case Pointer(item):
                 return self.declared(item, f"*{name}")
             case Record(record):
-                return f"{record} {name}"
+                return f"{self.records.get(record, record)} {name}"
         return f"{_NAMES[type(kind)]} {name}"
 
     def _dims(self, dims: tuple[int, ...]) -> str:
@@ -168,6 +174,8 @@ class C(Printer):
         match node:
             case Name(name) if name in self.numbers:
                 return f"*{name}", SIGN
+            case Call("anywhere", (test,)):
+                return self._text(test)
             case Member(Name(owner), name) if owner in self.pointers:
                 return f"{owner}->{name}", ATOM
             case From(array, index):
@@ -213,7 +221,8 @@ class C(Printer):
         if function is None:
             name = _BUILT_IN.get(node.function, node.function)
             return f"{name}({', '.join(map(self.text, node.arguments))})"
-        passed = map(self._passed, function.arguments, node.arguments)
+        pairs = zip(function.arguments, node.arguments, strict=True)
+        passed = (self._passed(argument, value) for argument, value in pairs)
         return f"{node.function}({', '.join(passed)})"
 
     def _passed(self, argument: Argument, value: Expression) -> str:
@@ -235,6 +244,7 @@ class C(Printer):
     def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
         """Statements as lines; constants that are loaded from one array are declared together."""
         lines: list[str] = []
+        statements = _called_apart(statements) if self.brackets else statements
         for owner, run in groupby(statements, _loaded_from):
             found = list(run)
             if owner is None or len(found) == 1:
@@ -261,8 +271,19 @@ class C(Printer):
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
             return f"{declared};"
-        zero = {Array: "{REAL(0)}", Record: "{0}", Real: "REAL(0)"}.get(type(node.type), "0")
-        return f"{declared} = {zero};"
+        return f"{declared} = {'REAL(0)' if node.type == Real() else self.zero(node.type)};"
+
+    def zero(self, kind: Type) -> str:
+        """Zeros of a type, each of its own: compilers of C++ warn of fewer."""
+        match kind:
+            case Array(item, (count, *others)):
+                inner = Array(item, tuple(others)) if others else item
+                return f"{{{', '.join([self.zero(inner)] * count)}}}"
+            case Record(name) if name in self.structures:
+                return f"{{{', '.join(self.zero(each.type) for each in self.structures[name].members)}}}"
+            case Record():
+                return "{0}"
+        return "0"
 
     def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
         left, right = (
@@ -271,11 +292,17 @@ class C(Printer):
         )
         return self.lines(before, f"{left} = {right};")
 
+    def do(self, call: Call) -> str:
+        function = self.functions_by_name.get(call.function)
+        unread = "" if function is None or function.result is None else "(void)"
+        return unread + self.call(call)
+
     def loop(self, node: For) -> str:
         index = node.index
         first, last = self.text(node.first), self.text(node.last)
         if node.down:
-            return f"for ({index} = {first}; {index} > {last}; --{index})"
+            end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
+            return f"for ({index} = {first}; {index} {end}; --{index})"
         step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
         return f"for ({index} = {first}; {index} < {last}; {step})"
 
@@ -359,6 +386,18 @@ class C(Printer):
             for kind, found in by_type
             for names in (found if self.brackets else filter(None, [", ".join(found)]))
         ]
+
+
+def _called_apart(statements: Iterable[Statement]) -> Iterator[Statement]:
+    """Structures that functions return assigned: initialised, MISRA C's checker takes them for parts."""
+    for node in statements:
+        match node:
+            case Let(value=Call(), type=Record()) | Variable(value=Call(), type=Record()):
+                assert node.value is not None
+                yield Variable(node.name, node.type, blank=True)
+                yield Assign(Name(node.name), node.value)
+            case _:
+                yield node
 
 
 def _loaded_from(node: Statement) -> tuple[type, Expression] | None:

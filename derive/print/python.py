@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from itertools import groupby
 from types import MappingProxyType
 
-from ..kernel.constants import STATUS
+from ..kernel.constants import INTEGERS
 from ..kernel.nodes import (
     Argument,
     Array,
@@ -90,7 +90,7 @@ class Python(Printer):
         return repr(value)
 
     def constant(self, name: str) -> str:
-        return name if name in STATUS else f"on.{name}"
+        return name if name in INTEGERS else f"on.{name}"
 
     def element(self, array: str, index: list[str]) -> str:
         return array + "".join(f"[{each}]" for each in index)

@@ -94,9 +94,10 @@ typedef struct {
     stewart_real M_u; /* N m: constraint moment on the leg at the universal joint */
 } reaction_terms;
 
-/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 248 (143 mul, 103 add, 1 div, 1 sqrt). */
-static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at,
-    leg_terms *out)
+/* One leg: D, K, its column of H and its part of c, (1)-(24), (35). Operations: 248 (143 mul, 103 add, 1
+ * div, 1 sqrt). */
+static void leg_dynamics(
+    const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, leg_terms *out)
 {
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
@@ -110,8 +111,8 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
@@ -183,18 +184,18 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
     const stewart_real c9 = L*m_u;
     const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + REAL(2)*c9*r_u0_x);
     const stewart_real c10 = REAL(2)*inv_L*u_x;
-    const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10
-        - I_u0_yy*c10 - c10*c6 - c10*c7 - c10*c8 - REAL(4)*c9*inv_L*r_u0_x*u_x);
+    const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
+        - c10*c6 - c10*c7 - c10*c8 - REAL(4)*c9*inv_L*r_u0_x*u_x);
     const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
     const stewart_real c11 = C_s*inv_L;
     const stewart_real K_s_w = c11;
     /* K, base frame */
-    const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z
-        - s_z*w_across_y) + K_u*u_across_x;
-    const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x
-        - s_x*w_across_z) + K_u*u_across_y;
-    const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y
-        - s_y*w_across_x) + K_u*u_across_z;
+    const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z - s_z*w_across_y)
+        + K_u*u_across_x;
+    const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x - s_x*w_across_z)
+        + K_u*u_across_y;
+    const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y - s_y*w_across_x)
+        + K_u*u_across_z;
     const stewart_real f_s_u = c11;
     /* f, base frame */
     const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
@@ -223,11 +224,10 @@ static void leg_dynamics(const stewart_robot *robot, const stewart_leg *leg, con
 }
 
 /* The platform's own part of c, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
-static void platform_wrench(const stewart_robot *robot, const stewart_motions *at,
-    platform_terms *out)
+static void platform_wrench(const stewart_robot *robot, const stewart_motions *at, platform_terms *out)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -235,8 +235,8 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
-    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
-        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
+        I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     /* (30) centre of mass from the reference point, base frame */
     const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
@@ -261,8 +261,8 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
     const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
     const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-    const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx
-        + I_p_yy*R_zy + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
+    const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
+        + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
     /* (33) M (g - a_G) */
     const stewart_real N_x = M*(g_x - a_G_x);
     const stewart_real N_y = M*(g_y - a_G_y);
@@ -291,8 +291,9 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
 }
 
 /* One leg: joint reactions, (21), (26)-(29), (17). Operations: 455 (262 mul, 191 add, 1 div, 1 sqrt). */
-static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
-    const stewart_motions *at, stewart_real x, stewart_real bearing, reaction_terms *out)
+static void leg_reactions(
+    const stewart_robot *robot, const stewart_leg *leg, const stewart_motions *at, stewart_real x,
+    stewart_real bearing, reaction_terms *out)
 {
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
@@ -306,8 +307,8 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
@@ -383,8 +384,8 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real c14 = c3*inv_L;
     const stewart_real c15 = c14*c8;
     const stewart_real c16 = c4*inv_L;
-    const stewart_real F_s_u = c1*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - c10*c8
-        - c11*c12*r_u0_x - c13*c8 - c15 - c16*c8 - c9);
+    const stewart_real F_s_u = c1*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x
+        - c13*c8 - c15 - c16*c8 - c9);
     const stewart_real c17 = m_d*r_d0_x;
     const stewart_real c18 = m_u*r_u0_x;
     const stewart_real F_s_gamma = -inv_L*(c17 + c18 + c5);
@@ -409,8 +410,8 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real c30 = c2*c26;
     const stewart_real c31 = c26*c3;
     const stewart_real c32 = c26*c4;
-    const stewart_real c33 = c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L
-        - REAL(4)*L*inv_L*m_u*u_x - c19 - REAL(4)*inv_L*m_u*r_u0_x*u_x;
+    const stewart_real c33 = c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - REAL(4)*L*inv_L*m_u*u_x
+        - c19 - REAL(4)*inv_L*m_u*r_u0_x*u_x;
     const stewart_real F_u_u = -inv_L*(REAL(2)*inv_L*m_d*r_d0_x*u_x - c33);
     const stewart_real c34 = c17*inv_L;
     const stewart_real c35 = c18*inv_L;
@@ -451,21 +452,21 @@ static void leg_reactions(const stewart_robot *robot, const stewart_leg *leg,
     const stewart_real F_c_z = F_c_e*e_across_z + F_c_gamma*gamma_across_z + F_c_s_w*c22 + F_c_u*u_across_z;
     const stewart_real c43 = bearing*c5;
     const stewart_real c44 = bearing*c11;
-    const stewart_real M_p_s_e = inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7
-        + c44*c6 - I_d0_yy - bearing*c18 - c3 - c43);
+    const stewart_real M_p_s_e = inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7 + c44*c6
+        - I_d0_yy - bearing*c18 - c3 - c43);
     const stewart_real c45 = -bearing*c19;
-    const stewart_real M_p_s_u = inv_L*(C_u*bearing*inv_L + REAL(4)*L*bearing*inv_L*m_u*u_x
-        + REAL(4)*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9 - C_u - bearing*c27 - bearing*c28 - bearing*c30
-        - bearing*c31 - bearing*c32 - bearing*c8*m_u - c29*c43 - c45);
+    const stewart_real M_p_s_u = inv_L*(C_u*bearing*inv_L + REAL(4)*L*bearing*inv_L*m_u*u_x + REAL(4)*bearing*inv_L*m_u*r_u0_x*u_x
+        + c15 + c9 - C_u - bearing*c27 - bearing*c28 - bearing*c30 - bearing*c31 - bearing*c32 - bearing*c8*m_u
+        - c29*c43 - c45);
     const stewart_real M_p_s_gamma = bearing*m_u + c17 - bearing*c34 - bearing*c35 - c44;
     const stewart_real M_p_w = c45;
     /* M_p, base frame */
-    const stewart_real M_p_x = M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y
-        - gamma_across_y*s_z) + M_p_s_u*(s_y*u_across_z - s_z*u_across_y) + M_p_w*w_across_x;
-    const stewart_real M_p_y = M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z
-        - gamma_across_z*s_x) + M_p_s_u*(s_z*u_across_x - s_x*u_across_z) + M_p_w*w_across_y;
-    const stewart_real M_p_z = M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x
-        - gamma_across_x*s_y) + M_p_s_u*(s_x*u_across_y - s_y*u_across_x) + M_p_w*w_across_z;
+    const stewart_real M_p_x = M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y - gamma_across_y*s_z)
+        + M_p_s_u*(s_y*u_across_z - s_z*u_across_y) + M_p_w*w_across_x;
+    const stewart_real M_p_y = M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z - gamma_across_z*s_x)
+        + M_p_s_u*(s_z*u_across_x - s_x*u_across_z) + M_p_w*w_across_y;
+    const stewart_real M_p_z = M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x - gamma_across_x*s_y)
+        + M_p_s_u*(s_x*u_across_y - s_y*u_across_x) + M_p_w*w_across_z;
     out->F_s[0] = F_s_x;
     out->F_s[1] = F_s_y;
     out->F_s[2] = F_s_z;
@@ -508,42 +509,95 @@ static int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
+{
+    static const stewart_real no_load[3] = {REAL(0), REAL(0), REAL(0)};
+    stewart_motions at;
+    at.R = &motions->R[9U * pose];
+    at.t = &motions->t[3U * pose];
+    at.omega = &motions->omega[3U * pose];
+    at.v = &motions->v[3U * pose];
+    at.alpha = &motions->alpha[3U * pose];
+    at.a = &motions->a[3U * pose];
+    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U * pose] : no_load;
+    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U * pose] : no_load;
+    return at;
+}
+
+static stewart_motions motion_as_arrays(const stewart_motion *motion)
+{
+    stewart_motions at;
+    at.R = motion->R;
+    at.t = motion->t;
+    at.omega = motion->omega;
+    at.v = motion->v;
+    at.alpha = motion->alpha;
+    at.a = motion->a;
+    at.F_ext = motion->F_ext;
+    at.M_ext = motion->M_ext;
+    return at;
+}
+
+static int motions_given(const stewart_motions *motions)
+{
+    return motions != NULL && motions->R != NULL && motions->t != NULL && motions->omega != NULL
+        && motions->v != NULL && motions->alpha != NULL && motions->a != NULL ? 1 : 0;
+}
+
+static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
+{
+    size_t i;
+    if (to != NULL) {
+        for (i = 0; i < count; ++i) {
+            to[pose * count + i] = from[i];
+        }
+    }
+}
+
 /* S = q + t - b is known to within rounding of its largest term, `reach`. */
 static int leg_status(const leg_terms *terms, stewart_real reach)
 {
-    if (is_finite(&terms->L, 1) == 0) {
+    if (!(STEWART_FABS(terms->L) <= STEWART_MAX)) {
         return STEWART_NOT_FINITE;
     }
-    if (!(terms->L > STEWART_ROUNDING * reach && terms->L > STEWART_SHORTEST)) {
+    if (!(terms->L > STEWART_ROUNDING*reach && terms->L > STEWART_SHORTEST)) {
         return STEWART_SHORT_LEG;
     }
     return STEWART_OK;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
- * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
+ * for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
+ * large. */
 static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.0625) && size <= REAL(16.0)) {
+    stewart_real unit = REAL(1);
+    if (size >= REAL(0.0625) && size <= REAL(16)) {
         return unit;
     }
-    for (i = 0; i < 100 && unit < size; ++i) {
-        unit = REAL(2) * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(unit < size)) {
+            break;
+        }
+        unit = REAL(2)*unit;
     }
-    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
-        unit = STEWART_HALF * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
+            break;
+        }
+        unit = STEWART_HALF*unit;
     }
-    return REAL(1) / unit;
+    return REAL(1)/unit;
 }
 
 /* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
  * a pivot is small, else 0. */
 static int solve(stewart_real A[6][7], stewart_real x[6])
 {
+    int i, j, k;
     stewart_real inverse[6];
-    int i, j, k, suspect = 0;
+    int suspect = 0;
     for (k = 0; k < 6; ++k) {
         int pivot = k;
         for (i = k + 1; i < 6; ++i) {
@@ -557,20 +611,20 @@ static int solve(stewart_real A[6][7], stewart_real x[6])
             A[pivot][j] = moved;
         }
         suspect = STEWART_FABS(A[k][k]) > STEWART_SUSPECT ? suspect : 1;
-        inverse[k] = REAL(1) / A[k][k];
+        inverse[k] = REAL(1)/A[k][k];
         for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k] * inverse[k];
+            const stewart_real factor = A[i][k]*inverse[k];
             for (j = k + 1; j < 7; ++j) {
-                A[i][j] = A[i][j] - factor * A[k][j];
+                A[i][j] = A[i][j] - factor*A[k][j];
             }
         }
     }
     for (i = 5; i >= 0; --i) {
         stewart_real sum = A[i][6];
         for (j = i + 1; j < 6; ++j) {
-            sum = sum - A[i][j] * x[j];
+            sum = sum - A[i][j]*x[j];
         }
-        x[i] = sum * inverse[i];
+        x[i] = sum*inverse[i];
     }
     return suspect;
 }
@@ -662,49 +716,17 @@ STEWART_APART static int singular_status(
 }
 #endif
 
-static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
-{
-    static const stewart_real no_load[3] = {REAL(0), REAL(0), REAL(0)};
-    stewart_motions at;
-    at.R = &motions->R[9U * pose];
-    at.t = &motions->t[3U * pose];
-    at.omega = &motions->omega[3U * pose];
-    at.v = &motions->v[3U * pose];
-    at.alpha = &motions->alpha[3U * pose];
-    at.a = &motions->a[3U * pose];
-    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U * pose] : no_load;
-    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U * pose] : no_load;
-    return at;
-}
-
-static stewart_motions motion_as_arrays(const stewart_motion *motion)
-{
-    stewart_motions at;
-    at.R = motion->R;
-    at.t = motion->t;
-    at.omega = motion->omega;
-    at.v = motion->v;
-    at.alpha = motion->alpha;
-    at.a = motion->a;
-    at.F_ext = motion->F_ext;
-    at.M_ext = motion->M_ext;
-    return at;
-}
-
-static int motions_given(const stewart_motions *motions)
-{
-    return motions != NULL && motions->R != NULL && motions->t != NULL && motions->omega != NULL
-        && motions->v != NULL && motions->alpha != NULL && motions->a != NULL ? 1 : 0;
-}
-
 /* Inverse dynamics of one pose, (1)-(37). */
 static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
 {
+    int i, j;
     leg_terms terms;
     platform_terms own;
-    stewart_real A[6][7], arm[6][3], reach[6], L[6];
-    stewart_real per_length, size = REAL(0);
-    int i, j, status, suspect;
+    stewart_real A[6][7];
+    stewart_real arm[6][3];
+    stewart_real reach[6];
+    stewart_real L[6];
+    stewart_real extent = REAL(0);
     int close = 0;
     platform_wrench(robot, at, &own);
     for (j = 0; j < 3; ++j) {
@@ -714,14 +736,14 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
         reach[i] = largest(terms.q, 3, REAL(0));
-        size = STEWART_LARGER(reach[i], size);
+        extent = STEWART_LARGER(reach[i], extent);
         reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, reach[i]));
         L[i] = terms.L;
-        status = leg_status(&terms, reach[i]);
+        const int status = leg_status(&terms, reach[i]);
         if (status != STEWART_OK) {
             return status;
         }
-        close = L[i] > STEWART_SHORT_SHARE * reach[i] ? close : 1;
+        close = L[i] > STEWART_SHORT_SHARE*reach[i] ? close : 1;
         out->D[i] = terms.D;
         for (j = 0; j < 3; ++j) {
             arm[i][j] = terms.q[j];
@@ -738,15 +760,15 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    per_length = per_length_of(size);
+    const stewart_real per_length = per_length_of(extent);
     if (per_length != REAL(1)) {
         for (i = 0; i < 7; ++i) {
-            A[3][i] = A[3][i] * per_length;
-            A[4][i] = A[4][i] * per_length;
-            A[5][i] = A[5][i] * per_length;
+            A[3][i] = A[3][i]*per_length;
+            A[4][i] = A[4][i]*per_length;
+            A[5][i] = A[5][i]*per_length;
         }
     }
-    suspect = solve(A, out->x);
+    const int suspect = solve(A, out->x);
     if (close != 0 || suspect != 0) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {
@@ -754,7 +776,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
                 H[i][j] = out->H[i][j];
             }
         }
-        status = singular_status(H, arm, L, reach);
+        const int status = singular_status(H, arm, L, reach);
         if (status != STEWART_OK) {
             return status;
         }
@@ -770,9 +792,8 @@ static int pose_reactions(
     const stewart_robot *robot, const stewart_motions *at, const stewart_real *bearing,
     const stewart_real x[6], stewart_reactions *out)
 {
-    const size_t numbers = sizeof *out / sizeof(stewart_real);
-    reaction_terms terms;
     int i, j;
+    reaction_terms terms;
     for (i = 0; i < 6; ++i) {
         leg_reactions(robot, &robot->leg[i], at, x[i], bearing != NULL ? bearing[i] : REAL(0), &terms);
         for (j = 0; j < 3; ++j) {
@@ -784,30 +805,18 @@ static int pose_reactions(
         }
         out->M_u[i] = terms.M_u;
     }
-    return is_finite((const stewart_real *)out, (int)numbers) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
-}
-
-static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
-{
-    size_t i;
-    if (to != NULL) {
-        for (i = 0; i < count; ++i) {
-            to[pose * count + i] = from[i];
-        }
-    }
+    return is_finite((const stewart_real *)out, 96) != 0 ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 int stewart_exact_spherical_inverse_dynamics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces)
 {
     stewart_forces result;
-    stewart_motions at;
-    int status;
     if (robot == NULL || motion == NULL || forces == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    at = motion_as_arrays(motion);
-    status = pose_forces(robot, &at, &result);
+    const stewart_motions at = motion_as_arrays(motion);
+    const int status = pose_forces(robot, &at, &result);
     if (status == STEWART_OK) {
         *forces = result;
     }
@@ -820,13 +829,11 @@ int stewart_exact_spherical_joint_reactions(
 {
     stewart_forces result;
     stewart_reactions found;
-    stewart_motions at;
-    int status;
     if (robot == NULL || motion == NULL || forces == NULL || reactions == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    at = motion_as_arrays(motion);
-    status = pose_forces(robot, &at, &result);
+    const stewart_motions at = motion_as_arrays(motion);
+    int status = pose_forces(robot, &at, &result);
     if (status == STEWART_OK) {
         status = pose_reactions(robot, &at, bearing, result.x, &found);
     }
@@ -841,8 +848,8 @@ int stewart_exact_spherical_inverse_dynamics_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions,
     const stewart_forces_arrays *forces, int *status)
 {
-    stewart_forces result;
     size_t pose;
+    stewart_forces result;
     int first = STEWART_OK;
     if (robot == NULL || motions_given(motions) == 0 || forces == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -854,8 +861,8 @@ int stewart_exact_spherical_inverse_dynamics_batch(
             copy(forces->F, pose, result.F, 6);
             copy(forces->D, pose, result.D, 6);
             copy(forces->x, pose, result.x, 6);
-            copy(forces->K, pose, (const stewart_real *)result.K, 18);
-            copy(forces->H, pose, (const stewart_real *)result.H, 36);
+            copy(forces->K, pose, &result.K[0][0], 18);
+            copy(forces->H, pose, &result.H[0][0], 36);
             copy(forces->c, pose, result.c, 6);
         }
         if (status != NULL) {
@@ -870,9 +877,9 @@ int stewart_exact_spherical_joint_reactions_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
     const stewart_reactions_arrays *reactions, int *status)
 {
+    size_t pose;
     stewart_forces forces;
     stewart_reactions result;
-    size_t pose;
     int first = STEWART_OK;
     if (robot == NULL || motions_given(motions) == 0 || reactions == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -884,11 +891,11 @@ int stewart_exact_spherical_joint_reactions_batch(
             code = pose_reactions(robot, &at, bearing, forces.x, &result);
         }
         if (code == STEWART_OK) {
-            copy(reactions->F_s, pose, (const stewart_real *)result.F_s, 18);
-            copy(reactions->F_u, pose, (const stewart_real *)result.F_u, 18);
-            copy(reactions->F_p, pose, (const stewart_real *)result.F_p, 18);
-            copy(reactions->F_c, pose, (const stewart_real *)result.F_c, 18);
-            copy(reactions->M_p, pose, (const stewart_real *)result.M_p, 18);
+            copy(reactions->F_s, pose, &result.F_s[0][0], 18);
+            copy(reactions->F_u, pose, &result.F_u[0][0], 18);
+            copy(reactions->F_p, pose, &result.F_p[0][0], 18);
+            copy(reactions->F_c, pose, &result.F_c[0][0], 18);
+            copy(reactions->M_p, pose, &result.M_p[0][0], 18);
             copy(reactions->M_u, pose, result.M_u, 6);
         }
         if (status != NULL) {

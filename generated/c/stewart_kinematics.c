@@ -41,59 +41,87 @@
  * points: the pole of the universal joint. */
 #define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
-#define REAL(value) ((stewart_real)(value))
-
-/* The search ends below this share of the terms of S; what counts as found is STEWART_ROUNDING. */
-#define GOAL (4 * STEWART_EPSILON)
-
-/* Longest step, in rad and in lengths of the longest leg: beyond it (2) is far from the straight line that
- * it is taken for. With it, steps need no damping: taking back those that lead away loses more poses. */
-#define LONGEST_STEP REAL(0.25)
-
-/* Square of 16 sqrt(eps), one over the condition number at which lengths known to rounding leave a pose
- * open. */
-#define OPEN_SHARE (256 * STEWART_EPSILON)
-
-/* A guess whose R^T R is farther than this from E is no rotation. */
-#define MOST_SKEW REAL(0.0625)
-
+/* Vectors of a leg. */
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
     stewart_real S[3]; /* m: vector from base point to platform point, base frame */
     stewart_real L; /* m: length of the leg */
-} leg_vectors;
+} LegVectors;
 
-/* Vectors q and S of one leg, and its length L, (1), (2).
- * Operations: 27 (12 mul, 14 add, 0 div, 1 sqrt). */
-static void vectors_of(const stewart_leg *leg, const stewart_pose *at, leg_vectors *out)
+/* A leg's row of J. */
+typedef struct {
+    stewart_real H_force[3]; /* 1: the leg's column of H, force rows */
+    stewart_real H_moment[3]; /* m: the leg's column of H, moment rows */
+} LegRow;
+
+/* A leg's rate. */
+typedef struct {
+    stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
+} LegRate;
+
+/* A rotation. */
+typedef struct {
+    stewart_real Q[9]; /* 1: rotation by which the platform is turned, base frame */
+} Turned;
+
+/* Lengths of six legs and their rates. */
+typedef struct {
+    stewart_real L[6]; /* m: lengths, (2) */
+    stewart_real L_dot[6]; /* m/s: rates, (5) */
+    int status; /* 0, or what is wrong */
+} LegRates;
+
+/* Six legs at a pose, and their equations. */
+typedef struct {
+    stewart_real A[6][7]; /* 1: rows [s, q x s / size] of J, and a right side; then a triangle */
+    stewart_real L[6]; /* m: lengths */
+    stewart_real reach; /* m: largest component of the terms of S = q + t - b */
+} LegsAtPose;
+
+/* What the search of a pose finds. */
+typedef struct {
+    stewart_pose pose; /* the pose */
+    int status; /* 0, or what is wrong */
+} FoundPose;
+
+/* Velocity of the platform. */
+typedef struct {
+    stewart_real v[3]; /* m/s: of the reference point */
+    stewart_real omega[3]; /* rad/s: angular velocity, base frame */
+    int status; /* 0, or what is wrong */
+} Twist;
+
+/* Vectors q and S of one leg, and its length L, (1), (2): 27 (12 mul, 14 add, 0 div, 1 sqrt). */
+static LegVectors leg_vectors(const stewart_leg *leg, const stewart_pose *pose)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real R_xx = pose->R[0], R_xy = pose->R[1], R_xz = pose->R[2], R_yx = pose->R[3], R_yy = pose->R[4],
+        R_yz = pose->R[5], R_zx = pose->R[6], R_zy = pose->R[7], R_zz = pose->R[8];
+    const stewart_real t_x = pose->t[0], t_y = pose->t[1], t_z = pose->t[2];
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = (R_xx*p_x) + (R_xy*p_y) + (R_xz*p_z);
+    const stewart_real q_y = (R_yx*p_x) + (R_yy*p_y) + (R_yz*p_z);
+    const stewart_real q_z = (R_zx*p_x) + (R_zy*p_y) + (R_zz*p_z);
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = (q_x + t_x) - b_x;
+    const stewart_real S_y = (q_y + t_y) - b_y;
+    const stewart_real S_z = (q_z + t_z) - b_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-    out->q[0] = q_x;
-    out->q[1] = q_y;
-    out->q[2] = q_z;
-    out->S[0] = S_x;
-    out->S[1] = S_y;
-    out->S[2] = S_z;
-    out->L = L;
+    const stewart_real L = STEWART_SQRT((S_x*S_x) + (S_y*S_y) + (S_z*S_z));
+    LegVectors out;
+    out.q[0] = q_x;
+    out.q[1] = q_y;
+    out.q[2] = q_z;
+    out.S[0] = S_x;
+    out.S[1] = S_y;
+    out.S[2] = S_z;
+    out.L = L;
+    return out;
 }
 
-/* The row [s, q x s] of J, by which [v; omega] moves the leg, (5).
- * Operations: 13 (9 mul, 3 add, 1 div, 0 sqrt). */
-static void row_of(const leg_vectors *leg, stewart_real row[6])
+/* The row [s, q x s] of J, by which [v; omega] moves the leg, (5): 13 (9 mul, 3 add, 1 div, 0 sqrt). */
+static LegRow leg_row(const LegVectors *leg)
 {
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
     const stewart_real S_x = leg->S[0], S_y = leg->S[1], S_z = leg->S[2];
@@ -103,41 +131,44 @@ static void row_of(const leg_vectors *leg, stewart_real row[6])
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
-    row[0] = s_x;
-    row[1] = s_y;
-    row[2] = s_z;
-    row[3] = q_y*s_z - q_z*s_y;
-    row[4] = q_z*s_x - q_x*s_z;
-    row[5] = q_x*s_y - q_y*s_x;
+    LegRow out;
+    out.H_force[0] = s_x;
+    out.H_force[1] = s_y;
+    out.H_force[2] = s_z;
+    out.H_moment[0] = (q_y*s_z) - (q_z*s_y);
+    out.H_moment[1] = (q_z*s_x) - (q_x*s_z);
+    out.H_moment[2] = (q_x*s_y) - (q_y*s_x);
+    return out;
 }
 
-/* Rate L_dot of one leg, (4), (5).
- * Operations: 18 (9 mul, 8 add, 1 div, 0 sqrt). */
-static void rate_of(const leg_vectors *leg, const stewart_motion *at, stewart_real *rate_of_leg)
+/* Rate L_dot of one leg, (4), (5): 18 (9 mul, 8 add, 1 div, 0 sqrt). */
+static LegRate leg_rate(const LegVectors *leg, const stewart_motion *motion)
 {
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
     const stewart_real S_x = leg->S[0], S_y = leg->S[1], S_z = leg->S[2];
     const stewart_real L = leg->L;
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = (omega_y*q_z) - (omega_z*q_y);
+    const stewart_real w_q_y = (omega_z*q_x) - (omega_x*q_z);
+    const stewart_real w_q_z = (omega_x*q_y) - (omega_y*q_x);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (5) L L_dot */
-    const stewart_real S_S_dot = S_dot_x*S_x + S_dot_y*S_y + S_dot_z*S_z;
+    const stewart_real S_S_dot = (S_dot_x*S_x) + (S_dot_y*S_y) + (S_dot_z*S_z);
     /* (5) sliding velocity */
     const stewart_real rate = S_S_dot/L;
-    *rate_of_leg = rate;
+    LegRate out;
+    out.L_dot = rate;
+    return out;
 }
 
-/* Cayley's rotation, which needs no sine: exp([turn]x) to third order.
- * Operations: 34 (18 mul, 15 add, 1 div, 0 sqrt). */
-static void turned_by(const stewart_real turn[3], stewart_real Q[9])
+/* Cayley's rotation, which needs no sine: exp([turn]x) to third order: 34 (18 mul, 15 add, 1 div, 0
+ * sqrt). */
+static Turned turned_by(const stewart_real turn[3])
 {
     const stewart_real turn_x = turn[0], turn_y = turn[1], turn_z = turn[2];
     /* half the turn */
@@ -155,129 +186,115 @@ static void turned_by(const stewart_real turn[3], stewart_real Q[9])
     const stewart_real W_yy = c2;
     const stewart_real W_yz = w_y*w_z;
     const stewart_real W_zz = c3;
-    Q[0] = share*(-W_yy - W_zz) + REAL(1);
-    Q[1] = share*(W_xy - w_z);
-    Q[2] = share*(W_xz + w_y);
-    Q[3] = share*(W_xy + w_z);
-    Q[4] = share*(-W_xx - W_zz) + REAL(1);
-    Q[5] = share*(W_yz - w_x);
-    Q[6] = share*(W_xz - w_y);
-    Q[7] = share*(W_yz + w_x);
-    Q[8] = share*(-W_xx - W_yy) + REAL(1);
+    Turned out;
+    out.Q[0] = (share*(-W_yy - W_zz)) + REAL(1);
+    out.Q[1] = share*(W_xy - w_z);
+    out.Q[2] = share*(W_xz + w_y);
+    out.Q[3] = share*(W_xy + w_z);
+    out.Q[4] = (share*(-W_xx - W_zz)) + REAL(1);
+    out.Q[5] = share*(W_yz - w_x);
+    out.Q[6] = share*(W_xz - w_y);
+    out.Q[7] = share*(W_yz + w_x);
+    out.Q[8] = (share*(-W_xx - W_yy)) + REAL(1);
+    return out;
 }
 
-/* STEWART_OK if all of some numbers are finite, else STEWART_NOT_FINITE. */
-static int finite_or_not(const stewart_real *values, int count)
+/* Size of the vectors q, t and b that a leg is the sum of, m. */
+static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
-    int status = STEWART_OK;
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            status = STEWART_NOT_FINITE;
-        }
+    int j;
+    stewart_real reach = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        reach = STEWART_LARGER(STEWART_FABS(q[j]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t[j]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b[j]), reach);
     }
-    return status;
+    return reach;
 }
 
-/* Six legs at a pose. */
-typedef struct {
-    stewart_real J[6][6]; /* 1: rows [s, q x s / size] of the legs */
-    stewart_real L[6]; /* m: lengths */
-    stewart_real reach; /* m: largest component of the terms of S = q + t - b */
-} six_legs;
-
-/* The largest of `result` and the sizes of a vector's components. */
-static stewart_real largest(const stewart_real vector[3], stewart_real result)
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    stewart_real size = result;
+    int fault = STEWART_OK;
+    fault = (k3 > STEWART_POLE_SINE) ? fault : STEWART_POLE;
+    fault = (L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST)) ? fault : STEWART_SHORT_LEG;
+    return (L <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
+}
+
+/* Lengths of the legs, where ``moving`` is 1 their rates, and a status. */
+static LegRates leg_rates(const stewart_robot *robot, const stewart_motion *motion, int moving)
+{
     int i;
+    LegRates out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0};
+    stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
+    int status = STEWART_OK;
+    for (i = 0; i < 9; ++i) {
+        pose.R[i] = motion->R[i];
+    }
     for (i = 0; i < 3; ++i) {
-        size = STEWART_LARGER(STEWART_FABS(vector[i]), size);
+        pose.t[i] = motion->t[i];
     }
-    return size;
-}
-
-/* q, S and L of a leg, and the largest component of what S is the sum of. Returns a status. */
-static int leg_at(
-    const stewart_leg *leg, const stewart_pose *pose, leg_vectors *out, stewart_real *reach)
-{
-    stewart_real own = REAL(0);
-    int status;
-    vectors_of(leg, pose, out);
-    own = largest(out->q, own);
-    own = largest(pose->t, own);
-    own = largest(leg->b, own);
-    *reach = own;
-    if (!(out->L <= STEWART_MAX)) {
-        status = STEWART_NOT_FINITE;
-    } else if (!((out->L > (STEWART_ROUNDING * own)) && (out->L > STEWART_SHORTEST))) {
-        status = STEWART_SHORT_LEG;
-    } else {
-        status = STEWART_OK;
-    }
-    return status;
-}
-
-/* Lengths and J at a pose. Returns a status. */
-static int legs_at(
-    const stewart_robot *robot, const stewart_pose *pose, stewart_real per_size, six_legs *out)
-{
-    int status = STEWART_OK;
-    int i;
-    int j;
-    out->reach = REAL(0);
-    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
-        leg_vectors leg;
-        stewart_real reach = REAL(0);
-        status = leg_at(&robot->leg[i], pose, &leg, &reach);
-        if (status == STEWART_OK) {
-            row_of(&leg, out->J[i]);
-            for (j = 3; j < 6; ++j) {
-                out->J[i][j] = out->J[i][j] * per_size;
-            }
-            out->L[i] = leg.L;
-            out->reach = STEWART_LARGER(reach, out->reach);
+    for (i = 0; i < 6; ++i) {
+        LegVectors leg;
+        leg = leg_vectors(&robot->leg[i], &pose);
+        int fault = fault_of(leg.L, REAL(1), reach_of(robot->leg[i].b, pose.t, leg.q));
+        out.L[i] = leg.L;
+        if (moving == 1) {
+            LegRate found;
+            found = leg_rate(&leg, motion);
+            out.L_dot[i] = found.L_dot;
+            fault = ((fault != STEWART_OK) || (STEWART_FABS(found.L_dot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
         }
+        status = (status == STEWART_OK) ? fault : status;
+    }
+    out.status = status;
+    return out;
+}
+
+/* Lengths and J of the legs at a pose; returns a status. */
+static int legs_at(
+    const stewart_robot *robot, const stewart_pose *pose, stewart_real per_size, LegsAtPose *out)
+{
+    int i;
+    int j;
+    int status = STEWART_OK;
+    out->reach = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        LegVectors leg;
+        leg = leg_vectors(&robot->leg[i], pose);
+        const stewart_real reach = reach_of(robot->leg[i].b, pose->t, leg.q);
+        const int fault = fault_of(leg.L, REAL(1), reach);
+        status = (status == STEWART_OK) ? fault : status;
+        LegRow row;
+        row = leg_row(&leg);
+        for (j = 0; j < 3; ++j) {
+            out->A[i][j] = row.H_force[j];
+            out->A[i][j + 3] = row.H_moment[j]*per_size;
+        }
+        out->L[i] = leg.L;
+        out->reach = STEWART_LARGER(reach, out->reach);
     }
     return status;
 }
 
-/* Root mean square distance of the platform points from the reference point, by which moments are measured,
- * m; 1 if they lie in it. */
-static stewart_real size_of(const stewart_robot *robot)
+/* Root mean square distance of the platform points from the reference point, by which moments are
+ * measured, m; 1 if they lie in it. */
+static stewart_real platform_size(const stewart_robot *robot)
 {
-    stewart_real sum = REAL(0);
-    stewart_real size;
     int i;
     int j;
+    stewart_real total = REAL(0);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
-            sum = sum + (robot->leg[i].p[j] * robot->leg[i].p[j]);
+            total = total + (robot->leg[i].p[j]*robot->leg[i].p[j]);
         }
     }
-    size = STEWART_SQRT(sum / REAL(6));
-    return (size > STEWART_SHORTEST) ? size : REAL(1);
+    const stewart_real extent = STEWART_SQRT(total/REAL(6));
+    return (extent > STEWART_SHORTEST) ? extent : REAL(1);
 }
 
-/* Equations A = [J | y], or the triangle that they become. */
-typedef struct {
-    stewart_real A[6][7];
-} equations;
-
-static void stack(const six_legs *legs, const stewart_real y[6], equations *of)
-{
-    int i;
-    int j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            of->A[i][j] = legs->J[i][j];
-        }
-        of->A[i][6] = y[i];
-    }
-}
-
-/* Makes a triangle of A by Householder's reflections, which leave the singular values of J as they are. */
-static void reflect(equations *of)
+/* Makes a triangle of [J | right side] by Householder's reflections. */
+static void reflect(stewart_real A[6][7])
 {
     int i;
     int j;
@@ -285,284 +302,296 @@ static void reflect(equations *of)
     for (k = 0; k < 6; ++k) {
         stewart_real square = REAL(0);
         for (i = k; i < 6; ++i) {
-            square = square + (of->A[i][k] * of->A[i][k]);
+            square = square + (A[i][k]*A[i][k]);
         }
-        if (square > REAL(0)) {
-            const stewart_real norm = STEWART_SQRT(square);
-            const stewart_real diagonal = (of->A[k][k] > REAL(0)) ? -norm : norm;
-            const stewart_real first = of->A[k][k] - diagonal;
-            const stewart_real factor = REAL(1) / (diagonal * first);
-            of->A[k][k] = first;
-            for (j = k + 1; j < 7; ++j) {
-                stewart_real sum = REAL(0);
-                for (i = k; i < 6; ++i) {
-                    sum = sum + (of->A[i][k] * of->A[i][j]);
-                }
-                sum = sum * factor;
-                for (i = k; i < 6; ++i) {
-                    of->A[i][j] = of->A[i][j] + (sum * of->A[i][k]);
-                }
+        const stewart_real norm = STEWART_SQRT(square);
+        const stewart_real diagonal = (A[k][k] > REAL(0)) ? -norm : norm;
+        const stewart_real first = A[k][k] - diagonal;
+        const stewart_real factor = (square > REAL(0)) ? REAL(1)/(diagonal*first) : REAL(0);
+        A[k][k] = first;
+        for (j = k + 1; j < 7; ++j) {
+            stewart_real total = REAL(0);
+            for (i = k; i < 6; ++i) {
+                total = total + (A[i][k]*A[i][j]);
             }
-            of->A[k][k] = diagonal;
+            total = total*factor;
+            for (i = k; i < 6; ++i) {
+                A[i][j] = A[i][j] + (total*A[i][k]);
+            }
         }
+        A[k][k] = diagonal;
     }
 }
 
 /* x of the triangle's equations, the last first; 0 where the diagonal entry is. */
-static void substitute(const equations *of, stewart_real x[6])
+static void substitute(stewart_real A[6][7], stewart_real x[6])
 {
     int i;
     int j;
     for (i = 5; i >= 0; --i) {
-        stewart_real sum = of->A[i][6];
+        stewart_real total = A[i][6];
         for (j = i + 1; j < 6; ++j) {
-            sum = sum - (of->A[i][j] * x[j]);
+            total = total - (A[i][j]*x[j]);
         }
-        x[i] = (STEWART_FABS(of->A[i][i]) > REAL(0)) ? (sum / of->A[i][i]) : REAL(0);
+        x[i] = (STEWART_FABS(A[i][i]) > REAL(0)) ? total/A[i][i] : REAL(0);
     }
 }
 
-/* Whether the triangle's condition number, by Frobenius norms, is so large that lengths known to rounding
- * leave the pose open: two poses with the same lengths meet where H is singular, and sqrt(eps) from there
- * they differ by rounding. */
-static int is_open(const equations *of)
+/* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+ * poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+ * rounding: lengths known to rounding leave the pose open. */
+static int is_open(stewart_real A[6][7])
 {
+    int i;
+    int j;
+    int k;
     stewart_real pivot[6] = {0, 0, 0, 0, 0, 0};
     stewart_real inverse[6] = {0, 0, 0, 0, 0, 0};
-    stewart_real sum = REAL(0);
-    stewart_real sum_of_inverse = REAL(0);
-    int open = 0;
-    int i;
-    int j;
-    int k;
+    stewart_real total = REAL(0);
+    stewart_real of_inverse = REAL(0);
+    int regular = 1;
     for (k = 0; k < 6; ++k) {
-        if (STEWART_FABS(of->A[k][k]) > REAL(0)) {
-            pivot[k] = REAL(1) / of->A[k][k];
-        } else {
-            open = 1;
-        }
-        for (i = k; i >= 0; --i) {
+        regular = (STEWART_FABS(A[k][k]) > REAL(0)) ? regular : 0;
+        pivot[k] = (STEWART_FABS(A[k][k]) > REAL(0)) ? REAL(1)/A[k][k] : REAL(0);
+        for (i = (k + 1) - 1; i >= 0; --i) {
             stewart_real entry = (i == k) ? REAL(1) : REAL(0);
-            for (j = i + 1; j <= k; ++j) {
-                entry = entry - (of->A[i][j] * inverse[j]);
+            for (j = i + 1; j < k + 1; ++j) {
+                entry = entry - (A[i][j]*inverse[j]);
             }
-            inverse[i] = entry * pivot[i];
-            sum = sum + (of->A[i][k] * of->A[i][k]);
-            sum_of_inverse = sum_of_inverse + (inverse[i] * inverse[i]);
+            inverse[i] = entry*pivot[i];
+            total = total + (A[i][k]*A[i][k]);
+            of_inverse = of_inverse + (inverse[i]*inverse[i]);
         }
     }
-    if (!((OPEN_SHARE * sum * sum_of_inverse) <= REAL(1))) {
-        open = 1;
-    }
-    return open;
+    return ((regular == 1) && ((REAL(256)*STEWART_EPSILON*total*of_inverse) <= REAL(1))) ? 0 : 1;
 }
 
-/* A pose, its legs, and by how much they miss the lengths asked for. */
-typedef struct {
-    stewart_pose pose;
-    six_legs legs;
-    stewart_real miss[6]; /* m: lengths asked for less lengths */
-    stewart_real worst; /* m: the largest */
-} attempt;
-
-/* Legs and misses at the attempt's pose. Returns a status. */
-static int compare(
-    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, attempt *at)
+/* One of Newton's steps towards the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
+ * ``half`` is 0; returns how far an entry of R^T R was from E. */
+static stewart_real polish(stewart_real R[9], stewart_real half)
 {
-    const int status = legs_at(robot, &at->pose, per_size, &at->legs);
-    int i;
-    at->worst = REAL(0);
-    if (status == STEWART_OK) {
-        for (i = 0; i < 6; ++i) {
-            at->miss[i] = L[i] - at->legs.L[i];
-            at->worst = STEWART_LARGER(STEWART_FABS(at->miss[i]), at->worst);
-        }
-    }
-    return status;
-}
-
-/* One of Newton's steps towards the rotation nearest to R: R <- R (3 E - R^T R) / 2. Returns how far an
- * entry of R^T R was from E. */
-static stewart_real polish(stewart_real R[9])
-{
-    stewart_real half[9];
-    stewart_real skew = REAL(0);
     int i;
     int j;
     int k;
+    stewart_real lack[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    stewart_real skew = REAL(0);
     for (i = 0; i < 3; ++i) {
         for (j = 0; j < 3; ++j) {
-            const stewart_real product = (R[i] * R[j]) + (R[3 + i] * R[3 + j]) + (R[6 + i] * R[6 + j]);
-            const stewart_real lack = ((i == j) ? REAL(1) : REAL(0)) - product;
-            skew = STEWART_LARGER(STEWART_FABS(lack), skew);
-            half[(3 * i) + j] = STEWART_HALF * lack;
+            const stewart_real product = (R[i]*R[j]) + (R[3 + i]*R[3 + j]) + (R[6 + i]*R[6 + j]);
+            const stewart_real missing = ((i == j) ? REAL(1) : REAL(0)) - product;
+            skew = STEWART_LARGER(STEWART_FABS(missing), skew);
+            lack[(3*i) + j] = half*missing;
         }
     }
     for (k = 0; k < 3; ++k) {
-        const stewart_real x = R[3 * k];
-        const stewart_real y = R[(3 * k) + 1];
-        const stewart_real z = R[(3 * k) + 2];
+        const stewart_real x = R[3*k], y = R[(3*k) + 1], z = R[(3*k) + 2];
         for (j = 0; j < 3; ++j) {
-            R[(3 * k) + j] = R[(3 * k) + j] + ((x * half[j]) + (y * half[3 + j]) + (z * half[6 + j]));
+            R[(3*k) + j] = R[(3*k) + j] + ((x*lack[j]) + (y*lack[3 + j]) + (z*lack[6 + j]));
         }
     }
     return skew;
 }
 
-/* Makes R a rotation to rounding. Returns whether it was near to one. */
+/* Makes R a rotation to rounding; returns 1 if it was near to one, else 0. */
 static int make_rotation(stewart_real R[9])
 {
-    const stewart_real volume = (R[0] * ((R[4] * R[8]) - (R[5] * R[7])))
-        + (R[1] * ((R[5] * R[6]) - (R[3] * R[8]))) + (R[2] * ((R[3] * R[7]) - (R[4] * R[6])));
-    stewart_real skew = polish(R);
-    int near = 0;
-    int i;
-    if ((volume > REAL(0)) && (skew <= MOST_SKEW)) {
-        near = 1;
-    }
-    /* The distance is squared each time: 2^-4, 2^-8, down to 2^-64. */
-    for (i = 0; (i < 4) && ((skew * skew) > STEWART_EPSILON); ++i) {
-        skew = polish(R);
+    int turn;
+    const stewart_real first = R[0]*((R[4]*R[8]) - (R[5]*R[7]));
+    const stewart_real volume = first + (R[1]*((R[5]*R[6]) - (R[3]*R[8]))) + (R[2]*((R[3]*R[7]) - (R[4]*R[6])));
+    stewart_real skew = polish(R, STEWART_HALF);
+    int near = 1;
+    near = ((volume > REAL(0)) && (skew <= REAL(0.0625))) ? near : 0;
+    for (turn = 0; turn < 4; ++turn) {
+        const stewart_real half = ((skew*skew) > STEWART_EPSILON) ? STEWART_HALF : REAL(0);
+        if (half > REAL(0)) {
+            skew = polish(R, half);
+        } else {
+            break;
+        }
     }
     return near;
 }
 
+/* Length of a vector. */
 static stewart_real length_of(const stewart_real vector[3])
 {
-    return STEWART_SQRT((vector[0] * vector[0]) + (vector[1] * vector[1]) + (vector[2] * vector[2]));
+    return STEWART_SQRT((vector[0]*vector[0]) + (vector[1]*vector[1]) + (vector[2]*vector[2]));
 }
 
-/* Moves the pose by Newton's step d = [dt; turn], J d = miss, or by as much of it as is to be trusted. */
-static void move(attempt *at, stewart_real per_size, stewart_real longest)
+/* Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size. */
+static stewart_real compare(const stewart_real L[6], LegsAtPose *legs)
 {
-    stewart_pose from;
-    equations of;
-    stewart_real d[6] = {0, 0, 0, 0, 0, 0};
-    stewart_real Q[9];
-    stewart_real shorter = REAL(1);
+    int i;
+    stewart_real worst = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real miss = L[i] - legs->L[i];
+        legs->A[i][6] = miss;
+        worst = STEWART_LARGER(STEWART_FABS(miss), worst);
+    }
+    return worst;
+}
+
+/* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
+ * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
+ * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
+ * poses. */
+static void newton_step(
+    LegsAtPose *legs, stewart_real per_size, stewart_real longest, stewart_real along[3],
+    stewart_real turn[3])
+{
+    int i;
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    reflect(legs->A);
+    substitute(legs->A, x);
+    for (i = 0; i < 3; ++i) {
+        along[i] = x[i];
+        turn[i] = x[i + 3]*per_size;
+    }
+    stewart_real shorter = STEWART_LARGER(length_of(along)/(REAL(0.25)*longest), REAL(1));
+    shorter = STEWART_LARGER(length_of(turn)/REAL(0.25), shorter);
+    shorter = REAL(1)/shorter;
+    for (i = 0; i < 3; ++i) {
+        along[i] = along[i]*shorter;
+        turn[i] = turn[i]*shorter;
+    }
+}
+
+/* Steps from a pose, with its legs, to lengths L; returns 1 if they were found, else 0. */
+static int search(
+    const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_pose *pose,
+    LegsAtPose *legs)
+{
     int i;
     int j;
-    from = at->pose;
-    stack(&at->legs, at->miss, &of);
-    reflect(&of);
-    substitute(&of, d);
-    for (i = 3; i < 6; ++i) {
-        d[i] = d[i] * per_size;
-    }
-    shorter = STEWART_LARGER(length_of(d) / (LONGEST_STEP * longest), shorter);
-    shorter = STEWART_LARGER(length_of(&d[3]) / LONGEST_STEP, shorter);
-    shorter = REAL(1) / shorter;
-    for (i = 0; i < 6; ++i) {
-        d[i] = d[i] * shorter;
-    }
-    turned_by(&d[3], Q);
-    for (i = 0; i < 3; ++i) {
-        at->pose.t[i] = from.t[i] + d[i];
-        for (j = 0; j < 3; ++j) {
-            at->pose.R[(3 * i) + j] = (Q[3 * i] * from.R[j]) + (Q[(3 * i) + 1] * from.R[3 + j])
-                + (Q[(3 * i) + 2] * from.R[6 + j]);
-        }
-    }
-    (void)polish(at->pose.R);
-}
-
-/* Goes from a pose to lengths L. Returns whether they were found. */
-static int search(const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, attempt *at)
-{
+    int step;
+    stewart_real along[3] = {0, 0, 0};
+    stewart_real turn[3] = {0, 0, 0};
+    stewart_real R[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real longest = L[0];
-    int searching = 1;
-    int lost = 0;
-    int found = 0;
-    int i;
+    int status = STEWART_OK;
     for (i = 1; i < 6; ++i) {
         longest = STEWART_LARGER(L[i], longest);
     }
-    for (i = 0; (i < STEWART_MAX_STEPS) && (searching != 0); ++i) {
-        if (at->worst <= (GOAL * at->legs.reach)) {
-            searching = 0;
-        } else {
-            move(at, per_size, longest);
-            if (compare(robot, L, per_size, at) != STEWART_OK) {
-                searching = 0;
-                lost = 1;
+    stewart_real worst = compare(L, legs);
+    int going = 1;
+    for (step = 0; step < STEWART_MAX_STEPS; ++step) {
+        going = (status == STEWART_OK) ? going : 0;
+        going = (worst > (REAL(4)*STEWART_EPSILON*legs->reach)) ? going : 0;
+        if (going == 1) {
+            newton_step(legs, per_size, longest, along, turn);
+            Turned turned;
+            turned = turned_by(turn);
+            for (i = 0; i < 3; ++i) {
+                for (j = 0; j < 3; ++j) {
+                    const stewart_real part = (turned.Q[3*i]*pose->R[j]) + (turned.Q[(3*i) + 1]*pose->R[3 + j]);
+                    R[(3*i) + j] = part + (turned.Q[(3*i) + 2]*pose->R[6 + j]);
+                }
             }
+            (void)polish(R, STEWART_HALF);
+            for (i = 0; i < 9; ++i) {
+                pose->R[i] = (going == 1) ? R[i] : pose->R[i];
+            }
+            for (i = 0; i < 3; ++i) {
+                pose->t[i] = (going == 1) ? pose->t[i] + along[i] : pose->t[i];
+            }
+            status = legs_at(robot, pose, per_size, legs);
+            worst = compare(L, legs);
+        } else {
+            break;
         }
     }
-    if ((lost == 0) && (at->worst <= (STEWART_ROUNDING * at->legs.reach))) {
-        found = 1;
-    }
-    return found;
+    return ((status == STEWART_OK) && (worst <= (STEWART_ROUNDING*legs->reach))) ? 1 : 0;
 }
 
-/* Whether the legs' lengths leave the pose open. */
-static int leave_open(const six_legs *legs)
+/* What of a search's inputs is not finite, or no length. */
+static int first_fault(const stewart_real L[6], const stewart_pose *guess)
 {
-    static const stewart_real none[6] = {0, 0, 0, 0, 0, 0};
-    equations of;
-    stack(legs, none, &of);
-    reflect(&of);
-    return is_open(&of);
+    int i;
+    int status = STEWART_OK;
+    for (i = 0; i < 6; ++i) {
+        status = (STEWART_FABS(L[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+    }
+    for (i = 0; i < 9; ++i) {
+        status = (STEWART_FABS(guess->R[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+    }
+    for (i = 0; i < 3; ++i) {
+        status = (STEWART_FABS(guess->t[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+    }
+    for (i = 0; i < 6; ++i) {
+        status = ((status != STEWART_OK) || (L[i] > REAL(0))) ? status : STEWART_SHORT_LEG;
+    }
+    return status;
+}
+
+/* The last pose tried for lengths L, from a guess, and a status. */
+static FoundPose pose_of(const stewart_robot *robot, const stewart_real L[6], const stewart_pose *guess)
+{
+    int i;
+    FoundPose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
+    LegsAtPose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0,
+        0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
+    const stewart_real per_size = REAL(1)/platform_size(robot);
+    int status = first_fault(L, guess);
+    for (i = 0; i < 9; ++i) {
+        out.pose.R[i] = guess->R[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        out.pose.t[i] = guess->t[i];
+    }
+    const int near = make_rotation(out.pose.R);
+    status = ((status != STEWART_OK) || (near == 1)) ? status : STEWART_NOT_CONVERGED;
+    int fault = legs_at(robot, &out.pose, per_size, &legs);
+    status = (status == STEWART_OK) ? fault : status;
+    if (status == STEWART_OK) {
+        const int found = search(robot, L, per_size, &out.pose, &legs);
+        reflect(legs.A);
+        fault = (is_open(legs.A) == 1) ? STEWART_SINGULAR : fault;
+        status = (status == STEWART_OK) ? ((found == 1) ? fault : STEWART_NOT_CONVERGED) : status;
+    }
+    out.status = status;
+    return out;
+}
+
+/* Velocities of the platform that the rates of the legs make, and a status. */
+static Twist twist_of(const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6])
+{
+    int i;
+    Twist out = {{0, 0, 0}, {0, 0, 0}, 0};
+    LegsAtPose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0,
+        0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
+    stewart_real x[6] = {0, 0, 0, 0, 0, 0};
+    const stewart_real per_size = REAL(1)/platform_size(robot);
+    int status = legs_at(robot, pose, per_size, &legs);
+    for (i = 0; i < 6; ++i) {
+        legs.A[i][6] = L_dot[i];
+    }
+    reflect(legs.A);
+    substitute(legs.A, x);
+    status = ((status == STEWART_OK) && (is_open(legs.A) == 1)) ? STEWART_SINGULAR : status;
+    for (i = 0; i < 3; ++i) {
+        out.v[i] = x[i];
+        out.omega[i] = x[i + 3]*per_size;
+        status = ((status != STEWART_OK) || (STEWART_FABS(out.v[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
+        status = ((status != STEWART_OK) || (STEWART_FABS(out.omega[i]) <= STEWART_MAX)) ? status : STEWART_NOT_FINITE;
+    }
+    out.status = status;
+    return out;
 }
 
 int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6])
 {
-    stewart_pose pose;
-    stewart_real length[6] = {0, 0, 0, 0, 0, 0};
-    stewart_real rate[6] = {0, 0, 0, 0, 0, 0};
-    int status = STEWART_OK;
+    int status = STEWART_BAD_ARGUMENT;
     int i;
-    if ((robot == NULL) || (motion == NULL) || (L == NULL)) {
-        status = STEWART_BAD_ARGUMENT;
-    } else {
-        for (i = 0; i < 9; ++i) {
-            pose.R[i] = motion->R[i];
-        }
-        for (i = 0; i < 3; ++i) {
-            pose.t[i] = motion->t[i];
-        }
+    if ((robot != NULL) && (motion != NULL) && (L != NULL)) {
+        LegRates found;
+        found = leg_rates(robot, motion, (L_dot != NULL) ? 1 : 0);
+        status = found.status;
         for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
-            leg_vectors leg;
-            stewart_real reach = REAL(0);
-            status = leg_at(&robot->leg[i], &pose, &leg, &reach);
-            length[i] = leg.L;
-            if ((status == STEWART_OK) && (L_dot != NULL)) {
-                rate_of(&leg, motion, &rate[i]);
-                status = finite_or_not(&rate[i], 1);
-            }
-        }
-    }
-    if (status == STEWART_OK) {
-        for (i = 0; i < 6; ++i) {
-            L[i] = length[i];
+            L[i] = found.L[i];
             if (L_dot != NULL) {
-                L_dot[i] = rate[i];
+                L_dot[i] = found.L_dot[i];
             }
-        }
-    }
-    return status;
-}
-
-/* Whether a search can begin: numbers, lengths > 0, a guess that is a rotation, which is made one to
- * rounding. Returns a status. */
-static int begin(const stewart_real L[6], stewart_pose *guess)
-{
-    int status = finite_or_not(L, 6);
-    int i;
-    if (status == STEWART_OK) {
-        status = finite_or_not(guess->R, 9);
-    }
-    if (status == STEWART_OK) {
-        status = finite_or_not(guess->t, 3);
-    }
-    for (i = 0; i < 6; ++i) {
-        if ((status == STEWART_OK) && !(L[i] > REAL(0))) {
-            status = STEWART_SHORT_LEG;
-        }
-    }
-    if (status == STEWART_OK) {
-        if (make_rotation(guess->R) == 0) {
-            status = STEWART_NOT_CONVERGED;
         }
     }
     return status;
@@ -570,28 +599,13 @@ static int begin(const stewart_real L[6], stewart_pose *guess)
 
 int stewart_forward_kinematics(const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose)
 {
-    attempt at;
-    int status;
-    if ((robot == NULL) || (L == NULL) || (pose == NULL)) {
-        status = STEWART_BAD_ARGUMENT;
-    } else {
-        const stewart_real per_size = REAL(1) / size_of(robot);
-        at.pose = *pose;
-        status = begin(L, &at.pose);
+    int status = STEWART_BAD_ARGUMENT;
+    if ((robot != NULL) && (L != NULL) && (pose != NULL)) {
+        FoundPose found;
+        found = pose_of(robot, L, pose);
+        status = found.status;
         if (status == STEWART_OK) {
-            status = compare(robot, L, per_size, &at);
-        }
-        if (status == STEWART_OK) {
-            if (search(robot, L, per_size, &at) == 0) {
-                status = STEWART_NOT_CONVERGED;
-            } else if (leave_open(&at.legs) != 0) {
-                status = STEWART_SINGULAR;
-            } else {
-                status = STEWART_OK;
-            }
-        }
-        if (status == STEWART_OK) {
-            *pose = at.pose;
+            *pose = found.pose;
         }
     }
     return status;
@@ -601,35 +615,15 @@ int stewart_forward_velocity(
     const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
     stewart_real omega[3])
 {
-    six_legs legs;
-    equations of;
-    stewart_real twist[6] = {0, 0, 0, 0, 0, 0};
-    int status;
+    int status = STEWART_BAD_ARGUMENT;
     int i;
-    if ((robot == NULL) || (pose == NULL) || (L_dot == NULL) || (v == NULL) || (omega == NULL)) {
-        status = STEWART_BAD_ARGUMENT;
-    } else {
-        const stewart_real per_size = REAL(1) / size_of(robot);
-        status = legs_at(robot, pose, per_size, &legs);
-        if (status == STEWART_OK) {
-            stack(&legs, L_dot, &of);
-            reflect(&of);
-            substitute(&of, twist);
-            if (is_open(&of) != 0) {
-                status = STEWART_SINGULAR;
-            }
-        }
-        for (i = 3; i < 6; ++i) {
-            twist[i] = twist[i] * per_size;
-        }
-        if (status == STEWART_OK) {
-            status = finite_or_not(twist, 6);
-        }
-    }
-    if (status == STEWART_OK) {
-        for (i = 0; i < 3; ++i) {
-            v[i] = twist[i];
-            omega[i] = twist[i + 3];
+    if ((robot != NULL) && (pose != NULL) && (L_dot != NULL) && (v != NULL) && (omega != NULL)) {
+        Twist found;
+        found = twist_of(robot, pose, L_dot);
+        status = found.status;
+        for (i = 0; (i < 3) && (status == STEWART_OK); ++i) {
+            v[i] = found.v[i];
+            omega[i] = found.omega[i];
         }
     }
     return status;

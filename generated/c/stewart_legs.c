@@ -41,6 +41,7 @@
  * points: the pole of the universal joint. */
 #define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
 
+/* A leg. */
 typedef struct {
     stewart_real L; /* m: length of the leg */
     stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
@@ -48,79 +49,132 @@ typedef struct {
     stewart_real s[3]; /* 1: unit vector along the leg, base frame */
     stewart_real S[3]; /* m: vector from base point to platform point, base frame */
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
-} leg_motion;
+} LegMotion;
 
-/* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8).
- * Operations: 90 (46 mul, 42 add, 1 div, 1 sqrt). */
-static void motion_of(const stewart_leg *leg, const stewart_motions *at, leg_motion *out)
+/* Six legs of a pose. */
+typedef struct {
+    stewart_real L[6]; /* m: lengths, (2) */
+    stewart_real L_dot[6]; /* m/s: rates, (5) */
+    stewart_real L_ddot[6]; /* m/s^2: second rates, (8) */
+    stewart_real s[6][3]; /* 1: unit vectors along the legs, base frame, (3) */
+    stewart_real S[6][3]; /* m: leg vectors, base frame, (1) */
+    int status; /* 0, or what is wrong */
+} LegMotions;
+
+/* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8): 90 (46
+ * mul, 42 add, 1 div, 1 sqrt). */
+static LegMotion leg_motion(const stewart_leg *leg, const stewart_motions *motion)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
-    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
+        R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
+    const stewart_real t_x = motion->t[0], t_y = motion->t[1], t_z = motion->t[2];
+    const stewart_real omega_x = motion->omega[0], omega_y = motion->omega[1], omega_z = motion->omega[2];
+    const stewart_real v_x = motion->v[0], v_y = motion->v[1], v_z = motion->v[2];
+    const stewart_real alpha_x = motion->alpha[0], alpha_y = motion->alpha[1], alpha_z = motion->alpha[2];
+    const stewart_real a_x = motion->a[0], a_y = motion->a[1], a_z = motion->a[2];
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = (R_xx*p_x) + (R_xy*p_y) + (R_xz*p_z);
+    const stewart_real q_y = (R_yx*p_x) + (R_yy*p_y) + (R_yz*p_z);
+    const stewart_real q_z = (R_zx*p_x) + (R_zy*p_y) + (R_zz*p_z);
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = (q_x + t_x) - b_x;
+    const stewart_real S_y = (q_y + t_y) - b_y;
+    const stewart_real S_z = (q_z + t_z) - b_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT((S_x*S_x) + (S_y*S_y) + (S_z*S_z));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = (omega_y*q_z) - (omega_z*q_y);
+    const stewart_real w_q_y = (omega_z*q_x) - (omega_x*q_z);
+    const stewart_real w_q_z = (omega_x*q_y) - (omega_y*q_x);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = (a_x + (alpha_y*q_z) + (omega_y*w_q_z)) - (alpha_z*q_y) - (omega_z*w_q_y);
+    const stewart_real S_ddot_y = (a_y + (alpha_z*q_x) + (omega_z*w_q_x)) - (alpha_x*q_z) - (omega_x*w_q_z);
+    const stewart_real S_ddot_z = (a_z + (alpha_x*q_y) + (omega_x*w_q_y)) - (alpha_y*q_x) - (omega_y*w_q_x);
     /* (5) sliding velocity */
-    const stewart_real rate = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real rate = (S_dot_x*s_x) + (S_dot_y*s_y) + (S_dot_z*s_z);
     /* part of S_dot across the leg, of length L |W| */
-    const stewart_real across_x = S_dot_x - rate*s_x;
-    const stewart_real across_y = S_dot_y - rate*s_y;
-    const stewart_real across_z = S_dot_z - rate*s_z;
+    const stewart_real across_x = S_dot_x - (rate*s_x);
+    const stewart_real across_y = S_dot_y - (rate*s_y);
+    const stewart_real across_z = S_dot_z - (rate*s_z);
     /* (8) */
-    const stewart_real second = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + inv_L*(across_x*across_x
-        + across_y*across_y + across_z*across_z);
-    out->L = L;
-    out->L_dot = rate;
-    out->L_ddot = second;
-    out->s[0] = s_x;
-    out->s[1] = s_y;
-    out->s[2] = s_z;
-    out->S[0] = S_x;
-    out->S[1] = S_y;
-    out->S[2] = S_z;
-    out->q[0] = q_x;
-    out->q[1] = q_y;
-    out->q[2] = q_z;
+    const stewart_real second = (S_ddot_x*s_x) + (S_ddot_y*s_y) + (S_ddot_z*s_z) + (inv_L*((across_x*across_x)
+        + (across_y*across_y) + (across_z*across_z)));
+    LegMotion out;
+    out.L = L;
+    out.L_dot = rate;
+    out.L_ddot = second;
+    out.s[0] = s_x;
+    out.s[1] = s_y;
+    out.s[2] = s_z;
+    out.S[0] = S_x;
+    out.S[1] = S_y;
+    out.S[2] = S_z;
+    out.q[0] = q_x;
+    out.q[1] = q_y;
+    out.q[2] = q_z;
+    return out;
 }
 
-/* Six legs of a pose. */
-typedef struct {
-    stewart_real L[6];
-    stewart_real L_dot[6];
-    stewart_real L_ddot[6];
-    stewart_real s[18];
-    stewart_real S[18];
-} six_legs;
+/* Size of the vectors q, t and b that a leg is the sum of, m. */
+static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
+{
+    int j;
+    stewart_real reach = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        reach = STEWART_LARGER(STEWART_FABS(q[j]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t[j]), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b[j]), reach);
+    }
+    return reach;
+}
+
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
+{
+    int fault = STEWART_OK;
+    fault = (k3 > STEWART_POLE_SINE) ? fault : STEWART_POLE;
+    fault = (L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST)) ? fault : STEWART_SHORT_LEG;
+    return (L <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
+}
+
+/* Lengths of the legs, their rates and second rates, their directions and vectors, and a status. */
+static LegMotions leg_motions(const stewart_robot *robot, const stewart_motions *motion)
+{
+    int i;
+    int j;
+    LegMotions out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {{0, 0, 0}, {0, 0, 0}, {0,
+        0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0,
+        0, 0}}, 0};
+    int status = STEWART_OK;
+    for (i = 0; i < 6; ++i) {
+        LegMotion leg;
+        leg = leg_motion(&robot->leg[i], motion);
+        int fault = fault_of(leg.L, REAL(1), reach_of(robot->leg[i].b, motion->t, leg.q));
+        fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_dot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
+        fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_ddot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
+        status = (status == STEWART_OK) ? fault : status;
+        out.L[i] = leg.L;
+        out.L_dot[i] = leg.L_dot;
+        out.L_ddot[i] = leg.L_ddot;
+        for (j = 0; j < 3; ++j) {
+            out.s[i][j] = leg.s[j];
+            out.S[i][j] = leg.S[j];
+        }
+    }
+    out.status = status;
+    return out;
+}
 
 /* Copies the numbers of a pose into a batch's array, or nothing if it is null. */
 static void copy(stewart_real *array, size_t pose, const stewart_real *values, size_t count)
@@ -146,49 +200,6 @@ static stewart_motions pose_at(const stewart_motions *motions, size_t pose, cons
     return at;
 }
 
-/* Largest component of the terms of S = q + t - b of a leg. */
-static stewart_real reach_of(const stewart_leg *leg, const stewart_motions *at, const leg_motion *own)
-{
-    stewart_real reach = REAL(0);
-    int i;
-    for (i = 0; i < 3; ++i) {
-        reach = STEWART_LARGER(STEWART_FABS(own->q[i]), reach);
-        reach = STEWART_LARGER(STEWART_FABS(at->t[i]), reach);
-        reach = STEWART_LARGER(STEWART_FABS(leg->b[i]), reach);
-    }
-    return reach;
-}
-
-/* Six legs of a pose. Returns a status. */
-static int legs_of(const stewart_robot *robot, const stewart_motions *at, six_legs *out)
-{
-    int status = STEWART_OK;
-    int i;
-    int j;
-    for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
-        leg_motion own;
-        stewart_real shortest;
-        motion_of(&robot->leg[i], at, &own);
-        shortest = STEWART_LARGER(STEWART_ROUNDING * reach_of(&robot->leg[i], at, &own), STEWART_SHORTEST);
-        if ((own.L <= STEWART_MAX) && (own.L <= shortest)) {
-            status = STEWART_SHORT_LEG;
-        } else if ((own.L <= STEWART_MAX) && (STEWART_FABS(own.L_dot) <= STEWART_MAX)
-            && (STEWART_FABS(own.L_ddot) <= STEWART_MAX)) {
-            status = STEWART_OK;
-        } else {
-            status = STEWART_NOT_FINITE;
-        }
-        out->L[i] = own.L;
-        out->L_dot[i] = own.L_dot;
-        out->L_ddot[i] = own.L_ddot;
-        for (j = 0; j < 3; ++j) {
-            out->s[(3 * i) + j] = own.s[j];
-            out->S[(3 * i) + j] = own.S[j];
-        }
-    }
-    return status;
-}
-
 int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
     int *status)
@@ -203,14 +214,14 @@ int stewart_legs_batch(
     }
     for (pose = 0; pose < count; ++pose) {
         const stewart_motions at = pose_at(motions, pose, zeros);
-        six_legs result;
-        const int code = legs_of(robot, &at, &result);
+        const LegMotions found = leg_motions(robot, &at);
+        const int code = found.status;
         if (code == STEWART_OK) {
-            copy(legs->L, pose, result.L, 6);
-            copy(legs->L_dot, pose, result.L_dot, 6);
-            copy(legs->L_ddot, pose, result.L_ddot, 6);
-            copy(legs->s, pose, result.s, 18);
-            copy(legs->S, pose, result.S, 18);
+            copy(legs->L, pose, found.L, 6);
+            copy(legs->L_dot, pose, found.L_dot, 6);
+            copy(legs->L_ddot, pose, found.L_ddot, 6);
+            copy(legs->s, pose, found.s[0], 18);
+            copy(legs->S, pose, found.S[0], 18);
         }
         if (status != NULL) {
             status[pose] = code;

@@ -37,17 +37,19 @@ extern "C" {
 STEWART_NODISCARD int stewart_paper_spherical_inverse_dynamics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
 
-/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point to
- * where M_p is taken, m; null: at the base point. Returns a status. */
+/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base
+ * point to where M_p is taken, m; null: at the base point. Returns a status. */
 STEWART_NODISCARD int stewart_paper_spherical_joint_reactions(
     const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
     stewart_forces *forces, stewart_reactions *reactions);
 
-/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first code
- * other than STEWART_OK, or STEWART_OK. */
+/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
+ * code other than STEWART_OK, or STEWART_OK. */
 STEWART_NODISCARD int stewart_paper_spherical_inverse_dynamics_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions,
     const stewart_forces_arrays *forces, int *status);
+
+/* Joint reactions of `count` poses, as above. */
 STEWART_NODISCARD int stewart_paper_spherical_joint_reactions_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
     const stewart_reactions_arrays *reactions, int *status);

@@ -17,16 +17,17 @@ from numpy.typing import NDArray
 
 from .. import fidelity
 from ..derive import notation
-from ..derive.emit.kit import build, cpp, licence
-from ..derive.emit.kit.deviations import deviations
-from ..derive.emit.kit.example import example
-from ..derive.emit.kit.functions import SIGNATURES, Function
-from ..derive.emit.kit.readme import Figures, readme
-from ..derive.emit.kit.readme import Kit as ReadmeKit
-from ..derive.emit.kit.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
-from ..derive.emit.kit.selftest import Case, Refusal, selftest
-from ..derive.emit.kit.words import robot_symbol
 from ..derive.generate import generator_version
+from ..derive.kernel.interface import CALLS
+from ..derive.package import build, cpp, licence
+from ..derive.package.deviations import deviations
+from ..derive.package.example import example
+from ..derive.package.functions import Function
+from ..derive.package.readme import Figures, readme
+from ..derive.package.readme import Kit as ReadmeKit
+from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
+from ..derive.package.selftest import Case, Refusal, selftest
+from ..derive.package.words import robot_symbol
 from ..home import home_pose
 from ..kernel import MOTION
 from ..motion import Motion
@@ -113,8 +114,6 @@ def kit_names(robot: Robot, choice: Choice = DEFAULT) -> list[str]:
 def _sources(robot: Robot, choice: Choice, made: Parts) -> dict[str, str]:
     """Kernels and constants."""
     texts = made.files
-    if choice.precision == "float":
-        texts["stewart.h"] = _in_float(texts["stewart.h"])
     if _has_robot(made):
         texts |= robot_files(robot.name, robot_numbers(robot), _limits(robot), generator())
     return texts
@@ -131,21 +130,6 @@ def _has_robot(made: Parts) -> bool:
     return any(function.subject for function in made.functions)
 
 
-_FLOAT = """\
-/* This kit is for float. */
-#if !defined(STEWART_FLOAT)
-#define STEWART_FLOAT
-#endif
-"""
-
-
-def _in_float(stewart_h: str) -> str:
-    """``stewart.h`` of a kit in float, which defines STEWART_FLOAT."""
-    mark = "#if defined(STEWART_REAL)\ntypedef"
-    assert mark in stewart_h
-    return stewart_h.replace(mark, f"{_FLOAT}{mark}")
-
-
 def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector]]:
     """Test vectors by function."""
     stems = tuple(function.stem for function in made.functions)
@@ -159,12 +143,12 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
 
 
 def _case(vector: Vector) -> Case:
-    signature = SIGNATURES[vector.function]
-    motion = _motion(vector.inputs) if signature.motion else None
-    names = [out.name for out in signature.outputs]
+    call = CALLS[vector.function]
+    motion = _motion(vector.inputs) if call.motion else None
+    names = [out.name for out in call.outputs]
     return Case(
         motion,
-        _flat(vector.inputs, [given.name for given in signature.inputs]),
+        _flat(vector.inputs, [given.name for given in call.inputs]),
         _flat(vector.answers, names),
         _flat(vector.bounds, names),
     )

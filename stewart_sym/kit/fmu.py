@@ -1,8 +1,7 @@
 """The FMI unit of a kit as one file: compiled, put together and packed so that it repeats to the byte.
 
-Takes a kernel's C and plain numbers; the texts are those of ``derive.emit.fmu``. FMI 2.0 and co-simulation,
-as every Simulink with an FMU block, and nearly every other tool, imports just that. Knows nothing of how a
-kernel is chosen or of what it computes.
+Takes a kernel's C and plain numbers; the texts are those of ``derive.package.fmu``. FMI 2.0 and
+co-simulation, as every Simulink with an FMU block, and nearly every other tool, imports just that.
 """
 
 import io
@@ -14,8 +13,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from .. import native
-from ..derive.emit.kit import fmu as texts
-from ..derive.emit.kit.fmu import Numbers, UnitKernel
+from ..derive.package import fmu as texts
+from ..derive.package.fmu import UnitKernel
+from ..derive.package.words import Numbers
 
 __all__ = ["UnitKernel", "binary_folder", "fmu_unit"]
 

@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..checks import option, shown
-from ..derive.emit.kit import licence
-from ..derive.emit.kit.robot import robot_toml
-from ..derive.emit.kit.words import robot_symbol
 from ..derive.formulation import FORMULATIONS
 from ..derive.generate import output_program
 from ..derive.kernel.nodes import Program
+from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
+from ..derive.package.robot import robot_toml
+from ..derive.package.words import robot_symbol
 from ..fidelity import resolved
 from ..kernel import kernel_name
 from ..robot import Robot

@@ -4,7 +4,7 @@ Stands below ``kit``. Knows names and files of kernels and what each of their fu
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.metadata import version
 
@@ -14,9 +14,6 @@ from .. import fidelity
 from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
-from ..derive.emit.c import common_header
-from ..derive.emit.kit.functions import MODEL, NOTHING, ROBOT, Function, Part
-from ..derive.emit.kit.words import Numbers, robot_symbol
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.formulation import EXACT
 from ..derive.generate import generator_version, motion_files, reduced_rotation, shared_blocks
@@ -27,6 +24,9 @@ from ..derive.kinematics import (
     velocity_operations,
 )
 from ..derive.operations import force_operations
+from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
+from ..derive.package.header import common_header
+from ..derive.package.words import Numbers, robot_symbol
 from ..derive.regroup import ForceKernel
 from ..kernel import c_sources, kernel_name, module
 from ..robot import Robot
@@ -39,16 +39,17 @@ _KINEMATICS = "kinematics"
 @dataclass(frozen=True)
 class Parts:
     """Parts of a kit. operations: of a pose of the forces, before the robot's numbers were folded in, and
-    after; None without the forces, or where nothing was folded in."""
+    after; None without the forces, or where nothing was folded in. precision: "double" or "float"."""
 
     parts: tuple[Part, ...]
     operations: int | None = None
     baked_operations: int | None = None
+    precision: str = "double"
 
     @property
     def files(self) -> dict[str, str]:
         """Headers and sources of all parts and ``stewart.h``: file name -> text."""
-        found = {"stewart.h": common_header(generator_version())}
+        found = {"stewart.h": common_header(generator_version(), self.precision)}
         for part in self.parts:
             found |= part.files
         return found
@@ -82,16 +83,7 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
     found.append(_rotation())
-    return Parts(tuple(_with_batches(part) for part in found), before, after)
-
-
-def _with_batches(part: Part) -> Part:
-    """The part with what its header says of batches."""
-    functions = [
-        replace(function, batch=f"int {function.symbol}_batch(" in part.files[part.header])
-        for function in part.functions
-    ]
-    return replace(part, functions=tuple(functions))
+    return Parts(tuple(found), before, after, choice.precision)
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
@@ -110,9 +102,12 @@ def _force_part(
     """plain: prefix of the same kernel without a robot's numbers in it, "" where there are none."""
     subject = NOTHING if plain else MODEL
     plain = f"{plain}_forces" if plain else ""
-    function = Function("forces", f"{prefix}_forces", f"{file}.h", subject, prefix, f"{count:,}", plain)
+    one_pose = file.endswith("_pose")
+    function = Function(
+        "forces", f"{prefix}_forces", f"{file}.h", subject, prefix, f"{count:,}", plain, one_pose
+    )
     files = _committed(file) if sources is None else sources
-    kind = f"forces{' scalar' if file.endswith('_pose') else ''}{' baked' if plain else ''}"
+    kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
     return Part(file, files, (function,), (kind,), says)
 
 

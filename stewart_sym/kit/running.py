@@ -50,7 +50,7 @@ class Running:
     @staticmethod
     def _held(value: Any) -> tuple[Any, Any]:
         """The value as it is kept, and its size in double."""
-        number = digits.mpf(value)
+        number = value if isinstance(value, digits.mpf) else digits.mpf(value)
         return number, abs(float(number))
 
     @classmethod

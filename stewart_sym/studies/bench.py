@@ -27,6 +27,7 @@ from ..rotation import rotation_from_rpy
 from ..trajectory import PATHS
 from . import bench_compile, bench_motion, bench_passes, host, timing
 from .bench_figures import Benchmark, Figure, PassFigures, Speedup
+from .loops import loop_source
 from .peers import (
     AGREEMENT,
     FEW,
@@ -40,7 +41,6 @@ from .peers import (
     Runner,
     c_loop,
     forces_loop,
-    loop_source,
     multiply_add,
     repeated,
     succeed,
@@ -65,19 +65,18 @@ _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
 
 def _one_pose(poses: Poses) -> Runner:
     """``stewart_exact_inverse_dynamics`` called from a C loop."""
-    body = f"""\
-stewart_forces out;
-    const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out);
-    memcpy(F, out.F, sizeof out.F);
-    return status;"""
+    body = (
+        f"stewart_forces out; const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out); "
+        "memcpy(F, out.F, sizeof out.F); return status;"
+    )
     loop = loop_source(f"stewart_{NAME}.h", body)
-    library = native.load("bench_one_pose", {**kernel.c_sources(NAME), "drive.c": loop})
+    library = native.load("bench_one_pose", kernel.c_sources(NAME) | loop)
     return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
 
 def _fast_pose(poses: Poses) -> Runner:
     """``stewart_exact_forces`` with prepared constants, called from a C loop."""
-    sources = {**kernel.c_sources(f"{NAME}_forces"), "drive.c": forces_loop()}
+    sources = kernel.c_sources(f"{NAME}_forces") | forces_loop()
     library = native.load("bench_fast_pose", sources)
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 

@@ -23,6 +23,7 @@ from ..reference_equations import equations_of_motion
 from ..robot import Robot
 from ..rotation import cross_matrix, rotation_from_vector
 from .bench_figures import DERIVATIVES, FORWARD, Figure, MotionFigures
+from .loops import own_source
 from .peers import AGREEMENT, NAME, Poses, Runner, succeed
 from .peers_constraints import engines
 from .peers_tree import Engine, tensors_of_bodies, tree
@@ -142,40 +143,19 @@ FUNCTIONS = (
 
 # --- the C ------------------------------------------------------------------------------------
 
-_LOOP = """\
-int drive_{function}(
-    const void *machine, size_t count, size_t repeats, const stewart_motion *motions, const stewart_real *F,
-    size_t numbers, stewart_real *out)
-{{
-    const stewart_real *const first_F = F;
-    stewart_real *const first_out = out;
-    size_t n, i;
-    int status = 0;
-    for (n = 0; n < repeats; ++n) {{
-        F = first_F;
-        out = first_out;
-        for (i = 0; i < count; ++i) {{
-            status |= stewart_{name}_{function}(machine, &motions[i], {arguments});
-            F += 6;
-            out += numbers;
-        }}
-    }}
-    return status;
-}}
-"""
-
-
-_LOOPS = "\n".join(
-    _LOOP.format(name=NAME, function=each.function, arguments=each.arguments) for each in FUNCTIONS
-)
-
 
 def library() -> ctypes.CDLL:
     """The functions, and ``drive_<function>`` for each: the loop over poses. Raises CompilerError."""
+    loops = "".join(
+        f"#define DRIVE drive_{each.function}\n#define CALL(motion, F, out) "
+        f'stewart_{NAME}_{each.function}(machine, motion, {each.arguments})\n#include "loop_of_outputs.h"\n'
+        for each in FUNCTIONS
+    )
     sources = {
         **kernel.c_sources(f"{NAME}_forces"),
         **kernel.c_sources(f"{NAME}_motion"),
-        "drive.c": f'#include "stewart_{NAME}_motion.h"\n\n{_LOOPS}',
+        "loop_of_outputs.h": own_source("loop_of_outputs.h"),
+        "drive.c": f'#include "stewart_{NAME}_motion.h"\n{loops}',
     }
     return native.load("bench_motion", sources)
 

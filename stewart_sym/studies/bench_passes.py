@@ -46,7 +46,7 @@ def stages(progress: Callable[[str], None] = lambda _: None) -> tuple[Stage, ...
 
 
 def _stage(number: int, source: "Pass") -> Stage:
-    build = _Build(f"bench_pass_{number}", {**source.sources, "drive.c": forces_loop()}, source.model_numbers)
+    build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
     one_pose = Contestant(
         f"{source.name}, one pose",
         source.meaning,

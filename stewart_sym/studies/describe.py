@@ -13,6 +13,9 @@ from ..robot import Robot, legs_text
 
 Array = NDArray[np.float64]
 
+# Share of gravity along an axis of the base frame from which on it acts along that axis.
+_ALONG = 0.9
+
 
 def description(robot: Robot) -> str:
     """Everything about the robot in lines of text, SI units."""
@@ -20,6 +23,7 @@ def description(robot: Robot) -> str:
         ("name", robot.name),
         ("joints", f"{robot.base_joint} below, spherical above"),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
+        *_sides(robot),
         ("platform", f"{robot.M:g} kg, centre of mass {_vector(robot.R_0)} m"),
         (
             "legs",
@@ -35,6 +39,21 @@ def description(robot: Robot) -> str:
         ("inertias", _inertias(robot)),
     ]
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home_pose(robot))])
+
+
+def _sides(robot: Robot) -> list[tuple[str, str]]:
+    """A row on what gravity does on either side of the base, where the base lies across an axis."""
+    axis = int(np.argmax(np.abs(robot.g)))
+    flat = np.ptp(robot.b[:, axis]) < 0.5 * radius(robot.b)
+    if not flat or abs(robot.g[axis]) <= _ALONG * np.linalg.norm(robot.g):
+        return []
+    above, below = "+-" if robot.g[axis] < 0.0 else "-+"
+    name = "xyz"[axis]
+    text = (
+        f"a platform on the {above}{name} side of the base stands on its legs (compression), "
+        f"one on the {below}{name} side hangs from them (tension)"
+    )
+    return [("sides", text)]
 
 
 def _home_lines(robot: Robot, home: HomePose) -> list[str]:

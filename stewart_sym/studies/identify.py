@@ -127,6 +127,7 @@ def verdict(found: Estimate) -> list[str]:
         f"verdict: {text}",
         *found.doubts,
         *(f"impossible: {line}" for line in found.impossible),
+        *found.near_zero,
     ]
 
 

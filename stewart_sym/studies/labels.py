@@ -133,24 +133,34 @@ class _Placing:
     def _best(self, i: int, others: Mapping[int, _Choice]) -> _Choice:
         at, size = self.at[i], self.sizes[i]
         distance, offsets = _around(size, self.unit)
-        middle = at + offsets
-        boxes = np.hstack([middle - size / 2, middle + size / 2])
         written = np.array([choice.box for choice in others.values()]).reshape(-1, 4)
-        aside = written + self.unit * np.array([-SIDES, 0.0, SIDES, 0.0])
-        free = _grown(boxes, ROOM * self.unit)
-        fits = _within(boxes, self.frame) & ~_overlap(free, np.vstack([self.taken, aside])).any(axis=-1)
-        if not fits.any():
-            raise ValueError("labels: expected room for all of them in the picture")
-        distance, middle, boxes, free = distance[fits], middle[fits], boxes[fits], free[fits]
-        own = np.hstack([np.broadcast_to(at, middle.shape), np.clip(at, boxes[:, :2], boxes[:, 2:])])
-        lines = np.vstack([self.bars, *(choice.line for choice in others.values())])
+        taken = np.vstack([self.taken, written + self.unit * np.array([-SIDES, 0.0, SIDES, 0.0])])
         # Markers at its own place are where its line starts.
-        foreign = self.taken[~_within(np.hstack([at, at]), self.taken)]
-        crossings = _crossed(own[:, None], np.vstack([foreign, written])).sum(axis=-1)
-        crossings += (_crossed(lines, free[:, None]) | _cross(own[:, None], lines)).sum(axis=-1)
-        cost = distance + _CROSSING * self.unit * crossings
-        first = int(np.argmin(cost))
-        return _Choice(middle[first], boxes[first], own[first], float(cost[first]))
+        foreign = np.vstack([self.taken[~_within(np.hstack([at, at]), self.taken)], written])
+        lines = np.vstack([self.bars, *(choice.line for choice in others.values())])
+        best: _Choice | None = None
+        for nearest in range(0, len(distance), _DIRECTIONS):
+            # No place costs less than its distance.
+            if best is not None and distance[nearest] >= best.cost:
+                break
+            ring = slice(nearest, nearest + _DIRECTIONS)
+            middle = at + offsets[ring]
+            boxes = np.hstack([middle - size / 2, middle + size / 2])
+            free = _grown(boxes, ROOM * self.unit)
+            fits = _within(boxes, self.frame) & ~_overlap(free, taken).any(axis=-1)
+            if not fits.any():
+                continue
+            middle, boxes, free = middle[fits], boxes[fits], free[fits]
+            own = np.hstack([np.broadcast_to(at, middle.shape), np.clip(at, boxes[:, :2], boxes[:, 2:])])
+            crossings = _crossed(own[:, None], foreign).sum(axis=-1)
+            crossings += (_crossed(lines, free[:, None]) | _cross(own[:, None], lines)).sum(axis=-1)
+            cost = distance[ring][fits] + _CROSSING * self.unit * crossings
+            first = int(np.argmin(cost))
+            if best is None or cost[first] < best.cost:
+                best = _Choice(middle[first], boxes[first], own[first], float(cost[first]))
+        if best is None:
+            raise ValueError("labels: expected room for all of them in the picture")
+        return best
 
 
 def _around(size: Array, unit: float) -> tuple[Array, Array]:

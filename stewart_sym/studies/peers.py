@@ -18,6 +18,7 @@ from ..dynamics import Formulation
 from ..kernel import address
 from ..motion import Motion
 from ..robot import Robot
+from .loops import loop_source, own_source
 
 if TYPE_CHECKING:
     from .peers_casadi import Program
@@ -122,36 +123,7 @@ def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
     return Runner(run, lambda: F, (machine, rows))
 
 
-_LOOP = """\
-#include <string.h>
-#include "{header}"
-
-static int call(const void *machine, const stewart_motion *motion, stewart_real F[6])
-{{
-    {body}
-}}
-
-int drive(
-    const void *machine, size_t count, size_t repeats, const stewart_motion *motions, stewart_real *F)
-{{
-    size_t n, i;
-    int status = 0;
-    for (n = 0; n < repeats; ++n) {{
-        for (i = 0; i < count; ++i) {{
-            status |= call(machine, &motions[i], F + 6 * i);
-        }}
-    }}
-    return status;
-}}
-"""
-
-
-def loop_source(header: str, body: str) -> str:
-    """C of the ``drive`` that ``c_loop`` calls; ``body`` puts one pose's forces into F, returns a status."""
-    return _LOOP.format(header=header, body=body)
-
-
-def forces_loop() -> str:
+def forces_loop() -> dict[str, str]:
     """The same for the kernel of the forces alone; ``machine`` is its prepared model."""
     return loop_source(f"stewart_{NAME}_forces.h", f"return stewart_{NAME}_forces(machine, motion, F);")
 
@@ -208,31 +180,6 @@ PEERS = (
 
 # --- the processor ----------------------------------------------------------------------------
 
-_MULTIPLY_ADD = """\
-#include <stddef.h>
-
-#if defined(__AVX512F__)
-#define LANES 8
-#elif defined(__AVX__)
-#define LANES 4
-#else
-#define LANES 2
-#endif
-typedef double lanes __attribute__((vector_size(8 * LANES)));
-
-int multiply_add_lanes(void)
-{{
-    return LANES;
-}}
-
-/* Chains enough that none waits for another, few enough for the registers. */
-#if defined(__AVX512F__) || defined(__aarch64__)
-{many}
-#else
-{few}
-#endif
-"""
-
 
 @dataclass(frozen=True)
 class MultiplyAdd:
@@ -245,8 +192,8 @@ class MultiplyAdd:
 
 def multiply_add() -> MultiplyAdd:
     """Compile the loop; without the instruction it is a product and a sum. Raises CompilerError."""
-    text = _MULTIPLY_ADD.format(many=_chains(24), few=_chains(12))
-    library = native.load("bench_multiply_add", {"multiply_add.c": text}, flags=("-ffp-contract=fast",))
+    sources = {"multiply_add.c": own_source("multiply_add.c")}
+    library = native.load("bench_multiply_add", sources, flags=("-ffp-contract=fast",))
     library.multiply_add.restype = ctypes.c_double
     steps, lanes = 1_000, int(library.multiply_add_lanes())
     by, plus = ctypes.c_double(0.999), ctypes.c_double(1e-3)
@@ -255,31 +202,3 @@ def multiply_add() -> MultiplyAdd:
         library.multiply_add(ctypes.c_size_t(repeats * steps), by, plus)
 
     return MultiplyAdd(run, steps * lanes * int(library.multiply_add_chains()), lanes)
-
-
-def _chains(count: int) -> str:
-    """C of ``multiply_add`` with so many chains."""
-    names = [f"a{i}" for i in range(count)]
-    start = ", ".join(f"{name} = shift + {i}" for i, name in enumerate(names))
-    steps = "\n".join(f"        {name} = {name} * factor + shift;" for name in names)
-    return f"""\
-int multiply_add_chains(void)
-{{
-    return {count};
-}}
-
-double multiply_add(size_t steps, double by, double plus)
-{{
-    const lanes zero = {{0}}, factor = zero + by, shift = zero + plus;
-    lanes {start}, sum;
-    double total = 0;
-    size_t i;
-    for (i = 0; i < steps; ++i) {{
-{steps}
-    }}
-    sum = {" + ".join(names)};
-    for (i = 0; i < LANES; ++i) {{
-        total += sum[i];
-    }}
-    return total;
-}}"""

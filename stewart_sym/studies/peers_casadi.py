@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..extras import needed_for
+from .loops import loop_source
 
 with needed_for("the comparison with CasADi"):
     import casadi
@@ -25,31 +26,6 @@ Matrix = Any
 
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
-
-_LOOP = """\
-#include <stddef.h>
-
-int casadi_forces(const double **arg, double **res, long long int *iw, double *w, int mem);
-
-int drive(const void *machine, size_t count, size_t repeats, const double *motions, double *F)
-{{
-    const double *arg[{arg}];
-    double *res[{res}];
-    long long int iw[{iw} + 1];
-    double w[{w} + 1];
-    size_t n, i;
-    int status = 0;
-    for (n = 0; n < repeats; ++n) {{
-        for (i = 0; i < count; ++i) {{
-            arg[0] = machine;
-            arg[1] = motions + {motion} * i;
-            res[0] = F + 6 * i;
-            status |= casadi_forces(arg, res, iw, w, 0);
-        }}
-    }}
-    return status;
-}}
-"""
 
 
 @dataclass(frozen=True)
@@ -116,14 +92,19 @@ def program(equations: LegEquations) -> Program:
     robot, motion = casadi.SX.sym("robot", ROBOT_NUMBERS), casadi.SX.sym("motion", MOTION_NUMBERS)
     F = casadi.cse(_forces(robot, motion, equations))
     function = casadi.Function("casadi_forces", [robot, motion], [F])
-    loop = _LOOP.format(
-        arg=function.sz_arg(),
-        res=function.sz_res(),
-        iw=function.sz_iw(),
-        w=function.sz_w(),
-        motion=MOTION_NUMBERS,
+    body = (
+        f"const double *arg[{function.sz_arg()}] = {{machine, motion->numbers}}; "
+        f"double *res[{function.sz_res()}] = {{F}}; "
+        f"long long int iw[{function.sz_iw()} + 1]; double w[{function.sz_w()} + 1]; "
+        "return casadi_forces(arg, res, iw, w, 0);"
     )
-    return Program({"casadi_forces.c": _emitted(function), "drive.c": loop}, _operations(function))
+    header = (
+        "#include <stddef.h>\n"
+        f"typedef struct {{ double numbers[{MOTION_NUMBERS}]; }} pose_numbers;\n"
+        "int casadi_forces(const double **arg, double **res, long long int *iw, double *w, int mem);\n"
+    )
+    loop = loop_source("casadi.h", body, "pose_numbers", "double")
+    return Program({"casadi_forces.c": _emitted(function), "casadi.h": header, **loop}, _operations(function))
 
 
 def _emitted(function: Any) -> str:

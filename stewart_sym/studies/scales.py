@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from .. import native, robots
 from ..conditioning import characteristic_length, scaled_condition_number
 from ..dynamics import Formulation, inverse_dynamics
+from ..generated.interface import MODELS
 from ..home import radius
-from ..kernel import MOTION, address, c_sources, kernel_name, loaded, module, robot_numbers
+from ..kernel import MOTION, address, c_sources, kernel_name, loaded, robot_numbers
 from ..kinematics import clear_of_poles, inverse_kinematics
 from ..motion import Motion
 from ..results import OK
@@ -256,7 +257,7 @@ def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Arra
     sources = c_sources(f"{name}_forces")
     functions = native.load(f"stewart_{name}_forces", sources, how.flags, how.defines)
     given = numbers.astype(how.dtype)
-    model = np.zeros(module(name).MODEL_NUMBERS, dtype=how.dtype)
+    model = np.zeros(MODELS[name], dtype=how.dtype)
     count = motion.t.shape[0]
     F = np.full((count, 6), np.nan, dtype=how.dtype)
     if getattr(functions, f"stewart_{name}_prepare")(address(given), address(model)) == OK:

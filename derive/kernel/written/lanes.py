@@ -365,7 +365,10 @@ def forces_batch(
             pose = first + l
             code = OK
             if done.bad[l] > 0.0:
-                code = forces_of(model, motions, pose, F[pose * 6 :])
+                if BAKED:
+                    code = forces_of(motions, pose, F[pose * 6 :])
+                else:
+                    code = forces_of(model, motions, pose, F[pose * 6 :])
             else:
                 for i in range(6):
                     F[pose * 6 + i] = done.F[i][l]

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...derive.emit.kit.words import robot_symbol
+from ...derive.package.words import robot_symbol
 from ...kernel import MOTION
 from ...kinematics import inverse_kinematics
 from ...kit import Choice, kit

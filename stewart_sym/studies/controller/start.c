@@ -48,11 +48,11 @@ void board_reset(void)
 {
     const uint32_t *from = &board_data_load;
     uint32_t *to;
-    for (to = &board_data; to < &board_data_end; ++to) {
+    for (to = &board_data; to != &board_data_end; ++to) {
         *to = *from;
         ++from;
     }
-    for (to = &board_bss; to < &board_bss_end; ++to) {
+    for (to = &board_bss; to != &board_bss_end; ++to) {
         *to = 0;
     }
     COPROCESSORS |= 0xFu << 20;

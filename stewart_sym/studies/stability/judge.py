@@ -8,8 +8,10 @@ every quantity, over the largest of |F|, |D|, |x|. Knows the layout of ``stewart
 
 import ctypes
 import functools
-import re
+import math
 from collections.abc import Sequence
+from importlib.resources import files
+from importlib.resources.abc import Traversable
 from typing import Any
 
 import numpy as np
@@ -19,7 +21,6 @@ from ... import closed_form, native
 from ...kernel import MOTION, address, c_sources, loaded, robot_numbers
 from ...motion import Motion
 from ...robot import Robot
-from . import judge_source
 
 Array = NDArray[np.float64]
 
@@ -73,52 +74,50 @@ rounding units of the block's size times its condition number, -1 where unsolvab
 the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
 of itself do to it; of kind "proportions" at least the scaled one of H."""
 
-BLOCKS: dict[str, tuple[int, ...]] = {
-    "M": (0, 0, 6, 6, 6, -1, -1),
-    "C": (0, 36, 6, 6, 6, -1, -1),
-    "g": (0, 72, 6, 1, 1, -1, 0),
-    "friction": (0, 78, 6, 1, 1, -1, 0),
-    "bias of equations": (0, 84, 6, 1, 1, -1, 0),
-    "H": (0, 90, 6, 6, 6, -1, 0),
-    "H_dot": (0, 126, 6, 6, 6, -1, 0),
-    "bias": (1, 162, 6, 1, 1, -1, 0),
-    "acceleration": (2, 168, 6, 1, 1, 1, 0),
-    "joint inertia": (3, 174, 6, 6, 6, 0, 0),
-    "F": (4, 210, 6, 1, 1, 0, 0),
-    "by_pose": (4, 216, 6, 6, 6, 0, -1),
-    "by_twist": (4, 252, 6, 6, 6, 0, -1),
-    "by_acceleration": (4, 288, 6, 6, 6, 0, -1),
-    "acceleration of linearisation": (5, 324, 6, 1, 1, 1, 0),
-    "A by pose": (5, 402, 6, 6, 12, 1, -1),
-    "A by twist": (5, 408, 6, 6, 12, 1, -1),
-    "B": (5, 510, 6, 6, 6, 1, 0),
+_POWERS = {
+    **dict.fromkeys(("M", "C"), (-1, -1)),
+    **dict.fromkeys(("g", "friction", "bias", "H", "H_dot"), (-1, 0)),
+    "acceleration": (1, 0),
+    "inertia": (0, 0),
+    "F": (0, 0),
+    **dict.fromkeys(("by_pose", "by_twist", "by_acceleration"), (0, -1)),
+    "A": (1, -1),
+    "B": (1, 0),
 }
+"""Powers of the platform's size by which the last three rows and columns of six are multiplied."""
+_PARTS = {"A": {"A by pose": (6, 0), "A by twist": (6, 6)}, "B": {"B": (6, 0)}}
+"""Names of the parts of a matrix of which something is known, six by six, and where they begin."""
+
+
+def _blocks() -> dict[str, tuple[int, ...]]:
+    found: dict[str, tuple[int, ...]] = {}
+    start = 0
+    names = [name for outputs in closed_form.OUTPUTS.values() for name in outputs]
+    for kernel, (what, outputs) in enumerate(closed_form.OUTPUTS.items()):
+        for name, shape in outputs.items():
+            columns = shape[1] if len(shape) > 1 else 1
+            whole = name if names.count(name) == 1 else f"{name} of {what}"
+            whole = what.replace("_", " ") if len(outputs) == 1 else whole
+            for part, (row, column) in _PARTS.get(name, {whole: (0, 0)}).items():
+                place = start + row * columns + column
+                found[part] = (kernel, place, 6, min(columns, 6), columns, *_POWERS[name])
+            start += math.prod(shape)
+    return found
+
+
+BLOCKS = _blocks()
 """Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
 platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
 
 # Of the linker's libraries that stand before the sources, only those kept by force are linked.
 _FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
-_WIDER = {
-    name: f"#include <float.h>\n#include {header}\n#define STEWART_REAL {real}\n"
-    f"#define STEWART_SQRT(value) sqrt{suffix}(value)\n"
-    f"#define STEWART_FABS(value) fabs{suffix}(value)\n#define STEWART_EPSILON {limits}_EPSILON\n"
-    f"#define STEWART_MAX {limits}_MAX"
-    for name, header, real, suffix, limits in (
-        ("wide", "<math.h>", "long double", "l", "LDBL"),
-        ("quad", "<quadmath.h>", "__float128", "q", "FLT128"),
-    )
+_SOURCES = {
+    "wide": ("WIDE", ("wider", "prepare", "closed_form")),
+    "quad": ("QUAD", ("wider", "prepare", "closed_form")),
+    "double": ("IN_DOUBLE", ("every_output", "forces", "closed_form")),
+    "float": ("IN_FLOAT", ("every_output", "forces", "closed_form")),
 }
-_OWN = {"double": "", "float": "#define STEWART_FLOAT 1"}
-_OF_WIDER = {
-    "judge": judge_source.WIDER,
-    "prepare": judge_source.PREPARE,
-    "closed_form": judge_source.CLOSED_FORM,
-}
-_OF_OWN = {
-    "every": judge_source.EVERY,
-    "forces": judge_source.FORCES,
-    "closed_form": judge_source.CLOSED_FORM,
-}
+"""Arithmetics: the macro that ``arithmetic.h`` goes by, and the C files that are compiled for each."""
 
 
 def judge_poses(
@@ -258,7 +257,7 @@ def _judge(
     results: NDArray[Any],
     doubtful: float = DOUBTFUL,
 ) -> None:
-    _library().judge_cases(
+    _library().sweep_cases(
         ctypes.c_int(kind),
         ctypes.c_int(precision == "float"),
         ctypes.c_int(in_quad),
@@ -275,21 +274,32 @@ def _judge(
     )
 
 
+def sources() -> dict[str, str]:
+    """File name -> text of the sweep's C.
+
+    Kernels, and what is compiled once for each arithmetic, are headers ``<name>_text.h`` that a source for
+    each includes under names of its own.
+    """
+    every = c_sources("exact") | closed_form.c_sources()
+    own = {
+        path.name: path.read_text(encoding="utf-8") for path in files(__package__).iterdir() if _is_c(path)
+    }
+    repeated = {part for _, parts in _SOURCES.values() for part in parts}
+    found = {}
+    for name, text in (every | own).items():
+        stem = name.removesuffix(".c")
+        as_header = name.endswith(".c") and (name in every or stem in repeated)
+        found[f"{stem}_text.h" if as_header else name] = text
+    for name, (macro, parts) in _SOURCES.items():
+        for part in parts:
+            found[f"{name}_{part}.c"] = f'#define {macro}\n#include "{part}_text.h"\n'
+    return found
+
+
+def _is_c(path: Traversable) -> bool:
+    return path.name.endswith((".c", ".h"))
+
+
 @functools.cache
 def _library() -> ctypes.CDLL:
-    every = c_sources("exact") | closed_form.c_sources()
-    sources = {name: text for name, text in every.items() if name.endswith(".h")}
-    sources["judge.h"] = judge_source.HEADER
-    # Compiled several times, each under names of its own: no source of itself.
-    texts = {name.removesuffix(".c"): text for name, text in every.items() if name.endswith(".c")}
-    sources |= {f"{name}_text.h": text for name, text in texts.items()}
-    functions = re.findall(r"^int (stewart_\w+)\(", "".join(texts.values()), re.MULTILINE)
-    declared = []
-    for name, type_ in (_WIDER | _OWN).items():
-        for part, text in (_OF_WIDER if name in _WIDER else _OF_OWN).items():
-            renamed = "\n".join(f"#define {function} {name}_{function}" for function in functions)
-            filled = text.replace("@TYPE@", type_).replace("@NAME@", name).replace("@RENAMED@", renamed)
-            sources[f"{name}_{part}.c"] = filled
-            declared += re.findall(rf"^\w+ {name}_{part}\([^)]*\)", filled, re.MULTILINE)
-    sources["cases.c"] = judge_source.CASES.replace("@DECLARED@", ";\n".join([*declared, ""]))
-    return native.load("stewart_judge", sources, _FLAGS)
+    return native.load("stewart_sweep", sources(), _FLAGS)

@@ -1,0 +1,374 @@
+"""The C interface in one table: status codes, structs with their members in order, functions and arguments.
+
+The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``, the
+ctypes layer and the sweep read it; headers are tested to agree.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .. import notation as n
+from ..block import Quantity
+
+STATUS = (
+    ("OK", 0, "solved"),
+    ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
+    ("SHORT_LEG", 2, "a leg has length zero"),
+    ("POLE", 3, "a leg lies along the fixed axis of its universal joint"),
+    ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
+    ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
+    ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    ("NOT_CONVERGED", 7, "no pose with these leg lengths was found"),
+)
+"""Name, code and meaning of each status."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """Numbers of a struct, or an array that a function takes: name, shape, unit, meaning.
+
+    stored: dimensions in C, where a matrix is mostly one row-major array.
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    unit: str
+    meaning: str
+    stored: tuple[int, ...]
+
+    @property
+    def count(self) -> int:
+        """How many numbers C stores."""
+        return math.prod(self.stored)
+
+    @property
+    def dims(self) -> str:
+        """Dimensions as C writes them, "" of a number."""
+        return "".join(f"[{dim}]" for dim in self.stored)
+
+
+def _member(quantity: Quantity) -> Member:
+    stored = (len(quantity.keys),) if quantity.shape else ()
+    return Member(quantity.name, quantity.shape, quantity.unit, quantity.meaning, stored)
+
+
+def _flat(name: str, shape: tuple[int, ...], unit: str, meaning: str) -> Member:
+    return Member(name, shape, unit, meaning, (math.prod(shape),))
+
+
+def _nested(name: str, shape: tuple[int, ...], unit: str, meaning: str) -> Member:
+    return Member(name, shape, unit, meaning, shape)
+
+
+_WRENCH, _INERTIA = "N and N m", "kg, kg m and kg m^2"
+_F = _flat("F", (6,), "N", "actuator forces, positive when they extend the leg, (37)")
+_ACCELERATION = _flat("acceleration", (6,), "m/s^2 and rad/s^2", "[a; alpha], base frame")
+
+STRUCTS: dict[str, tuple[Member, ...]] = {
+    "leg": tuple(map(_member, n.LEG)),
+    "platform": tuple(map(_member, n.PLATFORM)),
+    "limits": (
+        _flat("shortest", (6,), "m", "shortest leg"),
+        _flat("longest", (6,), "m", "longest leg"),
+        _flat("force", (6,), "N", "largest magnitude of the actuator force"),
+        _flat("speed", (6,), "m/s", "largest magnitude of the sliding velocity"),
+    ),
+    "motion": tuple(map(_member, n.MOTION)),
+    "pose": (_member(n.R), _member(n.t)),
+    "forces": (
+        _F,
+        _nested("D", (6,), "N", "known part of the actuator forces, (24)"),
+        _nested("x", (6,), "N", "axial forces on the legs at their spherical joints, (22)"),
+        _nested(
+            "K", (6, 3), "N", "transverse forces on the legs at their spherical joints, base frame, (21)"
+        ),
+        _nested("H", (6, 6), "1 and m", "row-major, from x to the wrench on the platform, (36)"),
+        _nested("c", (6,), _WRENCH, "wrench that x must balance, base frame, (36)"),
+    ),
+    "reactions": tuple(
+        _nested(q.name, (6, *q.shape), q.unit, q.meaning) for q in (n.F_s, n.F_u, n.F_p, n.F_c, n.M_p, n.M_u)
+    ),
+    "equations": (
+        _flat("M", (6, 6), _INERTIA, "inertia matrix, row-major"),
+        _flat("C", (6, 6), "the same over s", "Coriolis and centrifugal matrix, row-major"),
+        _flat("g", (6,), _WRENCH, "gravity"),
+        _flat("friction", (6,), _WRENCH, "friction of the joints"),
+        _flat("bias", (6,), _WRENCH, "C [v; omega] + g + friction"),
+        _flat("H", (6, 6), "1 and m", "from actuator forces to the wrench, row-major"),
+        _flat("H_dot", (6, 6), "1/s and m/s", "rate of H, row-major"),
+    ),
+    "derivatives": (
+        _flat("F", (6,), "N", "actuator forces"),
+        _flat("by_pose", (6, 6), "N/m and N/rad", "row-major"),
+        _flat("by_twist", (6, 6), "N s/m and N s/rad", "row-major"),
+        _flat("by_acceleration", (6, 6), "N s^2/m and N s^2/rad", "row-major"),
+    ),
+    "linearisation": (
+        _ACCELERATION,
+        _flat("A", (12, 12), "mixed", "12 by 12, row-major"),
+        _flat("B", (12, 6), "mixed", "12 by 6, row-major"),
+    ),
+    "legs": (
+        _nested("L", (6,), "m", "lengths, (2)"),
+        _nested("L_dot", (6,), "m/s", "rates, (5)"),
+        _nested("L_ddot", (6,), "m/s^2", "second rates, (8)"),
+        _nested("s", (6, 3), "1", "unit vectors along the legs, base frame, (3)"),
+        _nested("S", (6, 3), "m", "leg vectors, base frame, (1)"),
+    ),
+}
+"""Members of each ``stewart_<name>`` in order.
+
+Those of ``platform`` end ``stewart_robot``, after its six legs; of ``legs`` there is ``stewart_legs_arrays``
+alone."""
+
+
+@dataclass(frozen=True)
+class Argument:
+    """One argument of a C function, after the robot or model.
+
+    struct: name in ``STRUCTS``, "" of an array. takes, gives: what is read of and written to it, as a caller
+    sees it; of a struct as a whole that is only read, and of one that is written beside the outputs, neither.
+    optional: may be null. shared: the same array for all poses of a batch.
+    """
+
+    name: str
+    struct: str = ""
+    takes: tuple[Member, ...] = ()
+    gives: tuple[Member, ...] = ()
+    written: bool = False
+    optional: bool = False
+    shared: bool = False
+
+    @property
+    def is_motion(self) -> bool:
+        """Whether a motion is read."""
+        return self.struct == "motion" and not self.written
+
+    @property
+    def whole(self) -> bool:
+        """Whether a struct is written with all its members."""
+        return bool(self.struct) and self.gives == STRUCTS[self.struct]
+
+    def declared(self) -> str:
+        """As C declares it."""
+        const = "" if self.written else "const "
+        if self.struct:
+            return f"{const}stewart_{self.struct} *{self.name}"
+        (array,) = self.takes or self.gives
+        return f"{const}stewart_real {self.name}{array.dims}"
+
+    def of_batch(self) -> str:
+        """The same of a batch, "" where that leaves it out."""
+        if self.is_motion:
+            return "const stewart_motions *motions"
+        if self.whole:
+            return f"const stewart_{self.struct}_arrays *{self.name}"
+        if self.struct or self.shared:
+            return "" if self.struct else self.declared()
+        return f"{'' if self.written else 'const '}stewart_real *{self.name if self.name == 'F' else 'out'}"
+
+
+@dataclass(frozen=True)
+class Call:
+    """How the functions of one stem are called.
+
+    says: what it does. has_batch: whether there is one for many poses too.
+    """
+
+    says: str
+    arguments: tuple[Argument, ...]
+    has_batch: bool = False
+
+    @property
+    def motion(self) -> bool:
+        """Whether a ``stewart_motion`` is read."""
+        return any(each.is_motion for each in self.arguments)
+
+    @property
+    def inputs(self) -> tuple[Member, ...]:
+        """What is read besides motion, robot and model."""
+        return tuple(member for each in self.arguments for member in each.takes)
+
+    @property
+    def outputs(self) -> tuple[Member, ...]:
+        """What is handed out, in order."""
+        return tuple(member for each in self.arguments for member in each.gives)
+
+    @property
+    def taken(self) -> int:
+        """How many numbers are read besides motion, robot and model."""
+        return sum(member.count for member in self.inputs)
+
+    @property
+    def count(self) -> int:
+        """How many numbers are handed out."""
+        return sum(member.count for member in self.outputs)
+
+    def prototypes(self, symbol: str, subject: str, batch: bool) -> list[str]:
+        """C declarations of ``symbol`` and, with ``batch``, of its batch.
+
+        subject: the first parameter, "" for none.
+        """
+        first = [subject] if subject else []
+        found = [_prototype(symbol, [*first, *(each.declared() for each in self.arguments)])]
+        if batch:
+            own = [text for each in self.arguments if (text := each.of_batch())]
+            motions = [text for text in own if text.endswith("*motions")]
+            rest = [text for text in own if text not in motions]
+            found.append(
+                _prototype(f"{symbol}_batch", [*first, "size_t count", *motions, *rest, "int *status"])
+            )
+        return found
+
+
+def _prototype(symbol: str, parameters: Iterable[str]) -> str:
+    return f"int {symbol}({', '.join(parameters)});"
+
+
+def _in(name: str, count: int, unit: str, meaning: str, shared: bool = False) -> Argument:
+    """shared: one array for all poses, which may be null."""
+    taken = (_flat(name, (count,), unit, meaning),)
+    return Argument(name, takes=taken, optional=shared, shared=shared)
+
+
+def _out(member: Member) -> Argument:
+    return Argument(member.name, gives=(member,), written=True)
+
+
+def _struct(struct: str, name: str = "out") -> Argument:
+    return Argument(name, struct, gives=STRUCTS[struct], written=True)
+
+
+_MOTION = Argument("motion", "motion")
+_GIVEN_F = Argument("F", takes=(_F,))
+_TURNED = Argument(
+    "motion",
+    "motion",
+    gives=(
+        _flat("R", (9,), "1", "orientation, row-major: `motion.R`"),
+        _flat("omega", (3,), "rad/s", "angular velocity, base frame: `motion.omega`"),
+        _flat("alpha", (3,), "rad/s^2", "angular acceleration, base frame: `motion.alpha`"),
+    ),
+    written=True,
+)
+_SEARCHED = Argument(
+    "pose",
+    "pose",
+    takes=(
+        _flat("R_guess", (9,), "1", "orientation of the guess, row-major: `pose.R` on entry"),
+        _flat("t_guess", (3,), "m", "position of the guess: `pose.t` on entry"),
+    ),
+    gives=(
+        _flat("R", (9,), "1", "orientation, row-major: `pose.R`"),
+        _flat("t", (3,), "m", "position of the reference point: `pose.t`"),
+    ),
+    written=True,
+)
+_POSE = Argument(
+    "pose",
+    "pose",
+    takes=(
+        _flat("R", (9,), "1", "orientation of the pose, row-major: `pose.R`"),
+        _flat("t", (3,), "m", "position of the pose: `pose.t`"),
+    ),
+)
+
+CALLS: dict[str, Call] = {
+    "forces": Call("Actuator forces of a motion, (37).", (_MOTION, _out(_F)), True),
+    "inverse_dynamics": Call(
+        "Inverse dynamics with its terms D, K, H and c, (21) to (37).",
+        (_MOTION, _struct("forces", "forces")),
+        True,
+    ),
+    "joint_reactions": Call(
+        "Reactions in every joint; `bearing` may be null: M_p at the base points. `forces` takes the inverse "
+        "dynamics of the same motion.",
+        (
+            _MOTION,
+            _in(
+                "bearing",
+                6,
+                "m",
+                "from each base point along its leg to where M_p is taken; or null",
+                shared=True,
+            ),
+            Argument("forces", "forces", written=True),
+            _struct("reactions", "reactions"),
+        ),
+        True,
+    ),
+    "equations": Call(
+        "Closed form M [a; alpha] + C [v; omega] + g + friction = H F + load.",
+        (_MOTION, _struct("equations")),
+        True,
+    ),
+    "bias": Call(
+        "C [v; omega] + g + friction alone.",
+        (_MOTION, _out(_flat("bias", (6,), _WRENCH, "force and moment, base frame"))),
+        True,
+    ),
+    "forward_dynamics": Call(
+        "Accelerations of the platform under actuator forces F.",
+        (_MOTION, _GIVEN_F, _out(_ACCELERATION)),
+        True,
+    ),
+    "joint_inertia": Call(
+        "Inertia that the actuators feel, H^-1 M H^-T.",
+        (_MOTION, _out(_flat("inertia", (6, 6), "kg", "row-major"))),
+        True,
+    ),
+    "derivatives": Call(
+        "Actuator forces and their derivatives by [dt; dphi], [v; omega] and [a; alpha].",
+        (_MOTION, _struct("derivatives")),
+        True,
+    ),
+    "linearisation": Call(
+        "Forward dynamics and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF.",
+        (_MOTION, _GIVEN_F, _struct("linearisation")),
+        True,
+    ),
+    "inverse_kinematics": Call(
+        "Lengths of the legs and their rates, (2) and (5).",
+        (
+            _MOTION,
+            _out(_flat("L", (6,), "m", "lengths of the legs")),
+            _out(_flat("L_dot", (6,), "m/s", "their rates; may be null")),
+        ),
+    ),
+    "forward_kinematics": Call(
+        "The pose that has given lengths of the legs, searched from a guess in `pose`: from one within 0.3 "
+        "rad it is the pose beside the guess; from afar another may come out, or STEWART_NOT_CONVERGED after "
+        "STEWART_MAX_STEPS steps. STEWART_SINGULAR: the lengths are met, but do not settle the pose.",
+        (_in("L", 6, "m", "lengths of the legs"), _SEARCHED),
+    ),
+    "forward_velocity": Call(
+        "Velocities of the platform from the rates of the legs, (5).",
+        (
+            _POSE,
+            _in("L_dot", 6, "m/s", "rates of the legs"),
+            _out(_flat("v", (3,), "m/s", "velocity of the reference point, base frame")),
+            _out(_flat("omega", (3,), "rad/s", "angular velocity, base frame")),
+        ),
+    ),
+    "motion_from_rpy": Call(
+        "R, omega and alpha of a motion from roll, pitch and yaw, R = Rz Ry Rx, (38), and their rates.",
+        (
+            _in("sine", 3, "1", "sines of roll, pitch and yaw"),
+            _in("cosine", 3, "1", "their cosines"),
+            _in("theta_dot", 3, "rad/s", "rates of the angles"),
+            _in("theta_ddot", 3, "rad/s^2", "their second rates"),
+            _TURNED,
+        ),
+    ),
+    "motion_from_quaternion": Call(
+        "R, omega and alpha of a motion from a quaternion, platform to base, scalar first, and its rates.",
+        (
+            _in("e", 4, "1", "quaternion of any length"),
+            _in("e_dot", 4, "1/s", "its rate"),
+            _in("e_ddot", 4, "1/s^2", "its second rate"),
+            _TURNED,
+        ),
+    ),
+}
+"""Functions of the kernels by stem: the C name is ``stewart_<kernel>_<stem>``, or without a kernel."""

@@ -1,0 +1,149 @@
+"""Kinematics as trees: legs of a pose, the search of a pose from leg lengths, orientations and rates."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+from .. import kinematics as k
+from .. import notation as n
+from ..block import Block, Quantity
+from . import read
+from .lower import Arguments, block_function, structure
+from .model import STATUS_FIELD, machine_structures
+from .nodes import Array, Field, Function, Program, Real, Record, Structure
+from .written import kinematics as written
+from .written import legs
+
+_LEG: Arguments = {"leg": ("Leg", n.LEG)}
+_POSE: Arguments = {"pose": ("Pose", (n.R, n.t))}
+_MOTION: Arguments = {"motion": ("Motion", n.MOTION)}
+_VECTORS = (n.q, k.S, n.L)
+
+
+def legs_program(blocks: k.Kinematics) -> Program:
+    """``leg_motions``: lengths of the legs, their rates and second rates, and their vectors."""
+    held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
+    made = [_read(blocks.second, "leg_motion", "LegMotion", _LEG | _MOTION)]
+    return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.leg_motions))
+
+
+def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
+    """``leg_rates``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
+
+    public: ``inverse_kinematics``, ``forward_kinematics`` and ``forward_velocity`` as well, whose numbers are
+    NaN where the status is not OK.
+    """
+    of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
+    held = [
+        structure("Pose", "Pose of the platform.", (n.R, n.t)),
+        structure("LegVectors", "Vectors of a leg.", _VECTORS),
+        structure("LegRow", "A leg's row of J.", _outputs(blocks.row)),
+        structure("LegRate", "A leg's rate.", _outputs(blocks.rate)),
+        structure("Turned", "A rotation.", _outputs(blocks.turned)),
+        *_SEARCHED,
+    ]
+    made = [
+        _read(blocks.vectors, "leg_vectors", "LegVectors", _LEG | _POSE),
+        _read(blocks.row, "leg_row", "LegRow", of_leg),
+        _read(blocks.rate, "leg_rate", "LegRate", of_leg | _MOTION),
+        _read(blocks.turned, "turned_by", "Turned", {"turn": ("", (k.turn,))}),
+    ]
+    texts = (*_SEARCH, *_PUBLIC) if public else _SEARCH
+    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *texts))
+
+
+def rotation_program(blocks: Iterable[Block]) -> Program:
+    """Orientation and its rates, from angles or a quaternion: a function for each of the blocks."""
+    made = []
+    for block in blocks:
+        # A quaternion's numbers stand in one array, scalar first.
+        names = dict.fromkeys(q.name.removesuffix("_w") for q in block.inputs)
+        held = {name: tuple(q for q in block.inputs if q.name.removesuffix("_w") == name) for name in names}
+        arguments: Arguments = {name: ("", parts) for name, parts in held.items()}
+        made.append(block_function(block, block.name, "Turn", arguments))
+    turn = structure("Turn", "An orientation and its rates.", (n.R, n.omega, n.alpha))
+    return _program("rotation", [turn], made, (written.finite_turn,))
+
+
+def _outputs(block: Block) -> tuple[Quantity, ...]:
+    return tuple(out.quantity for out in block.outputs)
+
+
+def _read(block: Block, name: str, result: str, arguments: Arguments) -> Function:
+    return block_function(replace(block, inputs=block.used_inputs()), name, result, arguments)
+
+
+def _program(
+    name: str, held: list[Structure], blocks: list[Function], texts: Iterable[Callable[..., Any]]
+) -> Program:
+    structures = {each.name: each for each in (*machine_structures(), *held)}
+    functions = {each.name: each for each in blocks}
+    for text in texts:
+        functions[text.__name__] = read.function(text, structures, functions)
+    return Program(name, tuple(structures.values()), tuple(functions.values()))
+
+
+def _numbers(name: str, unit: str, *dims: int) -> Field:
+    return Field(name, Array(Real(), dims), unit)
+
+
+_LEG_MOTIONS = Structure(
+    "LegMotions",
+    "Six legs of a pose.",
+    (
+        _numbers("L", "m: lengths, (2)", 6),
+        _numbers("L_dot", "m/s: rates, (5)", 6),
+        _numbers("L_ddot", "m/s^2: second rates, (8)", 6),
+        _numbers("s", "1: unit vectors along the legs, base frame, (3)", 6, 3),
+        _numbers("S", "m: leg vectors, base frame, (1)", 6, 3),
+        STATUS_FIELD,
+    ),
+)
+_SEARCHED = (
+    Structure(
+        "LegRates",
+        "Lengths of six legs and their rates.",
+        (_numbers("L", "m: lengths, (2)", 6), _numbers("L_dot", "m/s: rates, (5)", 6), STATUS_FIELD),
+    ),
+    Structure(
+        "LegsAtPose",
+        "Six legs at a pose, and their equations.",
+        (
+            _numbers("A", "1: rows [s, q x s / size] of J, and a right side; then a triangle", 6, 7),
+            _numbers("L", "m: lengths", 6),
+            Field("reach", Real(), "m: largest component of the terms of S = q + t - b"),
+        ),
+    ),
+    Structure(
+        "FoundPose",
+        "What the search of a pose finds.",
+        (Field("pose", Record("Pose"), "the pose"), STATUS_FIELD),
+    ),
+    Structure(
+        "Twist",
+        "Velocity of the platform.",
+        (
+            _numbers("v", "m/s: of the reference point", 3),
+            _numbers("omega", "rad/s: angular velocity, base frame", 3),
+            STATUS_FIELD,
+        ),
+    ),
+)
+_SEARCH = (
+    written.leg_rates,
+    written.legs_at,
+    written.platform_size,
+    written.reflect,
+    written.substitute,
+    written.is_open,
+    written.polish,
+    written.make_rotation,
+    written.length_of,
+    written.compare,
+    written.newton_step,
+    written.search,
+    written.first_fault,
+    written.pose_of,
+    written.twist_of,
+)
+_PUBLIC = (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)

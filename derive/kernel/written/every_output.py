@@ -1,0 +1,192 @@
+"""Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads."""
+
+
+def leg_status(terms: "LegTerms", reach: "Real") -> "Integer":
+    """S = q + t - b is known to within rounding of its largest term, `reach`."""
+    if not size(terms.L) <= MAX:
+        return NOT_FINITE
+    if not (terms.L > ROUNDING * reach and terms.L > SHORTEST):
+        return SHORT_LEG
+    if HAS_SINE:
+        if not terms.k3 > POLE_SINE:
+            return POLE
+    return OK
+
+
+def solve(A: "array(6, 7)", x: "array(6)") -> "Integer":
+    """Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where a
+    pivot is small, else 0."""
+    inverse = blank(array(6))
+    suspect = 0
+    for k in range(6):
+        pivot = k
+        for i in range(k + 1, 6):
+            if size(A[i][k]) > size(A[pivot][k]):
+                pivot = i
+        for j in range(k, 7):
+            moved = A[k][j]
+            A[k][j] = A[pivot][j]
+            A[pivot][j] = moved
+        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
+        inverse[k] = 1.0 / A[k][k]
+        for i in range(k + 1, 6):
+            factor = A[i][k] * inverse[k]
+            for j in range(k + 1, 7):
+                A[i][j] = A[i][j] - factor * A[k][j]
+    for i in reversed(range(6)):
+        sum = A[i][6]
+        for j in range(i + 1, 6):
+            sum = sum - A[i][j] * x[j]
+        x[i] = sum * inverse[i]
+    return suspect
+
+
+def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
+    """Inverse dynamics of one pose, (1)-(37)."""
+    terms = blank(LegTerms)
+    own = blank(PlatformTerms)
+    A = blank(array(6, 7))
+    arm = blank(array(6, 3))
+    reach = blank(array(6))
+    L = blank(array(6))
+    extent = 0.0
+    close = 0
+    platform_wrench(robot, at, own)
+    for j in range(3):
+        out.c[j] = own.c_force[j]
+        out.c[j + 3] = own.c_moment[j]
+    for i in range(6):
+        leg_dynamics(robot, robot.leg[i], at, terms)
+        reach[i] = largest(terms.q, 3, 0.0)
+        extent = larger(reach[i], extent)
+        reach[i] = largest(robot.leg[i].b, 3, largest(at.t, 3, reach[i]))
+        L[i] = terms.L
+        status = leg_status(terms, reach[i])
+        if status != OK:
+            return status
+        close = where(L[i] > SHORT_SHARE * reach[i], close, 1)
+        out.D[i] = terms.D
+        for j in range(3):
+            arm[i][j] = terms.q[j]
+            out.K[i][j] = terms.K[j]
+            out.H[j][i] = terms.H_force[j]
+            out.H[j + 3][i] = terms.H_moment[j]
+            out.c[j] = out.c[j] + terms.c_force[j]
+            out.c[j + 3] = out.c[j + 3] + terms.c_moment[j]
+    for i in range(6):
+        for j in range(6):
+            A[i][j] = out.H[i][j]
+        A[i][6] = out.c[i]
+    per_length = per_length_of(extent)
+    if per_length != 1.0:
+        for i in range(7):
+            A[3][i] = A[3][i] * per_length
+            A[4][i] = A[4][i] * per_length
+            A[5][i] = A[5][i] * per_length
+    suspect = solve(A, out.x)
+    if close != 0 or suspect != 0:
+        H = blank(array(6, 6))
+        for i in range(6):
+            for j in range(6):
+                H[i][j] = out.H[i][j]
+        status = singular_status(H, arm, L, reach)
+        if status != OK:
+            return status
+    for i in range(6):
+        out.F[i] = out.D[i] - out.x[i]
+    return where(is_finite(out.F, 6) != 0, OK, NOT_FINITE)
+
+
+def pose_reactions(
+    robot: "Robot", at: "Motions", bearing: "Pointer(Real)", x: "array(6)", out: "Reactions"
+) -> "Integer":
+    """Joint reactions of one pose from its axial forces, (21), (26)-(29), (17). Returns a status."""
+    terms = blank(ReactionTerms)
+    for i in range(6):
+        leg_reactions(robot, robot.leg[i], at, x[i], where(bearing is not None, bearing[i], 0.0), terms)
+        for j in range(3):
+            out.F_s[i][j] = terms.F_s[j]
+            out.F_u[i][j] = terms.F_u[j]
+            out.F_p[i][j] = terms.F_p[j]
+            out.F_c[i][j] = terms.F_c[j]
+            out.M_p[i][j] = terms.M_p[j]
+        out.M_u[i] = terms.M_u
+    return where(is_finite(numbers_of(out), COUNT) != 0, OK, NOT_FINITE)
+
+
+def inverse_dynamics(robot: "Robot", motion: "Motion", forces: "Forces") -> "Integer":
+    """Actuator forces of one pose. Returns a status."""
+    result = blank(Forces)
+    if robot is None or motion is None or forces is None:
+        return BAD_ARGUMENT
+    at = motion_as_arrays(motion)
+    status = pose_forces(robot, at, result)
+    if status == OK:
+        forces = result
+    return status
+
+
+def joint_reactions(
+    robot: "Robot", motion: "Motion", bearing: "array(6)", forces: "Forces", reactions: "Reactions"
+) -> "Integer":
+    """Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base point
+    to where M_p is taken, m; null: at the base point. Returns a status."""
+    result = blank(Forces)
+    found = blank(Reactions)
+    if robot is None or motion is None or forces is None or reactions is None:
+        return BAD_ARGUMENT
+    at = motion_as_arrays(motion)
+    status = pose_forces(robot, at, result)
+    if status == OK:
+        status = pose_reactions(robot, at, bearing, result.x, found)
+    if status == OK:
+        forces = result
+        reactions = found
+    return status
+
+
+def inverse_dynamics_batch(
+    robot: "Robot", count: "Count", motions: "Motions", forces: "ForcesArrays", status: "Pointer(Integer)"
+) -> "Integer":
+    """The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
+    code other than STEWART_OK, or STEWART_OK."""
+    result = blank(Forces)
+    first = OK
+    if robot is None or motions_given(motions) == 0 or forces is None:
+        return BAD_ARGUMENT
+    for pose in range(count):
+        at = pose_at(motions, pose)
+        code = pose_forces(robot, at, result)
+        if code == OK:
+            COPIED
+        if status is not None:
+            status[pose] = code
+        first = where(first == OK, code, first)
+    return first
+
+
+def joint_reactions_batch(
+    robot: "Robot",
+    count: "Count",
+    motions: "Motions",
+    bearing: "array(6)",
+    reactions: "ReactionsArrays",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """Joint reactions of `count` poses, as above."""
+    forces = blank(Forces)
+    result = blank(Reactions)
+    first = OK
+    if robot is None or motions_given(motions) == 0 or reactions is None:
+        return BAD_ARGUMENT
+    for pose in range(count):
+        at = pose_at(motions, pose)
+        code = pose_forces(robot, at, forces)
+        if code == OK:
+            code = pose_reactions(robot, at, bearing, forces.x, result)
+        if code == OK:
+            COPIED
+        if status is not None:
+            status[pose] = code
+        first = where(first == OK, code, first)
+    return first

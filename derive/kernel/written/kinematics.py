@@ -1,0 +1,335 @@
+"""Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
+
+The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which leave
+the singular values of J as they are, so that its triangle also says how near to singular H is.
+"""
+
+
+def finite_turn(turn: "Turn") -> "Integer":
+    """NOT_FINITE where an orientation or its rates are not finite, else OK."""
+    status = OK
+    for i in range(9):
+        status = where(size(turn.R[i]) <= MAX, status, NOT_FINITE)
+    for i in range(3):
+        status = where(size(turn.omega[i]) <= MAX, status, NOT_FINITE)
+        status = where(size(turn.alpha[i]) <= MAX, status, NOT_FINITE)
+    return status
+
+
+def leg_motions(robot: "Robot", motion: "Motion") -> "LegMotions":
+    """Lengths of the legs, their rates and second rates, their directions and vectors, and a status."""
+    out = LegMotions()
+    status = OK
+    for i in range(6):
+        leg = leg_motion(robot.leg[i], motion)
+        fault = fault_of(leg.L, 1.0, reach_of(robot.leg[i].b, motion.t, leg.q))
+        fault = where((fault != OK) | (size(leg.L_dot) <= MAX), fault, NOT_FINITE)
+        fault = where((fault != OK) | (size(leg.L_ddot) <= MAX), fault, NOT_FINITE)
+        status = where(status == OK, fault, status)
+        out.L[i] = leg.L
+        out.L_dot[i] = leg.L_dot
+        out.L_ddot[i] = leg.L_ddot
+        for j in range(3):
+            out.s[i][j] = leg.s[j]
+            out.S[i][j] = leg.S[j]
+    out.status = status
+    return out
+
+
+def leg_rates(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates":
+    """Lengths of the legs, where ``moving`` is 1 their rates, and a status."""
+    out = LegRates()
+    pose = Pose()
+    status = OK
+    for i in range(9):
+        pose.R[i] = motion.R[i]
+    for i in range(3):
+        pose.t[i] = motion.t[i]
+    for i in range(6):
+        leg = leg_vectors(robot.leg[i], pose)
+        fault = fault_of(leg.L, 1.0, reach_of(robot.leg[i].b, pose.t, leg.q))
+        out.L[i] = leg.L
+        if moving == 1:
+            found = leg_rate(leg, motion)
+            out.L_dot[i] = found.L_dot
+            fault = where((fault != OK) | (size(found.L_dot) <= MAX), fault, NOT_FINITE)
+        status = where(status == OK, fault, status)
+    out.status = status
+    return out
+
+
+def inverse_kinematics(robot: "Robot", motion: "Motion") -> "LegRates":
+    """Lengths of the legs, (2), their rates, (5), and a status."""
+    found = leg_rates(robot, motion, 1)
+    for i in range(6):
+        found.L[i] = where(found.status == OK, found.L[i], NAN)
+        found.L_dot[i] = where(found.status == OK, found.L_dot[i], NAN)
+    return found
+
+
+def legs_at(robot: "Robot", pose: "Pose", per_size: "Real", out: "LegsAtPose") -> "Integer":
+    """Lengths and J of the legs at a pose; returns a status."""
+    status = OK
+    out.reach = 0.0
+    for i in range(6):
+        leg = leg_vectors(robot.leg[i], pose)
+        reach = reach_of(robot.leg[i].b, pose.t, leg.q)
+        fault = fault_of(leg.L, 1.0, reach)
+        status = where(status == OK, fault, status)
+        row = leg_row(leg)
+        for j in range(3):
+            out.A[i][j] = row.H_force[j]
+            out.A[i][j + 3] = row.H_moment[j] * per_size
+        out.L[i] = leg.L
+        out.reach = larger(reach, out.reach)
+    return status
+
+
+def platform_size(robot: "Robot") -> "Real":
+    """Root mean square distance of the platform points from the reference point, by which moments are
+    measured, m; 1 if they lie in it."""
+    total = 0.0
+    for i in range(6):
+        for j in range(3):
+            total = total + robot.leg[i].p[j] * robot.leg[i].p[j]
+    extent = sqrt(total / 6.0)
+    return where(extent > SHORTEST, extent, 1.0)
+
+
+def reflect(A: "array(6, 7)") -> None:
+    """Makes a triangle of [J | right side] by Householder's reflections."""
+    for k in range(6):
+        square = 0.0
+        for i in range(k, 6):
+            square = square + A[i][k] * A[i][k]
+        norm = sqrt(square)
+        diagonal = where(A[k][k] > 0.0, -norm, norm)
+        first = A[k][k] - diagonal
+        factor = where(square > 0.0, 1.0 / (diagonal * first), 0.0)
+        A[k][k] = first
+        for j in range(k + 1, 7):
+            total = 0.0
+            for i in range(k, 6):
+                total = total + A[i][k] * A[i][j]
+            total = total * factor
+            for i in range(k, 6):
+                A[i][j] = A[i][j] + total * A[i][k]
+        A[k][k] = diagonal
+
+
+def substitute(A: "array(6, 7)", x: "array(6)") -> None:
+    """x of the triangle's equations, the last first; 0 where the diagonal entry is."""
+    for i in reversed(range(6)):
+        total = A[i][6]
+        for j in range(i + 1, 6):
+            total = total - A[i][j] * x[j]
+        x[i] = where(size(A[i][i]) > 0.0, total / A[i][i], 0.0)
+
+
+def is_open(A: "array(6, 7)") -> "Integer":
+    """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+    poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+    rounding: lengths known to rounding leave the pose open."""
+    pivot = array(6)
+    inverse = array(6)
+    total = 0.0
+    of_inverse = 0.0
+    regular = 1
+    for k in range(6):
+        regular = where(size(A[k][k]) > 0.0, regular, 0)
+        pivot[k] = where(size(A[k][k]) > 0.0, 1.0 / A[k][k], 0.0)
+        for i in reversed(range(k + 1)):
+            entry = where(i == k, 1.0, 0.0)
+            for j in range(i + 1, k + 1):
+                entry = entry - A[i][j] * inverse[j]
+            inverse[i] = entry * pivot[i]
+            total = total + A[i][k] * A[i][k]
+            of_inverse = of_inverse + inverse[i] * inverse[i]
+    return where((regular == 1) & (256.0 * EPSILON * total * of_inverse <= 1.0), 0, 1)
+
+
+def polish(R: "array(9)", half: "Real") -> "Real":
+    """One of Newton's steps towards the rotation nearest to R, R <- R + R (E - R^T R) / 2, or none where
+    ``half`` is 0; returns how far an entry of R^T R was from E."""
+    lack = array(9)
+    skew = 0.0
+    for i in range(3):
+        for j in range(3):
+            product = R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]
+            missing = where(i == j, 1.0, 0.0) - product
+            skew = larger(size(missing), skew)
+            lack[3 * i + j] = half * missing
+    for k in range(3):
+        x = R[3 * k]
+        y = R[3 * k + 1]
+        z = R[3 * k + 2]
+        for j in range(3):
+            R[3 * k + j] = R[3 * k + j] + (x * lack[j] + y * lack[3 + j] + z * lack[6 + j])
+    return skew
+
+
+def make_rotation(R: "array(9)") -> "Integer":
+    """Makes R a rotation to rounding; returns 1 if it was near to one, else 0."""
+    first = R[0] * (R[4] * R[8] - R[5] * R[7])
+    volume = first + R[1] * (R[5] * R[6] - R[3] * R[8]) + R[2] * (R[3] * R[7] - R[4] * R[6])
+    skew = polish(R, 0.5)
+    near = 1
+    near = where((volume > 0.0) & (skew <= 0.0625), near, 0)
+    # The distance is squared each time: 2^-4, 2^-8, down to 2^-64.
+    for turn in range(4):
+        half = where(skew * skew > EPSILON, 0.5, 0.0)
+        if anywhere(half > 0.0):
+            skew = polish(R, half)
+        else:
+            break
+    return near
+
+
+def length_of(vector: "array(3)") -> "Real":
+    """Length of a vector."""
+    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2])
+
+
+def compare(L: "array(6)", legs: "LegsAtPose") -> "Real":
+    """Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size."""
+    worst = 0.0
+    for i in range(6):
+        miss = L[i] - legs.L[i]
+        legs.A[i][6] = miss
+        worst = larger(size(miss), worst)
+    return worst
+
+
+def newton_step(
+    legs: "LegsAtPose",
+    per_size: "Real",
+    longest: "Real",
+    along: "array(3)",
+    turn: "array(3)",
+) -> None:
+    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
+    no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight
+    line that it is taken for. With it, steps need no damping: taking back those that lead away loses
+    more poses."""
+    x = array(6)
+    reflect(legs.A)
+    substitute(legs.A, x)
+    for i in range(3):
+        along[i] = x[i]
+        turn[i] = x[i + 3] * per_size
+    shorter = larger(length_of(along) / (0.25 * longest), 1.0)
+    shorter = larger(length_of(turn) / 0.25, shorter)
+    shorter = 1.0 / shorter
+    for i in range(3):
+        along[i] = along[i] * shorter
+        turn[i] = turn[i] * shorter
+
+
+def search(robot: "Robot", L: "array(6)", per_size: "Real", pose: "Pose", legs: "LegsAtPose") -> "Integer":
+    """Steps from a pose, with its legs, to lengths L; returns 1 if they were found, else 0."""
+    along = array(3)
+    turn = array(3)
+    R = array(9)
+    longest = L[0]
+    status = OK
+    for i in range(1, 6):
+        longest = larger(L[i], longest)
+    worst = compare(L, legs)
+    going = 1
+    for step in range(MAX_STEPS):
+        going = where(status == OK, going, 0)
+        going = where(worst > 4.0 * EPSILON * legs.reach, going, 0)
+        if anywhere(going == 1):
+            newton_step(legs, per_size, longest, along, turn)
+            turned = turned_by(turn)
+            for i in range(3):
+                for j in range(3):
+                    part = turned.Q[3 * i] * pose.R[j] + turned.Q[3 * i + 1] * pose.R[3 + j]
+                    R[3 * i + j] = part + turned.Q[3 * i + 2] * pose.R[6 + j]
+            polish(R, 0.5)
+            for i in range(9):
+                pose.R[i] = where(going == 1, R[i], pose.R[i])
+            for i in range(3):
+                pose.t[i] = where(going == 1, pose.t[i] + along[i], pose.t[i])
+            status = legs_at(robot, pose, per_size, legs)
+            worst = compare(L, legs)
+        else:
+            break
+    return where((status == OK) & (worst <= ROUNDING * legs.reach), 1, 0)
+
+
+def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
+    """What of a search's inputs is not finite, or no length."""
+    status = OK
+    for i in range(6):
+        status = where(size(L[i]) <= MAX, status, NOT_FINITE)
+    for i in range(9):
+        status = where(size(guess.R[i]) <= MAX, status, NOT_FINITE)
+    for i in range(3):
+        status = where(size(guess.t[i]) <= MAX, status, NOT_FINITE)
+    for i in range(6):
+        status = where((status != OK) | (L[i] > 0.0), status, SHORT_LEG)
+    return status
+
+
+def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
+    """The last pose tried for lengths L, from a guess, and a status."""
+    out = FoundPose()
+    legs = LegsAtPose()
+    per_size = 1.0 / platform_size(robot)
+    status = first_fault(L, guess)
+    for i in range(9):
+        out.pose.R[i] = guess.R[i]
+    for i in range(3):
+        out.pose.t[i] = guess.t[i]
+    near = make_rotation(out.pose.R)
+    status = where((status != OK) | (near == 1), status, NOT_CONVERGED)
+    fault = legs_at(robot, out.pose, per_size, legs)
+    status = where(status == OK, fault, status)
+    if anywhere(status == OK):
+        found = search(robot, L, per_size, out.pose, legs)
+        reflect(legs.A)
+        fault = where(is_open(legs.A) == 1, SINGULAR, fault)
+        status = where(status == OK, where(found == 1, fault, NOT_CONVERGED), status)
+    out.status = status
+    return out
+
+
+def forward_kinematics(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
+    """Pose in which the legs have the lengths L, m, by Newton's steps from a guess, and a status."""
+    out = pose_of(robot, L, guess)
+    for i in range(9):
+        out.pose.R[i] = where(out.status == OK, out.pose.R[i], NAN)
+    for i in range(3):
+        out.pose.t[i] = where(out.status == OK, out.pose.t[i], NAN)
+    return out
+
+
+def twist_of(robot: "Robot", pose: "Pose", L_dot: "array(6)") -> "Twist":
+    """Velocities of the platform that the rates of the legs make, and a status."""
+    out = Twist()
+    legs = LegsAtPose()
+    x = array(6)
+    per_size = 1.0 / platform_size(robot)
+    status = legs_at(robot, pose, per_size, legs)
+    for i in range(6):
+        legs.A[i][6] = L_dot[i]
+    reflect(legs.A)
+    substitute(legs.A, x)
+    status = where((status == OK) & (is_open(legs.A) == 1), SINGULAR, status)
+    for i in range(3):
+        out.v[i] = x[i]
+        out.omega[i] = x[i + 3] * per_size
+        status = where((status != OK) | (size(out.v[i]) <= MAX), status, NOT_FINITE)
+        status = where((status != OK) | (size(out.omega[i]) <= MAX), status, NOT_FINITE)
+    out.status = status
+    return out
+
+
+def forward_velocity(robot: "Robot", pose: "Pose", L_dot: "array(6)") -> "Twist":
+    """Velocities of the platform, v and omega, from the rates of the legs, (5), and a status."""
+    out = twist_of(robot, pose, L_dot)
+    for i in range(3):
+        out.v[i] = where(out.status == OK, out.v[i], NAN)
+        out.omega[i] = where(out.status == OK, out.omega[i], NAN)
+    return out

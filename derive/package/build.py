@@ -1,0 +1,105 @@
+"""Build files of a kit: a CMake project that installs and is found, and a plain Makefile.
+
+The switches are those under which the kernels' error bounds hold.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .words import template
+
+CONFIG_IN = "Config.cmake.in"
+"""File name of ``config_in`` in a kit: its CMakeLists.txt asks for it."""
+WRAPPER = "stewart.hpp"
+"""File name of the C++ wrapper in a kit."""
+EXAMPLE, SELFTEST = "example/main.c", "test/selftest.c"
+"""Sources with a main of their own, in folders of their own: ``*.c`` of a kit is a library."""
+
+_WARNINGS = "-Wall -Wextra -pedantic -Wconversion -Wdouble-promotion"
+
+
+@dataclass(frozen=True)
+class Package:
+    """What is built: the library ``lib<symbol>.a`` and two programs that link it.
+
+    symbol: C identifier, name of library, package and CMake target. version: of the generator.
+    sources: ``.c`` files of the library; headers: all that it needs or that callers include. has_cpp: whether
+    ``stewart.hpp`` is among the kit's files. precision: "double" or "float", told in the files alone, as
+    stewart.h of a float kit asks for float by itself. example, selftest: files with a main of their own.
+    """
+
+    symbol: str
+    version: str
+    sources: tuple[str, ...]
+    headers: tuple[str, ...]
+    precision: str = "double"
+    has_cpp: bool = False
+    example: str = EXAMPLE
+    selftest: str = SELFTEST
+
+    @property
+    def installed(self) -> tuple[str, ...]:
+        """Every header that an install carries."""
+        return (*self.headers, *([WRAPPER] if self.has_cpp else []))
+
+
+def build_files(package: Package) -> dict[str, str]:
+    """``CMakeLists.txt``, ``Config.cmake.in`` and ``Makefile``: file name -> text."""
+    return {
+        "CMakeLists.txt": cmake_lists(package),
+        CONFIG_IN: config_in(package),
+        "Makefile": makefile(package),
+    }
+
+
+def cmake_lists(package: Package) -> str:
+    """``CMakeLists.txt``: static library ``<symbol>``, alias ``<symbol>::<symbol>``, programs, install.
+
+    For CMake 3.15 or newer; needs ``CONFIG_IN`` beside it.
+    """
+    return _filled(
+        "CMakeLists.txt",
+        package,
+        number=_number(package.version),
+        sources=_listed(package.sources),
+        headers=_listed(package.installed),
+        config=CONFIG_IN,
+    )
+
+
+def config_in(package: Package) -> str:
+    """What ``find_package(<symbol>)`` runs, as a template for CMake's package helpers."""
+    return _filled(CONFIG_IN, package)
+
+
+def makefile(package: Package) -> str:
+    """``Makefile`` for any make: library, self-test, example, report of stack, install."""
+    return _filled(
+        "Makefile",
+        package,
+        warnings=_WARNINGS,
+        sources=" ".join(package.sources),
+        objects=" ".join(source.removesuffix(".c") + ".o" for source in package.sources),
+        headers=" ".join(package.headers),
+        installed=" ".join(package.installed),
+        example_object=package.example.removesuffix(".c") + ".o",
+        selftest_object=package.selftest.removesuffix(".c") + ".o",
+    )
+
+
+def _filled(name: str, package: Package, **values: str) -> str:
+    fields = ("symbol", "version", "precision", "example", "selftest")
+    return template(f"kit/{name}", {field: str(getattr(package, field)) for field in fields} | values)
+
+
+def _number(version: str) -> str:
+    """The leading numbers of a version, all that CMake takes: "0.2.0" of "0.2.0.dev1"."""
+    found = re.match(r"\d+(\.\d+){0,3}", version)
+    if found is None:
+        raise ValueError(f"version: expected one that begins with a number, got {version!r}")
+    return found[0]
+
+
+def _listed(files: Iterable[str]) -> str:
+    return "\n".join(f"  {file}" for file in files)

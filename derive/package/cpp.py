@@ -1,0 +1,145 @@
+"""``stewart.hpp``: the functions of a kit as C++17 classes, in one header, without heap or exceptions.
+
+Adds nothing to the C but types: statuses that must not be ignored, arrays of fixed length, constants prepared
+once. Methods follow the C functions' arguments.
+"""
+
+import textwrap
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from ..kernel.interface import CALLS, STATUS, Argument
+from .functions import MODEL, NOTHING, ROBOT, Function
+from .words import template
+
+
+def wrapper(functions: Sequence[Function], version: str) -> str:
+    """``stewart.hpp`` of a kit that holds these functions; version: of the generator.
+
+    A class for each model, robot function family and baked kernel, and ``forces_kernel``, ``motion_kernel``,
+    ``reactions_kernel`` and ``kinematics_kernel`` as other names of those that do such things.
+    Raises ValueError for a function that is not in ``interface.CALLS``.
+    """
+    for function in functions:
+        if function.stem not in CALLS:
+            raise ValueError(f"functions: expected some of {', '.join(CALLS)}, got {function.stem!r}")
+    classes: dict[str, list[Function]] = {}
+    for function in functions:
+        classes.setdefault(_class_name(function), []).append(function)
+    parts = {
+        "version": version,
+        "includes": _lines(f'#include "{name}"' for name in dict.fromkeys(f.header for f in functions)),
+        "statuses": _lines(f"    {name.lower()} = STEWART_{name}, // {text}" for name, _, text in STATUS),
+        "texts": _lines(
+            f'    case status::{name.lower()}:\n        return "{text}";' for name, _, text in STATUS
+        ),
+        "classes": "\n".join(_class(name, members) for name, members in classes.items()),
+        "aliases": _lines(_aliases(classes)),
+    }
+    return template("kit/stewart.hpp", parts)
+
+
+def _lines(texts: Iterable[str]) -> str:
+    return "\n".join(texts)
+
+
+def _class_name(function: Function) -> str:
+    """Named after the kernel, so that two kits of one program may hold different kernels."""
+    if function.subject == MODEL:
+        return f"{_short(function.prefix)}_kernel"
+    if function.subject == NOTHING and function.stem == "forces":
+        return f"{_short(function.symbol).removesuffix(f'_{function.stem}')}_kernel"
+    return f"{_short(function.header.removesuffix('.h'))}_functions"
+
+
+def _short(name: str) -> str:
+    return name.removeprefix("stewart_")
+
+
+_CLASSES = {ROBOT: "class_of_robot", MODEL: "class_of_model", NOTHING: "class_of_nothing"}
+
+
+def _class(name: str, functions: Sequence[Function]) -> str:
+    first = functions[0]
+    methods = "\n".join(text for function in functions for text in _methods(function))
+    values = {"name": name, "prefix": first.prefix, "methods": methods}
+    return template(f"kit/{_CLASSES[first.subject]}.hpp", values)
+
+
+def _methods(function: Function) -> Iterable[str]:
+    """One method, a second with the argument that may be null, and for forces those of a batch."""
+    arguments = function.call.arguments
+    yield _method(function, [each for each in arguments if not each.optional], arguments)
+    if any(each.optional for each in arguments):
+        yield _method(function, arguments, arguments)
+    if function.stem == "forces" and function.batch:
+        yield template("kit/batch.hpp", _call(function))
+
+
+def _call(function: Function) -> dict[str, str]:
+    checked = template("kit/prepared.hpp") if function.subject == MODEL else ""
+    return {
+        "symbol": function.symbol,
+        "prepared": checked,
+        "subject": function.subject_argument("robot_", "&model_"),
+    }
+
+
+def _method(function: Function, taken: Sequence[Argument], arguments: Sequence[Argument]) -> str:
+    """taken: the arguments that the method has; null is handed on for the others."""
+    name = "operator()" if function.stem == "forces" else function.stem.removeprefix("motion_")
+    named = {each: replace(each, name=_name(each, name)) for each in arguments}
+    parameters = ", ".join(_parameter(named[each]) for each in taken)
+    says = textwrap.wrap(function.call.says, 100, break_long_words=False, break_on_hyphens=False)
+    return template(
+        "kit/method.hpp",
+        _call(function)
+        | {
+            "says": "\n    // ".join(says),
+            "name": name,
+            "parameters": f"\n        {parameters}" if len(parameters) > 60 else parameters,
+            "arguments": ", ".join(
+                _handed(named[each]) if each in taken else "nullptr" for each in arguments
+            ),
+        },
+    )
+
+
+def _name(argument: Argument, method: str) -> str:
+    """The argument's name in C, unless that is the method's or the class's ``out``."""
+    return "found" if argument.name in (method, "out") else argument.name
+
+
+def _parameter(argument: Argument) -> str:
+    if argument.struct:
+        return f"{'' if argument.written else 'const '}stewart_{argument.struct} &{argument.name}"
+    (array,) = argument.takes or argument.gives
+    return f"{'out' if argument.written else 'in'}<{array.count}> {argument.name}"
+
+
+def _handed(argument: Argument) -> str:
+    return f"&{argument.name}" if argument.struct else f"{argument.name}.data()"
+
+
+def _aliases(classes: dict[str, list[Function]]) -> Iterable[str]:
+    """The first class that has the first of these functions."""
+    for alias, stems in _ALIASES.items():
+        for name, functions in classes.items():
+            if any(function.stem in stems for function in functions):
+                yield f"using {alias} = {name};"
+                break
+
+
+_ALIASES = {
+    "forces_kernel": ("forces",),
+    "motion_kernel": (
+        "equations",
+        "bias",
+        "forward_dynamics",
+        "joint_inertia",
+        "derivatives",
+        "linearisation",
+    ),
+    "reactions_kernel": ("inverse_dynamics", "joint_reactions"),
+    "kinematics_kernel": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
+}

@@ -1,0 +1,114 @@
+"""Where a kit's C departs from MISRA C:2012, rule by rule, with the reason.
+
+Data for a kit's README. The rules are those by which the addon of cppcheck 2.10 finds something; what each is
+about is said in our own words. Knows the kinds of components, no file and no kernel.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+LANES = ("forces", "forces baked")
+SCALAR = ("forces scalar", "forces scalar baked")
+CLOSED_FORM = ("motion", "derivatives")
+KINDS = (*LANES, *SCALAR, "reactions", *CLOSED_FORM, "kinematics", "rotation", "robot")
+"""Kinds of sources: forces in lanes or scalar, with a model or baked; the rest by the function asked for;
+"robot" holds the robot's constants."""
+
+
+@dataclass(frozen=True)
+class Deviation:
+    """One rule that the sources of some kinds depart from.
+
+    rule: number. what: what it is about. reason: why it is left so. kinds: out of KINDS.
+    """
+
+    rule: str
+    what: str
+    reason: str
+    kinds: tuple[str, ...]
+
+
+_CODE = tuple(kind for kind in KINDS if kind != "robot")
+
+DEVIATIONS = (
+    Deviation(
+        "2.3",
+        "types that a source does not use",
+        "stewart.h holds the types of all kernels; a source uses some",
+        KINDS,
+    ),
+    Deviation(
+        "2.4",
+        "struct definitions that a source does not use",
+        "as 2.3",
+        KINDS,
+    ),
+    Deviation(
+        "2.5",
+        "macros that a source does not use",
+        "status codes, and one list of arithmetic macros, for all kernels",
+        KINDS,
+    ),
+    Deviation(
+        "8.7",
+        "functions with external linkage called in their own source alone",
+        "the interface: batches and the linearisation call functions that users call as well",
+        (*LANES, *CLOSED_FORM),
+    ),
+    Deviation(
+        "8.14",
+        "restrict",
+        "without it compilers make no vector instructions of the loops over lanes; all pointers so marked "
+        "are to different local objects or arguments",
+        (*LANES, *CLOSED_FORM),
+    ),
+    Deviation(
+        "11.3",
+        "pointers to one type of object cast to another",
+        "a struct of nothing but stewart_real is read as its numbers, to find one that is not finite",
+        ("forces", "reactions"),
+    ),
+    Deviation(
+        "11.8",
+        "const or volatile cast away",
+        "there is none: the checker takes the pointers held by a const struct for pointers to const",
+        ("reactions", *CLOSED_FORM),
+    ),
+    Deviation(
+        "12.1",
+        "brackets where precedence decides",
+        "formulas are printed as they are written: a product before a sum",
+        _CODE,
+    ),
+    Deviation(
+        "12.3",
+        "the comma operator",
+        "there is none, clang's -Wcomma finds nothing: the checker counts commas between declarations",
+        _CODE,
+    ),
+    Deviation(
+        "15.5",
+        "more than one return in a function",
+        "a bad status returns at once, so that nothing is computed from what is not finite",
+        tuple(kind for kind in _CODE if kind not in ("kinematics", "rotation")),
+    ),
+)
+
+
+TOGETHER = Deviation(
+    "5.9",
+    "static names that several sources use",
+    "each source stands alone, and the same helper has the same name in each",
+    tuple(kind for kind in _CODE if kind != "rotation"),
+)
+"""What sources depart from only side by side."""
+
+
+def deviations(kinds: Collection[str]) -> tuple[Deviation, ...]:
+    """The deviations of a kit whose sources are of these kinds. Raises ValueError for unknown ones."""
+    if not set(kinds) <= set(KINDS):
+        raise ValueError(f"kinds: expected some of {', '.join(KINDS)}, got {list(kinds)}")
+    several = len(set(kinds) & set(TOGETHER.kinds)) > 1
+    return tuple(
+        each for each in (*DEVIATIONS, *([TOGETHER] if several else [])) if set(kinds) & set(each.kinds)
+    )

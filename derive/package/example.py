@@ -1,0 +1,116 @@
+"""``example/main.c``: an example of a kit, one call of each of its functions with what it prints.
+
+Takes the functions of a kit and one call of each.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from ..kernel.interface import Argument
+from . import robot
+from .functions import MODEL, NOTHING, Function
+from .selftest import Case
+from .words import braces, in_comment, literal, motion_members, template
+
+
+def example(
+    name: str, symbol: str, functions: Sequence[Function], cases: Mapping[str, Sequence[Case]], version: str
+) -> str:
+    """``example/main.c``. Arguments and errors as of ``selftest``; the first case of each is shown."""
+    shown = [(function, cases[function.stem][0]) for function in functions]
+    motions = [case.motion for _, case in shown if case.motion is not None]
+    uses_robot = any(function.subject != NOTHING for function in functions)
+    headers = dict.fromkeys(function.header for function in functions)
+    parts = {
+        "name": in_comment(name),
+        "version": version,
+        "includes": "".join(
+            f'#include "{file}"\n' for file in ([*([robot.HEADER] if uses_robot else []), *headers])
+        ),
+        "motion": f"static const stewart_motion motion = {{\n{motion_members(motions[0], '    ')}\n}};\n"
+        if motions
+        else "",
+        "shown": "\n".join(_shown(function, case, symbol) for function, case in shown),
+        "calls": "\n".join(f"    failed |= show_{function.stem}();" for function in functions),
+    }
+    return template("kit/example.c", parts)
+
+
+def _shown(function: Function, case: Case, symbol: str) -> str:
+    subject = function.subject_argument(f"&{symbol}", "&model")
+    arguments = ", ".join(_handed(each) for each in function.call.arguments)
+    made = f"    status = {function.symbol}({subject}{arguments});"
+    if function.subject == MODEL:
+        made = (
+            f"    status = {function.prefix}_prepare(&{symbol}, &model);\n"
+            "    if (status == STEWART_OK) {\n"
+            f"        status = {function.symbol}({subject}{arguments});\n"
+            "    }"
+        )
+    model = [f"    static {function.prefix}_model model;"] if function.subject == MODEL else []
+    declared = [*model, *_declared(function, case.inputs), "    int status;"]
+    text = [
+        f"/* {function.call.says} */",
+        f"static int show_{function.stem}(void)",
+        "{",
+        *declared,
+        made,
+        "    if (status != STEWART_OK) {",
+        f'        (void)printf("{function.symbol}: status %d, see stewart.h\\n", status);',
+        "        return 1;",
+        "    }",
+        *(f'    print("{label}", {where}, {count});' for label, where, count in _PRINTED[function.stem]),
+        "    return 0;",
+        "}",
+        "",
+    ]
+    return "\n".join(text)
+
+
+def _declared(function: Function, inputs: Sequence[float]) -> Iterable[str]:
+    """Declarations of all arguments, those that are read with their numbers."""
+    start = 0
+    for argument in function.call.arguments:
+        arrays = []
+        for given in argument.takes:
+            values = [literal(float(value), given.name) for value in inputs[start : start + given.count]]
+            arrays.append(f"        {braces(values, ' ' * 8)}")
+            start += given.count
+        name, numbers = _local(argument), ",\n".join(arrays)
+        if argument.struct and arrays:
+            yield f"    stewart_{argument.struct} {name} = {{\n{numbers}}};"
+        elif arrays:
+            yield f"    static const stewart_real {name}{argument.takes[0].dims} =\n{numbers};"
+        elif argument.struct and argument.written:
+            yield f"    stewart_{argument.struct} {name};"
+        elif argument.written:
+            yield f"    stewart_real {name}{argument.gives[0].dims};"
+
+
+def _local(argument: Argument) -> str:
+    """The argument's name in C, unless that is the one of the example's motion, or says nothing."""
+    other = {"motion": "turned", "out": "found"} if argument.written else {}
+    return other.get(argument.name, argument.name)
+
+
+def _handed(argument: Argument) -> str:
+    return f"&{_local(argument)}" if argument.struct else _local(argument)
+
+
+_TURNED = (("R", "turned.R", 9), ("omega, rad/s", "turned.omega", 3), ("alpha, rad/s^2", "turned.alpha", 3))
+_PRINTED: dict[str, tuple[tuple[str, str, int], ...]] = {
+    "forces": (("F, N", "F", 6),),
+    "inverse_dynamics": (("F, N", "forces.F", 6), ("D, N", "forces.D", 6), ("c, N and N m", "forces.c", 6)),
+    "joint_reactions": (("F_s of leg 1, N", "reactions.F_s[0]", 3), ("M_u, N m", "reactions.M_u", 6)),
+    "equations": (("M, first row", "found.M", 6), ("g, N and N m", "found.g", 6)),
+    "bias": (("bias, N and N m", "bias", 6),),
+    "forward_dynamics": (("a, m/s^2, alpha, rad/s^2", "acceleration", 6),),
+    "joint_inertia": (("joint inertia, first row, kg", "inertia", 6),),
+    "derivatives": (("dF by pose, first row", "found.by_pose", 6),),
+    "linearisation": (("A, row of a, by dt", "found.A + 72", 6),),
+    "inverse_kinematics": (("L, m", "L", 6), ("L_dot, m/s", "L_dot", 6)),
+    "forward_kinematics": (("R", "pose.R", 9), ("t, m", "pose.t", 3)),
+    "forward_velocity": (("v, m/s", "v", 3), ("omega, rad/s", "omega", 3)),
+    "motion_from_rpy": _TURNED,
+    "motion_from_quaternion": _TURNED,
+}
+"""What the example prints of each function: label, array, count of numbers."""

@@ -1,0 +1,319 @@
+"""An FMI 2.0 co-simulation unit around a kernel: its description, its C and its page.
+
+Takes plain data and hands back text by path. What is in the description and in the C (variables, order, start
+values) comes from one list, made of the interface table. The C of the standard's functions is
+``stewart_fmi2.c``; what varies from unit to unit stands in ``stewart_unit.h``.
+"""
+
+import hashlib
+import itertools
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from .. import notation as n
+from ..block import AXES, Quantity
+from ..kernel.interface import CALLS, STATUS
+from . import licence
+from . import robot as robot_text
+from .words import Numbers, component, template
+
+STEP = 0.001
+"""Step that the description proposes, s."""
+
+_STATIC = ("stewart_fmi2.h", "stewart_fmi2.c")
+_LONGEST_IDENTIFIER = 63
+_BASE_UNITS = {"kg": {"kg": 1}, "m": {"m": 1}, "s": {"s": 1}, "rad": {"rad": 1}, "1": {}}
+_BASE_UNITS["N"] = {"kg": 1, "m": 1, "s": -2}
+
+
+@dataclass(frozen=True)
+class UnitKernel:
+    """How the unit calls the kernel.
+
+    header: the file that declares it. prefix: of its functions, as ``stewart_exact``. baked: there is
+    ``<prefix>_forces`` alone, without a ``<prefix>_model`` that ``<prefix>_prepare`` makes. precision:
+    "double" or "float", that of ``stewart.h``. says: lines about it, plain text.
+    """
+
+    header: str
+    prefix: str
+    baked: bool = False
+    precision: str = "double"
+    says: str = ""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A variable of the unit; start: None for what the unit computes."""
+
+    name: str
+    unit: str
+    meaning: str
+    causality: str
+    start: float | None = None
+
+
+def unit(
+    name: str,
+    symbol: str,
+    sources: Mapping[str, str],
+    kernel: UnitKernel,
+    pose: Numbers,
+    payload: Numbers | None,
+    digest: str,
+    version: str,
+) -> dict[str, str]:
+    """All texts of the unit: path in the archive -> text; the C lies below ``sources/``.
+
+    name: the robot's. symbol: the identifier of its constants, also of the unit. sources: file name -> text
+    of the C that the kernel needs, the robot's too unless it is baked. pose:
+    R (3, 3) and t (3,), that the inputs have until they are set; rates, accelerations and loads start at
+    zero. payload: M, R_0, I_p and g, the tunable parameters; None for a baked kernel. digest: of name and
+    constants. version: of the generator.
+
+    The unit's GUID is a digest of all of these texts. Raises ValueError naming a number that is missing or
+    not finite, or a file that is missing.
+    """
+    bare = kernel.baked
+    if bare != (payload is None):
+        raise ValueError(f"payload: expected {'None' if bare else 'M, R_0, I_p and g'} for this kernel")
+    for file in (kernel.header, *(() if bare else (robot_text.HEADER, robot_text.SOURCE))):
+        if file not in sources:
+            raise ValueError(f"sources: expected {file} among them")
+    variables = _variables(pose, payload)
+
+    def texts(guid: str) -> dict[str, str]:
+        common = {"version": escape(version), "guid": guid}
+        own = {
+            **{f"sources/{name}": template(f"kit/{name}", common) for name in _STATIC},
+            "sources/stewart_unit.h": _unit_header(symbol, kernel, variables, common),
+        }
+        held = own | {f"sources/{file}": text for file, text in sources.items()}
+        compiled = sorted(path.removeprefix("sources/") for path in held if path.endswith(".c"))
+        return held | {
+            "modelDescription.xml": _description(name, symbol, kernel, variables, compiled, digest, common),
+            "documentation/licenses/license.txt": licence.TEXT,
+            "documentation/index.html": _page(name, kernel, variables, digest, common),
+        }
+
+    return texts(_guid(texts("")))
+
+
+def model_identifier(symbol: str) -> str:
+    """The unit's identifier, which is also the name of its binary: the symbol, shortened if it is long.
+
+    Simulink takes names of up to 63 letters.
+    """
+    if len(symbol) <= _LONGEST_IDENTIFIER:
+        return symbol
+    digest = hashlib.sha256(symbol.encode()).hexdigest()[:12]
+    return f"{symbol[: _LONGEST_IDENTIFIER - 13]}_{digest}"
+
+
+# ---------------------------------------------------------------- variables
+
+
+def _variables(pose: Numbers, payload: Numbers | None) -> list[Variable]:
+    """The reals by value reference: inputs, forces, parameters."""
+    (force,) = CALLS["forces"].outputs
+    # An input that nobody connects keeps its start value, and must add nothing to the forces.
+    start = {q.name: [0.0] * 3 for q in n.MOTION if q not in (n.R, n.t)} | {
+        q.name: pose[q.name] for q in (n.R, n.t) if q.name in pose
+    }
+    found = [v for q in n.MOTION for v in _components(q, "input", start, "pose")]
+    found += [Variable(f"{force.name}[{i + 1}]", force.unit, force.meaning, "output") for i in range(6)]
+    if payload is not None:
+        found += [v for q in n.PLATFORM for v in _components(q, "parameter", payload, "payload")]
+    return found
+
+
+def _components(quantity: Quantity, causality: str, numbers: Numbers, owner: str) -> list[Variable]:
+    where = f"{owner}: {quantity.name}"
+    if quantity.name not in numbers:
+        raise ValueError(f"{where}: missing")
+    return [
+        Variable(
+            _variable_name(quantity, key),
+            _unit(quantity.unit),
+            quantity.meaning,
+            causality,
+            _number(numbers[quantity.name], key, where),
+        )
+        for key in quantity.keys
+    ]
+
+
+def _variable_name(quantity: Quantity, key: tuple[int, ...]) -> str:
+    if not key:
+        return quantity.name
+    if quantity.symmetric:
+        return f"{quantity.name}.{''.join(AXES[i] for i in key)}"
+    return f"{quantity.name}[{','.join(str(i + 1) for i in key)}]"
+
+
+def _number(value: Any, key: Sequence[int], where: str) -> float:
+    value = component(value, key, where)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise ValueError(f"{where}: expected finite numbers, got {value!r}")
+    return float(value)
+
+
+def _unit(unit: str) -> str:
+    """A unit of the notation as FMI and Modelica spell it: ``kg.m2``."""
+    return unit.replace(" ", ".").replace("^", "")
+
+
+def _dimension(unit: str) -> dict[str, int]:
+    """Exponents of the base units of ``kg.m2`` or ``m/s2``."""
+    above, _, below = unit.partition("/")
+    found: dict[str, int] = {}
+    for factors, sign in ((above, 1), (below, -1)):
+        for factor in filter(None, factors.split(".")):
+            match = re.fullmatch(r"([A-Za-z]+|1)(\d*)", factor)
+            assert match is not None, unit
+            for base, exponent in _BASE_UNITS[match[1]].items():
+                found[base] = found.get(base, 0) + sign * exponent * int(match[2] or 1)
+    return found
+
+
+# ---------------------------------------------------------------- description
+
+
+def _description(
+    name: str,
+    symbol: str,
+    kernel: UnitKernel,
+    variables: Sequence[Variable],
+    files: Sequence[str],
+    digest: str,
+    common: Mapping[str, str],
+) -> str:
+    outputs = [i + 1 for i, v in enumerate(variables) if v.causality == "output"]
+    outputs.append(len(variables) + 1)
+    units = {v.unit: _dimension(v.unit) for v in variables}
+    lines = {
+        "units": [
+            f'    <Unit name="{unit}"><BaseUnit{_attributes(dimension)}/></Unit>'
+            for unit, dimension in units.items()
+        ],
+        "files": [f'      <File name="{escape(file)}"/>' for file in files],
+        "variables": [_scalar_variable(i, v) for i, v in enumerate(variables)],
+        "unknowns": [f'      <Unknown index="{index}"/>' for index in outputs],
+        "codes": [f"{code} {text}" for _, code, text in STATUS],
+    }
+    values = {
+        "name": escape(name),
+        "identifier": model_identifier(symbol),
+        "says": escape(_says(kernel, digest)),
+        "step": repr(STEP),
+        "licence": escape(licence.SAYS),
+        "reference": str(len(variables)),
+        **common,
+        **{mark: ("; " if mark == "codes" else "\n").join(rows) for mark, rows in lines.items()},
+    }
+    return template("kit/modelDescription.xml", values)
+
+
+def _says(kernel: UnitKernel, digest: str) -> str:
+    return f"{kernel.says} SHA-256 of name and constants: {digest}".strip()
+
+
+def _scalar_variable(reference: int, variable: Variable) -> str:
+    kind = {"input": "continuous", "output": "continuous", "parameter": "tunable"}[variable.causality]
+    start = "" if variable.start is None else f' start="{variable.start!r}"'
+    least = ' min="0"' if variable.name == n.M.name else ""
+    return (
+        f'    <ScalarVariable name="{variable.name}" valueReference="{reference}" '
+        f'causality="{variable.causality}" variability="{kind}" description="{escape(variable.meaning)}">\n'
+        f'      <Real unit="{variable.unit}"{least}{start}/>\n'
+        f"    </ScalarVariable>"
+    )
+
+
+def _attributes(values: Mapping[str, int]) -> str:
+    return "".join(f' {name}="{value}"' for name, value in values.items() if value)
+
+
+def _page(
+    name: str, kernel: UnitKernel, variables: Sequence[Variable], digest: str, common: Mapping[str, str]
+) -> str:
+    groups = {
+        kind: [v for v in variables if v.causality == kind] for kind in ("input", "output", "parameter")
+    }
+    rows = {
+        kind: "\n".join(
+            f"<tr><td>{v.name}</td><td>{v.unit}</td><td>{escape(v.meaning)}</td></tr>" for v in group
+        )
+        for kind, group in groups.items()
+    }
+    of_parameters = "index_parameters.html" if rows["parameter"] else "index_no_parameters.html"
+    values = {
+        **common,
+        "name": escape(name),
+        "says": escape(_says(kernel, digest)),
+        "licence": escape(licence.SAYS),
+        "real": kernel.precision,
+        "inputs": rows["input"],
+        "outputs": rows["output"],
+        "parameters": template(f"kit/{of_parameters}", {"rows": rows["parameter"]}),
+        "status": "\n".join(f"<tr><td>{code}</td><td>{escape(text)}</td></tr>" for _, code, text in STATUS),
+    }
+    return template("kit/index.html", values)
+
+
+def _guid(texts: Mapping[str, str]) -> str:
+    """``{8-4-4-4-12}`` hexadecimal digits of a digest of all paths and texts."""
+    parts = hashlib.sha256()
+    for path, text in sorted(texts.items()):
+        for part in (path.encode(), text.encode()):
+            parts.update(len(part).to_bytes(8, "big") + part)
+    digits = parts.hexdigest()
+    cuts = (0, 8, 12, 16, 20, 32)
+    groups = [digits[a:b] for a, b in itertools.pairwise(cuts)]
+    return "{" + "-".join(groups) + "}"
+
+
+# ---------------------------------------------------------------- C
+
+
+def _unit_header(
+    symbol: str, kernel: UnitKernel, variables: Sequence[Variable], common: Mapping[str, str]
+) -> str:
+    counts = {kind: sum(v.causality == kind for v in variables) for kind in ("input", "output", "parameter")}
+    literals = [f"{0.0 if v.start is None else v.start!r}, /* {v.name} */" for v in variables]
+    meanings = [f'"{text}", /* STEWART_{code} */' for code, _, text in STATUS]
+    motion, place = _taken(n.MOTION, "motion", 0)
+    payload, _ = _taken(n.PLATFORM, "robot", place + counts["output"])
+    model = {"symbol": symbol, "prefix": kernel.prefix, "payload": _continued(payload)}
+    values = {
+        **common,
+        "header": kernel.header,
+        "model": "" if kernel.baked else template("kit/stewart_unit_model.h", model),
+        "prefix": kernel.prefix,
+        "inputs": str(counts["input"]),
+        "reals": str(len(variables)),
+        "start": _continued(literals),
+        "messages": _continued(meanings),
+        "motion": _continued(motion),
+    }
+    return template("kit/stewart_unit.h", values)
+
+
+def _continued(lines: Iterable[str]) -> str:
+    """Lines of a macro."""
+    return " \\\n".join(f"    {line}" for line in lines)
+
+
+def _taken(quantities: Iterable[Quantity], owner: str, place: int) -> tuple[list[str], int]:
+    """Lines that fill a structure of stewart.h from the unit's values, and the place after them."""
+    lines = []
+    for quantity in quantities:
+        count = len(quantity.keys)
+        to = f"{owner}.{quantity.name}" if quantity.shape else f"&{owner}.{quantity.name}"
+        lines.append(f"narrowed(value + {place}, {count}, {to});")
+        place += count
+    return lines, place

@@ -1,0 +1,73 @@
+"""The functions and parts of a kit; a part is one header and source with some functions."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..kernel.interface import CALLS, Call
+
+ROBOT, MODEL, NOTHING = "robot", "model", ""
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of a kit: its stem in ``interface.CALLS``, C name, header, what its first argument is.
+
+    subject: ROBOT, MODEL (``prefix`` + ``_model``, made by ``prefix`` + ``_prepare``) or NOTHING.
+    operations: what a pose takes, in words. plain: C name without a robot's numbers in it. one_pose: whether
+    the kernel computes one pose at a time.
+    """
+
+    stem: str
+    symbol: str
+    header: str
+    subject: str
+    prefix: str = ""
+    operations: str = ""
+    plain: str = ""
+    one_pose: bool = False
+
+    @property
+    def call(self) -> Call:
+        """Arguments and outputs."""
+        return CALLS[self.stem]
+
+    @property
+    def batch(self) -> bool:
+        """Whether there is ``<symbol>_batch`` as well."""
+        return self.call.has_batch and not self.one_pose
+
+    @property
+    def prototypes(self) -> list[str]:
+        """Of the function and its batch, without what the header says of their results."""
+        types = {ROBOT: "stewart_robot", MODEL: f"{self.prefix}_model"}
+        subject = f"const {types[self.subject]} *{self.subject}" if self.subject else ""
+        return self.call.prototypes(self.symbol, subject, self.batch)
+
+    def subject_argument(self, of_robot: str, of_model: str) -> str:
+        """The first argument of a call, given those of a robot and of a model, with the comma after it."""
+        return {ROBOT: f"{of_robot}, ", MODEL: f"{of_model}, ", NOTHING: ""}[self.subject]
+
+
+@dataclass(frozen=True)
+class Part:
+    """One header and source of a kit.
+
+    name: of both, without the ending. files: file name -> text. kinds: what it is for the list of deviations,
+    out of ``deviations.KINDS``. says: a line for the README.
+    """
+
+    name: str
+    files: Mapping[str, str]
+    functions: tuple[Function, ...]
+    kinds: tuple[str, ...]
+    says: str
+
+    @property
+    def header(self) -> str:
+        """File name of the header."""
+        return f"{self.name}.h"
+
+    @property
+    def source(self) -> str:
+        """File name of the source."""
+        return f"{self.name}.c"

@@ -1,0 +1,191 @@
+"""``README.md`` of a kit: what every function takes, hands out, costs and how far it may be off.
+
+Takes the parts of a kit with figures that others found.
+"""
+
+import math
+import textwrap
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from .. import notation as n
+from ..kernel.interface import STATUS
+from . import licence
+from .functions import MODEL, Function, Part
+from .words import in_markdown, shape, table, template
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What a README says of one function.
+
+    error, worst: bounds of its ordinary test vectors over the largest answer of the same array, the largest
+    of each vector: their median and largest, nan without vectors.
+    stack, batch_stack: bytes, None where nobody measured them or there is no batch.
+    """
+
+    error: float
+    worst: float
+    stack: int | None
+    batch_stack: int | None
+
+
+@dataclass(frozen=True)
+class Kit:
+    """What a README is about.
+
+    name, symbol: the robot's. digest: of its constants. figures: by the functions' stems. options: as the
+    command line takes them. precision: "double" or "float". stack_by: with what the stack was measured.
+    has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
+    kept.
+    unit: file name of an FMI unit, "" without one. changed: the share of itself by which a wrong constant is
+    taken to be wrong; hidden: the constants whose change by it no test vector shows, by name; None where
+    there are no forces.
+    """
+
+    name: str
+    symbol: str
+    digest: str
+    parts: Sequence[Part]
+    figures: Mapping[str, Figures]
+    options: str
+    precision: str
+    stack_by: str
+    has_robot: bool
+    deviations: Sequence[tuple[str, str, str]]
+    unit: str
+    version: str
+    changed: float
+    hidden: Sequence[str] | None
+
+
+def readme(kit: Kit) -> str:
+    """The text."""
+    functions = [function for part in kit.parts for function in part.functions]
+    robot_says = "" if kit.has_robot else "The numbers are in the kernel. "
+    values = {
+        "title": in_markdown(kit.name),
+        "symbol": kit.symbol,
+        "options": kit.options,
+        "licence": licence.SAYS,
+        "version": kit.version,
+        "arithmetic": _ARITHMETIC[kit.precision],
+        "parts": "\n".join(f"- {part.says}" for part in kit.parts),
+        "files": table(_files(kit)),
+        "summary": "\n".join(_summary(function, kit.figures[function.stem]) for function in functions),
+        "stack_by": kit.stack_by,
+        "stack_baked": _STACK_BAKED if any(function.plain for function in functions) else "",
+        "functions": "\n".join(map(_function, functions)),
+        "batches": template("kit/readme_batches.md") if any(function.batch for function in functions) else "",
+        "prepared": template("kit/readme_prepared.md")
+        if any(function.subject == MODEL for function in functions)
+        else "",
+        "inputs": table((q.name, shape(q), q.unit, q.meaning) for q in n.MOTION),
+        "status": table((f"STEWART_{name}", str(code), text) for name, code, text in STATUS),
+        "deviations": table(kit.deviations),
+        "digest": f"{robot_says}SHA-256 of name and constants: `{kit.digest}`",
+        "hidden": _hidden(kit),
+        "unit": template("kit/readme_unit.md", {"unit": kit.unit}) if kit.unit else "",
+    }
+    return template("kit/README.md", values)
+
+
+def _files(kit: Kit) -> list[tuple[str, str]]:
+    robot = (
+        [
+            (
+                "stewart_robot.h`, `stewart_robot.c",
+                f"this robot's constants, `{kit.symbol}`, and limits, `{kit.symbol}_limits`",
+            )
+        ]
+        if kit.has_robot
+        else []
+    )
+    unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
+    return [
+        ("stewart.h", "types and status codes"),
+        *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
+        *robot,
+        ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),
+        ("example/main.c", "an example: every function once"),
+        ("stewart.hpp", "the same functions for C++17"),
+        ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
+        ("robot.toml", "the robot file, all defaults and units written out"),
+        ("LICENSE", "terms of use: none"),
+        ("manifest.json", "options, digests of robot and files, version"),
+        *unit,
+    ]
+
+
+def _stems(part: Part) -> str:
+    return ", ".join(f"`{function.stem}`" for function in part.functions)
+
+
+def _summary(function: Function, figures: Figures) -> str:
+    stack = "" if figures.stack is None else f"{figures.stack:,}"
+    stack += "" if figures.batch_stack is None else f", batch {figures.batch_stack:,}"
+    error = (
+        "not tested: no pose settles it |"
+        if math.isnan(figures.error)
+        else f"{figures.error:.0e} | {figures.worst:.0e}"
+    )
+    return f"| `{function.symbol}` | {function.operations} | {stack} | {error} |"
+
+
+def _function(function: Function) -> str:
+    call = function.call
+    return template(
+        "kit/readme_function.md",
+        {
+            "symbol": function.symbol,
+            "prototype": "\n".join(map(_wrapped, function.prototypes)),
+            "says": call.says,
+            "reads": "Reads `stewart_motion`, below.\n\n" if call.motion else "",
+            "rows": table(
+                (each.name, way, each.dims, each.unit, each.meaning)
+                for way, fields in (("in", call.inputs), ("out", call.outputs))
+                for each in fields
+            ),
+        },
+    )
+
+
+def _wrapped(prototype: str) -> str:
+    """A C declaration in lines of 108 characters at the most, broken after a comma."""
+    name, bracket, parameters = prototype.partition("(")
+    lines = textwrap.wrap(parameters.replace(" ", "\0").replace(",\0", ", "), 104, break_long_words=False)
+    joined = "\n    ".join(lines).replace("\0", " ")
+    return prototype if len(prototype) <= 108 else f"{name}{bracket}\n    {joined}"
+
+
+def _hidden(kit: Kit) -> str:
+    """Which wrong constants the self-test finds by the forces, and which it does not."""
+    if kit.hidden is None:
+        return ""
+    says = f"It fails where a constant of the forces is wrong by {kit.changed:g} of itself"
+    if kit.hidden:
+        says += (
+            ", but for those that no motion was found to show, as rounding errors of other terms are larger: "
+            f"{_by_leg(kit.hidden)}"
+        )
+    return textwrap.fill(f"{says}.", 108, break_long_words=False, break_on_hyphens=False) + "\n"
+
+
+def _by_leg(names: Sequence[str]) -> str:
+    """Constants, those of several legs together: ``C_p of legs 1, 2``."""
+    legs: dict[str, list[str]] = {}
+    for name in names:
+        constant, _, leg = name.partition(" of leg ")
+        legs.setdefault(constant, []).append(leg)
+    parts = (
+        f"`{name}`" + (f" of legs {', '.join(which)}" if which[0] else "") for name, which in legs.items()
+    )
+    return "; ".join(parts)
+
+
+_ARITHMETIC = {
+    "double": "Arithmetic is `double`; the self-test's bounds are those of `double`.",
+    "float": "Arithmetic is `float`; no `double` is in the object code.",
+}
+
+_STACK_BAKED = ", with the numbers folded in as much as without"

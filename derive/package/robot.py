@@ -1,0 +1,92 @@
+"""``stewart_robot.h`` and ``.c``, the constants and limits of one machine as C source, and its robot file.
+
+Takes the numbers of ``stewart_robot`` by name.
+"""
+
+import hashlib
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from .. import notation as n
+from ..kernel.interface import STRUCTS, Member
+from .words import Numbers, braces, in_comment, literal, member, robot_symbol, stored, template
+
+HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"
+"""File names of the constants: not the commonplace robot.h."""
+
+
+def robot_files(
+    name: str, robot: Numbers, limits: Mapping[str, Sequence[float]], version: str
+) -> dict[str, str]:
+    """``stewart_robot.h`` and ``stewart_robot.c``: file name -> text.
+
+    robot: fields of ``stewart_robot``, those of the legs with six rows, inertias (3, 3). limits: members of
+    ``stewart_limits``, six numbers each, infinite where there is none. Raises ValueError naming the field
+    that is missing, has another shape or is not finite.
+    """
+    symbol = robot_symbol(name)
+    values = {
+        "name": in_comment(name),
+        "symbol": symbol,
+        "guard": f"{symbol.upper()}_H",
+        "version": version,
+        "digest": robot_digest(name, robot),
+        "robot": _initialiser(robot),
+        "arithmetic": template("kit/arithmetic.h"),
+        "limits": "\n".join(_limit(each, limits[each.name]) for each in STRUCTS["limits"]),
+    }
+    return {name: template(f"kit/{name}", values) for name in (HEADER, SOURCE)}
+
+
+def _limit(member: Member, limits: Sequence[float]) -> str:
+    numbers = ["STEWART_MAX" if math.isinf(limit) else literal(limit, member.name) for limit in limits]
+    return f"    /* {member.name}, {member.unit} */\n    {braces(numbers, '    ')},"
+
+
+def robot_digest(name: str, robot: Numbers) -> str:
+    """SHA-256 of name and constants, as hexadecimal digits; raises as ``robot_files``."""
+    return hashlib.sha256(f"{name}\n{_initialiser(robot)}".encode()).hexdigest()
+
+
+def _initialiser(robot: Numbers) -> str:
+    legs = [
+        "\n".join(
+            [
+                f"        {{ /* leg {i + 1} */",
+                *(member(q, stored(robot, q, "robot", i), " " * 12) for q in n.LEG),
+                "        },",
+            ]
+        )
+        for i in range(6)
+    ]
+    platform = [member(q, stored(robot, q, "robot"), "    ") for q in n.PLATFORM]
+    return "\n".join(["    {", *legs, "    },", *platform])
+
+
+def robot_toml(tables: Mapping[str, Any], options: str) -> str:
+    """The kit's copy of the robot file, of the tables of a robot file: the same robot to the bit."""
+    head = template("kit/robot.toml", {"options": options})
+    return head + "\n".join(_table(tables, "")) + "\n"
+
+
+def _table(table: Mapping[str, Any], path: str) -> list[str]:
+    """Lines of a table: plain values first, then the tables in it."""
+    nested = {key: value for key, value in table.items() if isinstance(value, Mapping)}
+    lists = {
+        key: value
+        for key, value in table.items()
+        if isinstance(value, list) and isinstance(value[0], Mapping)
+    }
+    lines = [
+        f"{key} = {json.dumps(value, ensure_ascii=False)}"
+        for key, value in table.items()
+        if key not in nested and key not in lists
+    ]
+    for key, value in nested.items():
+        lines += ["", f"[{path}{key}]", *_table(value, f"{path}{key}.")]
+    for key, values in lists.items():
+        for value in values:
+            lines += ["", f"[[{path}{key}]]", *_table(value, f"{path}{key}.")]
+    return lines

@@ -1,0 +1,231 @@
+"""``selftest.c``: a kit's proof of itself on its target, by answers that were computed at 50 digits.
+
+Takes the functions of a kit and their test vectors.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..kernel.interface import STRUCTS, Member
+from . import robot as robot_text
+from .functions import MODEL, NOTHING, ROBOT, Function
+from .words import Numbers, in_comment, literal, motion_members, template
+
+PER_LINE = 4
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """A motion without forces, R as (3, 3), and the status that says so."""
+
+    motion: Numbers
+    status: int
+
+
+@dataclass(frozen=True)
+class Case:
+    """One call: the motion's fields, R as (3, 3), None where none is read; the other inputs; every answer and
+    its largest error in rounding units, flat, in the order of the call."""
+
+    motion: Numbers | None
+    inputs: Sequence[float]
+    answers: Sequence[float]
+    bounds: Sequence[float]
+
+
+def selftest(
+    name: str,
+    symbol: str,
+    functions: Sequence[Function],
+    cases: Mapping[str, Sequence[Case]],
+    refusals: Sequence[Refusal],
+    version: str,
+) -> str:
+    """``selftest.c``. name: the robot's; symbol: its constants in C. cases: by the functions' stems.
+    refusals: of the forces, where they are among the functions.
+
+    Raises ValueError naming what is not a finite number.
+    """
+    motions, table = _motions([case for function in functions for case in cases[function.stem]])
+    parts = {
+        "name": in_comment(name),
+        "version": version,
+        "arithmetic": template("kit/arithmetic.h"),
+        "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
+        "robot": template("kit/selftest_robot.c", {"symbol": symbol}) if _has_robot(functions) else "",
+        "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
+        "motions": _initialisers(motions),
+        "motion_count": str(len(motions)),
+        "pointers": template("kit/selftest_pointers.c") if any(f.batch for f in functions) else "",
+        "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
+        "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
+        "rejected": _rejected(refusals) if any(f.stem == "forces" for f in functions) else "",
+        "functions": str(len(functions)),
+        "most": str(max(function.call.count for function in functions)),
+        "most_inputs": str(max(1, *(each.call.taken for each in functions))),
+        "reads_robot": "#define READS_ROBOT\n" if any(f.subject == ROBOT for f in functions) else "",
+        "rows": "\n".join(_row(function, cases[function.stem]) for function in functions),
+        "prepared": _models(functions),
+        "harness": template("kit/selftest_harness.c"),
+    }
+    return template("kit/selftest.c", parts)
+
+
+def _headers(functions: Sequence[Function]) -> list[str]:
+    own = [robot_text.HEADER] if any(function.subject != NOTHING for function in functions) else []
+    return [*own, *dict.fromkeys(function.header for function in functions)]
+
+
+def _motions(cases: Sequence[Case]) -> tuple[list[Numbers], dict[int, int]]:
+    """Every motion once, and where that of a case stands, by the case's identity."""
+    found: list[Numbers] = []
+    table = {}
+    for case in cases:
+        if case.motion is not None:
+            if case.motion not in found:
+                found.append(case.motion)
+            table[id(case)] = found.index(case.motion)
+    return found, table
+
+
+def _prefixes(functions: Sequence[Function]) -> list[str]:
+    return list(dict.fromkeys(f.prefix for f in functions if f.subject == MODEL))
+
+
+def _models(functions: Sequence[Function]) -> str:
+    prefixes = _prefixes(functions)
+    rows = (
+        f'    {{"{p}_prepare", {p}_prepared,\n        &{p}_of, &{p}_made, &{p}_before, sizeof {p}_of}},'
+        for p in prefixes
+    )
+    values = {"count": str(len(prefixes)), "rows": "\n".join(rows)}
+    return template("kit/selftest_models.c", values) if prefixes else ""
+
+
+def _has_robot(functions: Sequence[Function]) -> bool:
+    return any(function.subject != NOTHING for function in functions)
+
+
+def _called(function: Function, suffix: str, declared: Iterable[str], body: Iterable[str]) -> str:
+    """A function of the self-test that calls one of the kit."""
+    lines = "".join(f"    {line}\n" for line in (*declared, *body))
+    values = {"stem": function.stem, "suffix": suffix, "body": lines}
+    return template("kit/selftest_call.c", values)
+
+
+def _subject(function: Function) -> str:
+    return function.subject_argument("&robot_of.robot", f"&{function.prefix}_of")
+
+
+def _call(function: Function) -> str:
+    """One pose: structs begin with the numbers in ``in`` and ``out``, and end in ``out``."""
+    call = function.call
+    given, found = _places("in", call.inputs), _places("out", call.outputs)
+    declared, before, after, handed = [], [], [], []
+    for argument in call.arguments:
+        name = "found" if argument.whole else "made" if argument.name == "motion" else argument.name
+        if argument.is_motion:
+            handed.append("motion")
+            continue
+        if not argument.struct:
+            handed.append((found if argument.written else given)[(argument.takes or argument.gives)[0]])
+            continue
+        declared.append(f"stewart_{argument.struct} {name};")
+        handed.append(f"&{name}")
+        if argument.whole:
+            before.append(f"(void)memcpy(&{name}, out, sizeof {name});")
+            after.append(f"(void)memcpy(out, &{name}, sizeof {name});")
+            continue
+        targets = [f"{name}.{member.name}" for member in STRUCTS[argument.struct]]
+        before += [
+            _copied(target, given[each]) for target, each in zip(targets, argument.takes, strict=False)
+        ]
+        if argument.gives and not argument.takes:
+            before.append(f"(void)memset(&{name}, 0, sizeof {name});")
+        copies = [_copied(found[each], f"{name}.{each.name}", True) for each in argument.gives]
+        if copies:
+            after += ["if (status == STEWART_OK) {", *(f"    {line}" for line in copies), "}"]
+    unused = [*([] if call.inputs else ["(void)in;"]), *([] if call.motion else ["(void)motion;"])]
+    made = f"{function.symbol}({_subject(function)}{', '.join(handed)});"
+    if not after:
+        return _called(function, "call", declared, [*unused, *before, f"return {made}"])
+    body = [*unused, *before, f"status = {made}", *after, "return status;"]
+    return _called(function, "call", [*declared, "int status;"], body)
+
+
+def _copied(to: str, source: str, sized_by_source: bool = False) -> str:
+    return f"(void)memcpy({to}, {source}, sizeof {source if sized_by_source else to});"
+
+
+def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
+    """Where the numbers of each stand in ``in`` or ``out``."""
+    found, start = {}, 0
+    for member in members:
+        found[member] = f"{array} + {start}" if start else array
+        start += member.count
+    return found
+
+
+def _batch(function: Function) -> str:
+    """The function's batch, of one pose: what it computes stands apart from what one pose computes."""
+    if not function.batch:
+        return ""
+    call = function.call
+    (filled,) = (each for each in call.arguments if each.gives)
+    lines = ["const stewart_motions poses = pointers_to(motion);"]
+    lines += [f"stewart_{filled.struct}_arrays arrays;"] if filled.struct else []
+    lines += ["int status = -1;", "int first;", *([] if call.inputs else ["(void)in;"])]
+    places = _places("out", call.outputs)
+    lines += [f"arrays.{each.name} = {at};" for each, at in places.items()] if filled.struct else []
+    further = "in, " if call.inputs else ""
+    target = "&arrays" if filled.struct else "out"
+    lines += [
+        f"first = {function.symbol}_batch({_subject(function)}1, &poses, {further}{target}, &status);",
+        "return first == status ? first : -1;",
+    ]
+    return _called(function, "batch", [], lines)
+
+
+def _rejected(refusals: Sequence[Refusal]) -> str:
+    values = {
+        "count": str(len(refusals)),
+        "motions": _initialisers([each.motion for each in refusals]),
+        "statuses": ", ".join(str(each.status) for each in refusals),
+    }
+    return template("kit/selftest_rejected.c", values)
+
+
+def _initialisers(motions: Sequence[Numbers]) -> str:
+    return ",\n".join(f"    {{\n{motion_members(motion, ' ' * 8)}\n    }}" for motion in motions)
+
+
+def _arrays(function: Function, cases: Sequence[Case], table: Mapping[int, int]) -> str:
+    stem, call = function.stem, function.call
+    where = ", ".join(str(table.get(id(case), 0)) for case in cases)
+    parts = [f"static const unsigned char {stem}_motions[{len(cases)}] = {{{where}}};"]
+    if call.inputs:
+        parts.append(_table(f"{stem}_in", "stewart_real", [case.inputs for case in cases]))
+    parts.append(_table(f"{stem}_answers", "stewart_real", [case.answers for case in cases]))
+    parts.append(_table(f"{stem}_bounds", "stewart_real", [case.bounds for case in cases]))
+    return "\n".join(parts) + "\n"
+
+
+def _table(name: str, kind: str, rows: Sequence[Sequence[float]]) -> str:
+    """All rows in one flat array."""
+    numbers = [literal(float(number), name) for row in rows for number in row]
+    lines = [", ".join(numbers[i : i + PER_LINE]) for i in range(0, len(numbers), PER_LINE)]
+    body = ",\n    ".join(lines)
+    return f"static const {kind} {name}[{len(numbers)}] = {{\n    {body}}};"
+
+
+def _row(function: Function, cases: Sequence[Case]) -> str:
+    stem, call = function.stem, function.call
+    inputs = call.taken
+    given = f"{stem}_in" if inputs else "NULL"
+    batch = f"{stem}_batch" if function.batch else "NULL"
+    prepared = int(function.subject == MODEL)
+    return (
+        f'    {{"{stem}", {stem}_call, {batch}, {len(cases)}, {inputs}, {call.count}, '
+        f"{int(call.motion)},\n"
+        f"        {stem}_motions, {given}, {stem}_answers, {stem}_bounds, {prepared}}},"
+    )

@@ -1,0 +1,119 @@
+"""How a kit's texts write numbers, names, lists and tables, and how its templates are filled."""
+
+import hashlib
+import math
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from string import Template
+from typing import Any
+
+from .. import notation as n
+from ..block import Quantity
+
+Numbers = Mapping[str, Any]
+"""Quantity name -> number or nested lists of numbers."""
+
+LONGEST = 48
+"""Characters of a robot's name in a C identifier."""
+
+
+@cache
+def _template(name: str) -> Template:
+    return Template((files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8"))
+
+
+def template(name: str, values: Mapping[str, str] | None = None) -> str:
+    """A file of ``templates``, its name without ``.in``, with each ``$word`` replaced."""
+    return _template(name).substitute(values or {})
+
+
+def robot_symbol(name: str) -> str:
+    """C identifier of a robot: ``stewart_robot_`` and the ASCII letters and digits of its name.
+
+    Accents are dropped; a name without any such letter or digit gives way to its digest. A name of more than
+    LONGEST characters is cut and ends in eight digits of its digest, so that names with the same beginning
+    remain different: files and libraries are named after it, with endings, and systems take 255 bytes.
+    """
+    plain = unicodedata.normalize("NFKD", name.casefold())
+    letters = "".join(char for char in plain if not unicodedata.combining(char))
+    words = re.findall(r"[a-z0-9]+", letters)
+    digest = hashlib.sha256(name.encode()).hexdigest()
+    symbol = "_".join(words) or digest[:12]
+    if len(symbol) > LONGEST:
+        symbol = f"{symbol[: LONGEST - 9].rstrip('_')}_{digest[:8]}"
+    return f"stewart_robot_{symbol}"
+
+
+def in_comment(name: str) -> str:
+    """A name that may stand in a C comment."""
+    return name.replace("*/", "* /").replace("/*", "/ *")
+
+
+def in_markdown(name: str) -> str:
+    """A name that Markdown takes as it is."""
+    return re.sub(r"([\\`*_{}\[\]<>#|&])", r"\\\1", name)
+
+
+def literal(number: Any, where: str) -> str:
+    """A number to all its digits, in the arithmetic of the kernel: no double is left in a float build.
+
+    Raises ValueError naming ``where`` for what is not a finite number.
+    """
+    if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+        raise ValueError(f"{where}: expected finite numbers, got {number!r}")
+    return f"REAL({float(number)!r})"
+
+
+def stored(numbers: Numbers, quantity: Quantity, owner: str, leg: int | None = None) -> list[str]:
+    """Literals of the components that ``stewart.h`` stores, in its order.
+
+    Raises ValueError naming owner and quantity that is missing or has another shape.
+    """
+    where = f"{owner}: {quantity.name}"
+    if quantity.name not in numbers:
+        raise ValueError(f"{where}: missing")
+    prefix = () if leg is None else (leg,)
+    return [
+        literal(component(numbers[quantity.name], (*prefix, *key), where), where) for key in quantity.keys
+    ]
+
+
+def component(value: Any, key: Sequence[int], where: str) -> Any:
+    """An entry of nested lists. Raises ValueError naming ``where`` if there is none."""
+    try:
+        for i in key:
+            value = value[i]
+    except (IndexError, TypeError):
+        raise ValueError(f"{where}: expected an entry {list(key)}") from None
+    return value
+
+
+def member(quantity: Quantity, literals: Sequence[str], indent: str) -> str:
+    """One member of an initialiser, with what it is."""
+    order = ", order xx xy xz yy yz zz" if quantity.symmetric else ""
+    value = braces(literals, indent) if quantity.shape else literals[0]
+    return f"{indent}/* {quantity.name}, {quantity.unit}: {quantity.meaning}{order} */\n{indent}{value},"
+
+
+def braces(literals: Sequence[str], indent: str) -> str:
+    """A braced list, three numbers on a line."""
+    rows = [", ".join(literals[i : i + 3]) for i in range(0, len(literals), 3)]
+    return "{" + f",\n{indent} ".join(rows) + "}"
+
+
+def motion_members(motion: Numbers, indent: str) -> str:
+    """Initialiser of a ``stewart_motion``, without its braces; R is (3, 3), the rest (3,)."""
+    return "\n".join(member(q, stored(motion, q, "motion"), indent) for q in n.MOTION)
+
+
+def shape(quantity: Quantity) -> str:
+    """Dimensions of a quantity as it is stored, "" of a number."""
+    return f"[{len(quantity.keys)}]" if quantity.shape else ""
+
+
+def table(rows: Iterable[Sequence[str]]) -> str:
+    """Rows of a Markdown table; the first cell is code."""
+    return "\n".join(f"| `{first}` | {' | '.join(rest)} |" for first, *rest in rows)

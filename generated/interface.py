@@ -1,0 +1,202 @@
+"""Layout of the C as data: status codes, members of structs, outputs of functions, sizes of prepared models.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit. Regenerate with ``stewart-sym derive``.
+SPDX-License-Identifier: 0BSD
+"""
+
+Shape = tuple[int, ...]
+
+# Code and meaning of ``STEWART_<name>``.
+STATUS: dict[str, tuple[int, str]] = {
+    "OK": (0, "solved"),
+    "NOT_FINITE": (1, "an input is not finite, or a result overflows"),
+    "SHORT_LEG": (2, "a leg has length zero"),
+    "POLE": (3, "a leg lies along the fixed axis of its universal joint"),
+    "SINGULAR": (4, "H is singular: no leg forces can hold the platform"),
+    "BAD_ARGUMENT": (5, "a pointer that must not be null is null"),
+    "INDEFINITE": (6, "the inertia matrix M is not positive definite: no body has such inertias"),
+    "NOT_CONVERGED": (7, "no pose with these leg lengths was found"),
+}
+
+# Members of ``stewart_<name>`` in order, with their shapes; ``stewart_robot`` is six legs, then ``platform``.
+# Of a symmetric (3, 3) C stores the six components xx xy xz yy yz zz.
+STRUCTS: dict[str, dict[str, Shape]] = {
+    "leg": {
+        "b": (3,),
+        "p": (3,),
+        "k": (3,),
+        "m_d": (),
+        "r_d0": (3,),
+        "I_d0": (3, 3),
+        "m_u": (),
+        "r_u0": (3,),
+        "I_u0": (3, 3),
+        "C_u": (),
+        "C_p": (),
+        "C_s": (),
+    },
+    "platform": {
+        "M": (),
+        "R_0": (3,),
+        "I_p": (3, 3),
+        "g": (3,),
+    },
+    "limits": {
+        "shortest": (6,),
+        "longest": (6,),
+        "force": (6,),
+        "speed": (6,),
+    },
+    "motion": {
+        "R": (3, 3),
+        "t": (3,),
+        "omega": (3,),
+        "v": (3,),
+        "alpha": (3,),
+        "a": (3,),
+        "F_ext": (3,),
+        "M_ext": (3,),
+    },
+    "pose": {
+        "R": (3, 3),
+        "t": (3,),
+    },
+    "forces": {
+        "F": (6,),
+        "D": (6,),
+        "x": (6,),
+        "K": (6, 3),
+        "H": (6, 6),
+        "c": (6,),
+    },
+    "reactions": {
+        "F_s": (6, 3),
+        "F_u": (6, 3),
+        "F_p": (6, 3),
+        "F_c": (6, 3),
+        "M_p": (6, 3),
+        "M_u": (6,),
+    },
+    "equations": {
+        "M": (6, 6),
+        "C": (6, 6),
+        "g": (6,),
+        "friction": (6,),
+        "bias": (6,),
+        "H": (6, 6),
+        "H_dot": (6, 6),
+    },
+    "derivatives": {
+        "F": (6,),
+        "by_pose": (6, 6),
+        "by_twist": (6, 6),
+        "by_acceleration": (6, 6),
+    },
+    "linearisation": {
+        "acceleration": (6,),
+        "A": (12, 12),
+        "B": (12, 6),
+    },
+    "legs": {
+        "L": (6,),
+        "L_dot": (6,),
+        "L_ddot": (6,),
+        "s": (6, 3),
+        "S": (6, 3),
+    },
+}
+
+# Outputs of each function in order, with their shapes.
+OUTPUTS: dict[str, dict[str, Shape]] = {
+    "forces": {
+        "F": (6,),
+    },
+    "inverse_dynamics": {
+        "F": (6,),
+        "D": (6,),
+        "x": (6,),
+        "K": (6, 3),
+        "H": (6, 6),
+        "c": (6,),
+    },
+    "joint_reactions": {
+        "F_s": (6, 3),
+        "F_u": (6, 3),
+        "F_p": (6, 3),
+        "F_c": (6, 3),
+        "M_p": (6, 3),
+        "M_u": (6,),
+    },
+    "equations": {
+        "M": (6, 6),
+        "C": (6, 6),
+        "g": (6,),
+        "friction": (6,),
+        "bias": (6,),
+        "H": (6, 6),
+        "H_dot": (6, 6),
+    },
+    "bias": {
+        "bias": (6,),
+    },
+    "forward_dynamics": {
+        "acceleration": (6,),
+    },
+    "joint_inertia": {
+        "inertia": (6, 6),
+    },
+    "derivatives": {
+        "F": (6,),
+        "by_pose": (6, 6),
+        "by_twist": (6, 6),
+        "by_acceleration": (6, 6),
+    },
+    "linearisation": {
+        "acceleration": (6,),
+        "A": (12, 12),
+        "B": (12, 6),
+    },
+    "inverse_kinematics": {
+        "L": (6,),
+        "L_dot": (6,),
+    },
+    "forward_kinematics": {
+        "R": (9,),
+        "t": (3,),
+    },
+    "forward_velocity": {
+        "v": (3,),
+        "omega": (3,),
+    },
+    "motion_from_rpy": {
+        "R": (9,),
+        "omega": (3,),
+        "alpha": (3,),
+    },
+    "motion_from_quaternion": {
+        "R": (9,),
+        "omega": (3,),
+        "alpha": (3,),
+    },
+}
+
+# How many numbers the prepared model of a kernel holds.
+MODELS: dict[str, int] = {
+    "exact": 300,
+    "paper": 218,
+    "exact_spherical": 249,
+    "paper_spherical": 249,
+    "exact_bounds": 384,
+    "exact_frictionless": 257,
+    "exact_axisymmetric_friction": 186,
+    "exact_axisymmetric": 161,
+    "exact_slender_friction": 170,
+    "exact_slender": 89,
+    "exact_point_masses_friction": 170,
+    "exact_point_masses": 89,
+    "exact_massless_friction": 114,
+    "exact_massless": 65,
+    "exact_general_static": 138,
+    "exact_slender_static": 66,
+    "exact_massless_static": 58,
+}

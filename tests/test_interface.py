@@ -1,0 +1,102 @@
+"""The interface table is what headers declare and what the package, kits and the sweep go by."""
+
+import re
+import subprocess
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+from stewart_sym import native, results
+from stewart_sym.derive.generate import generator_version
+from stewart_sym.derive.kernel.constants import STATUS as OF_TREES
+from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
+from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
+from stewart_sym.derive.package.layout import layout
+from stewart_sym.generated import interface
+from stewart_sym.kit.choice import STEMS
+
+ROTATION = ("motion_from_rpy", "motion_from_quaternion")
+
+
+@cache
+def headers() -> dict[str, str]:
+    folder = files("stewart_sym.generated") / "c"
+    return {
+        path.name: path.read_text(encoding="utf-8")
+        for path in folder.iterdir()
+        if path.name.endswith(".h") and not path.name.startswith("stewart_fmi")
+    }
+
+
+def functions() -> list[Function]:
+    found = [Function(stem, f"stewart_{stem}", "stewart_rotation.h", NOTHING) for stem in ROTATION]
+    found += [
+        Function(stem, f"stewart_{stem}", "stewart_kinematics.h", ROBOT) for stem in STEMS["kinematics"]
+    ]
+    for name in ("exact", "paper", "exact_spherical", "paper_spherical"):
+        prefix = f"stewart_{name}"
+        found += [Function(stem, f"{prefix}_{stem}", f"{prefix}.h", ROBOT) for stem in STEMS["reactions"]]
+        found.append(Function("forces", f"{prefix}_forces", f"{prefix}_forces.h", MODEL, prefix))
+    return found + [
+        Function(stem, f"stewart_exact_{stem}", "stewart_exact_motion.h", MODEL, "stewart_exact")
+        for stem in (*STEMS["motion"], *STEMS["derivatives"])
+    ]
+
+
+@pytest.mark.parametrize("function", functions(), ids=lambda each: each.symbol)
+def test_headers_declare_what_the_table_says(function: Function) -> None:
+    declared = re.findall(r"^STEWART_NODISCARD (int [^;]*;)", headers()[function.header], re.M)
+    plain = [" ".join(text.replace("(\n    ", "(").split()) for text in declared]
+    for prototype in function.prototypes:
+        assert prototype in plain
+
+
+def test_every_declared_function_stands_in_the_table() -> None:
+    of_table = {text.split("(")[0].split()[1] for each in functions() for text in each.prototypes}
+    for each in {function.header for function in functions()}:
+        declared = set(re.findall(r"^STEWART_NODISCARD int (\w+)\(", headers()[each], re.M))
+        assert {name for name in declared if not name.endswith("_prepare")} <= of_table
+    assert {each.stem for each in functions()} == set(CALLS)
+
+
+@pytest.mark.parametrize("name", [name for name in STRUCTS if name not in ("platform", "legs")])
+def test_structs_have_the_members_of_the_table(name: str) -> None:
+    text = "".join(headers().values())
+    (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name};", text))
+    members = re.findall(r"stewart_real (\w+)((?:\[\d+\])*);", body)
+    assert members == [(each.name, each.dims) for each in STRUCTS[name]]
+    if f"stewart_{name}_arrays" in text:
+        (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name}_arrays;", text))
+        pointers = re.findall(r"stewart_real \*(\w+); /\* \[count\]((?:\[\d+\])*)", body)
+        assert pointers == members
+
+
+def test_status_codes_are_the_same_everywhere() -> None:
+    codes = {name: code for name, code, _ in STATUS}
+    assert {name: code for name, (code, _) in OF_TREES.items()}.items() <= codes.items()
+    assert all(getattr(results, name) == code for name, code in codes.items())
+    defined = re.findall(r"^#define STEWART_([A-Z_]+) (\d) /\*", headers()["stewart.h"], re.M)
+    assert [(name, int(code)) for name, code in defined] == list(codes.items())
+
+
+def test_the_package_reads_the_table_of_the_derivation() -> None:
+    written = (files("stewart_sym.generated") / "interface.py").read_text(encoding="utf-8")
+    assert written == layout(interface.MODELS, generator_version())
+    assert {name for name in STRUCTS if f"{name}_arrays" in str(headers())} == {
+        name for name in interface.STRUCTS if name not in ("leg", "platform", "limits", "motion", "pose")
+    }
+
+
+@pytest.mark.parametrize("name", interface.MODELS)
+def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -> None:
+    header = f"stewart_{name}.h" if name.endswith("_bounds") else f"stewart_{name}_forces.h"
+    for each, text in headers().items():
+        (tmp_path / each).write_text(text, encoding="utf-8")
+    right = f"sizeof(stewart_{name}_model) == {interface.MODELS[name]} * sizeof(stewart_real)"
+    (tmp_path / "size.c").write_text(f'#include "{header}"\ntypedef char right[{right} ? 1 : -1];\n')
+    compiler = native.find_compiler()
+    if compiler is None:
+        pytest.skip("needs a C compiler")
+    subprocess.run([*compiler.command, "-std=c99", "-fsyntax-only", "size.c"], check=True, cwd=tmp_path)
