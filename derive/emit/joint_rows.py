@@ -303,10 +303,11 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
+/* Of each leg the generalised forces, the accelerations that those of the platform give to it, and the share
+ * of the inertia about its own axis beside k3 times that of its tip. */
 static void rows_held(
-    const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
-    stewart_real (*apart)[LANES])
+    const row_factors *by, const leg_judgement *judged, const stewart_real *found, const stewart_real *start,
+    const stewart_real *rest, stewart_real (*apart)[LANES])
 {
     stewart_real whole[ROWS];
     int l, i, j;
@@ -317,6 +318,10 @@ static void rows_held(
         }
     }
     for (l = 0; l < LANES; ++l) {
+        const stewart_real *size = &by->size[3 * (l < 6 ? l : 5)];
+        const stewart_real k3 = judged->k3[l], tip = judged->L[l] * size[0];
+        const stewart_real share = tip / size[1] * (tip / size[2] * k3);
+        apart[6][l] = k3 < STEWART_LEANING ? k3 / (k3 + share * share * (share * share)) : REAL(1);
         for (i = 0; i < 3; ++i) {
             const int row = 3 * (l < 6 ? l : 5) + i;
             stewart_real force = rest[row], turned = REAL(0);
@@ -333,7 +338,8 @@ static void rows_held(
 }
 
 /* Forward dynamics where M's factors would lose digits; apart: the legs' generalised forces, without the
- * actuators', and the accelerations that those of the platform give to L, theta, phi. Returns a status. */
+ * actuators', the accelerations that those of the platform give to L, theta, phi, and shares of the inertias
+ * about the legs' axes. Returns a status. */
 static int forward_apart(
     const stewart_@NAME@_model *model, const stewart_motion *motion, const stewart_real F[6],
     row_factors *by, stewart_real (*apart)[LANES], stewart_real acceleration[6])
@@ -366,7 +372,7 @@ static int forward_apart(
         return STEWART_NOT_FINITE;
     }
     copy(found, 6, acceleration);
-    rows_held(by, right, start, rest, apart);
+    rows_held(by, &legs.judged, right, start, rest, apart);
     return STEWART_OK;
 }
 """

@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 from .. import notation as n
 from ..block import Block, Operations, Quantity
-from ..motion import F_LEG, NAMES, NET, TURNED, SumKernel
+from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..regroup import ForceKernel
 from . import singular
 from .c import ARITHMETIC, IS_FINITE, size, step_lines
@@ -212,8 +212,8 @@ _LANE_INPUTS: dict[Quantity | None, tuple[str, str, str]] = {
 }
 """What legs are given besides pose and model: a kernel's parameter, the legs' argument and parameter."""
 
-_APART = (NET, TURNED)
-"""What ``forward_apart`` hands to the derivatives, three numbers each."""
+_APART = (NET, TURNED, AXIAL)
+"""What ``forward_apart`` hands to the derivatives, three numbers each but for the last."""
 
 _SPREAD_FORCE = [
     "    for (i = 0; i < LANES; ++i) {",
@@ -835,7 +835,7 @@ int stewart_@NAME@_forward_dynamics(
 {
     forward_dynamics_legs legs;
     row_factors by;
-    stewart_real A[48], sum[27], apart[6][LANES];
+    stewart_real A[48], sum[27], apart[7][LANES];
     int i, status;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
@@ -979,7 +979,7 @@ int stewart_@NAME@_linearisation(
     row_factors by;
     stewart_linearisation found;
     stewart_motion moving;
-    stewart_real A[144], sum[93], apart[6][LANES];
+    stewart_real A[144], sum[93], apart[7][LANES];
     int i, j, status;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;

@@ -147,6 +147,11 @@ def _forward_apart(robot: Any, motion: Any, F: Array) -> tuple[_Rows, Array, Arr
     force[:, :18, 0] = np.stack([leg[f"tau_{axis}"] for axis in "xyz"], axis=-1).reshape(-1, 18)
     x, held, turned, status = _rows_solved(by, force, _wrench(total, "right")[..., None])
     motion.net, motion.turned = (rows[:, :18, 0].reshape(-1, 6, 3) for rows in (held, turned))
+    size = by.size[:, :18].reshape(-1, 6, 3)
+    of_tip = leg["L"] * size[..., 0]
+    share = of_tip / size[..., 1] * (of_tip / size[..., 2] * leg["k3"])
+    axial = leg["k3"] / (leg["k3"] + share * share * (share * share))
+    motion.axial = np.where(leg["k3"] < LEANING, axial, 1.0)
     return by, x[..., 0], status
 
 

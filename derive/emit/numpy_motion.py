@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from .. import notation as n
 from ..block import Block, Quantity, component_name
-from ..motion import F_LEG, NET, TURNED, SumKernel
+from ..motion import AXIAL, F_LEG, NET, TURNED, SumKernel
 from ..prepared import ADDED
 from ..regroup import ForceKernel
 from .infix import WIDTH, infix, wrap
@@ -98,6 +98,8 @@ def _in_lanes(kernel: SumKernel, model: ForceKernel) -> Load:
             return "F"
         if quantity in (NET, TURNED):
             return f"motion.{quantity.name}[..., {key[0]}]"
+        if quantity == AXIAL:
+            return f"motion.{quantity.name}"
         if quantity in n.MOTION:
             return f"motion.{quantity.name}[...{_index(key)}, None]"
         if quantity in given:
