@@ -1884,7 +1884,7 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 8; ++j) {
             A[8*k + j] = A[8*k + j]*inverse[k];
         }
@@ -2338,10 +2338,10 @@ static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs
 {
     int i, j, k;
     const stewart_real mass = summed[0];
-    stewart_real c[3] = {REAL(0)};
+    stewart_real c[3] = {0, 0, 0};
     stewart_real about[6];
     stewart_real inertia[6];
-    stewart_real whole[6] = {REAL(0)};
+    stewart_real whole[6] = {0, 0, 0, 0, 0, 0};
     stewart_real heaviest = STEWART_FABS(mass);
     stewart_real length = REAL(0);
     for (i = 0; i < 6; ++i) {
@@ -2376,6 +2376,11 @@ static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs
                 const stewart_real turn = legs->row_w[3*j + k][i]/by->length;
                 by->row[6*(3*i + j) + (k + 3)] = by->extent[3*i + j]*turn;
             }
+        }
+    }
+    for (i = 18; i < 24; ++i) {
+        for (j = 0; j < 6; ++j) {
+            by->row[6*i + j] = REAL(0);
         }
     }
     const stewart_real heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
@@ -2465,7 +2470,7 @@ static void pick_rows(rows *by)
         }
     }
     for (i = 6; i < 24; ++i) {
-        for (j = 5; j > -1; --j) {
+        for (j = 5; j >= 0; --j) {
             share[j] = by->row[6*i + j];
             for (k = j + 1; k < 6; ++k) {
                 share[j] = share[j] - share[k]*by->row[6*k + j];
@@ -2479,6 +2484,11 @@ static void pick_rows(rows *by)
 static void weigh_rows(rows *by)
 {
     int b, i, j, k, n;
+    for (k = 0; k < 6; ++k) {
+        for (n = 0; n < 6; ++n) {
+            by->inertia[6*k + n] = REAL(0);
+        }
+    }
     for (b = 0; b < 8; ++b) {
         for (i = 0; i < 3; ++i) {
             for (j = 0; j < 3; ++j) {
@@ -2528,7 +2538,7 @@ static void balance_rows(
                 }
             }
         }
-        for (k = 2; k > -1; --k) {
+        for (k = 2; k >= 0; --k) {
             for (j = k + 1; j < 3; ++j) {
                 moved[3*b + k] = moved[3*b + k] - W[k][j]*moved[3*b + j];
             }
@@ -2576,7 +2586,7 @@ static void row_right(
         }
         right[k] = right[k]/by->row[6*k + k];
     }
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
             right[k] = right[k] - by->row[6*j + k]*right[j];
         }
@@ -2600,7 +2610,7 @@ static void row_back(
             x[k] = x[k] - by->row[6*k + j]*x[j];
         }
     }
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
             x[k] = x[k] - by->row[6*k + j]*x[j];
         }
@@ -2614,7 +2624,7 @@ static void rows_held(
     rows *by, const stewart_real found[6], const stewart_real start[6], const stewart_real rest[24])
 {
     int b, i, j;
-    stewart_real whole[24] = {REAL(0)};
+    stewart_real whole[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 24; ++i) {
         for (j = 0; j < 6; ++j) {
             whole[i] = whole[i] + by->share[6*i + j]*found[j];
@@ -2641,15 +2651,16 @@ static apart_found forward_apart(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], rows *by)
 {
     int i, j;
-    apart_found out = {0};
+    apart_found out;
     joint_rows_legs legs;
     stewart_real summed[27];
-    stewart_real force[24] = {REAL(0)};
+    stewart_real force[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real start[6];
     stewart_real rest[24];
     stewart_real right[6];
-    stewart_real A[48] = {REAL(0)};
+    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2694,7 +2705,8 @@ static forward_dynamics_found find_forward_dynamics(
     forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {REAL(0)};
+    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2707,7 +2719,7 @@ static forward_dynamics_found find_forward_dynamics(
     }
     int fault = solve_definite_8(A, STEWART_KEPT);
     if (status == STEWART_OK && fault == STEWART_INDEFINITE) {
-        rows by = {0};
+        rows by;
         const apart_found apart = forward_apart(model, motion, F, &by);
         for (i = 0; i < 6; ++i) {
             A[8*i + 6] = fault == STEWART_INDEFINITE ? apart.x[i] : A[8*i + 6];
@@ -2785,7 +2797,7 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 12; ++j) {
             A[12*k + j] = A[12*k + j]*inverse[k];
         }
@@ -3000,7 +3012,7 @@ static joint_inertia_found find_joint_inertia(
         }
     }
     scale_moments_12(model->per_length, A);
-    solve_pivoted_12(A);
+    (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
@@ -3028,7 +3040,11 @@ int stewart_exact_joint_inertia(
 /* Actuator forces. */
 static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
 {
-    forces_found out = {0};
+    int i;
+    forces_found out;
+    for (i = 0; i < 6; ++i) {
+        out.F[i] = REAL(0);
+    }
     out.status = stewart_exact_forces(model, motion, out.F);
     return out;
 }
@@ -4718,7 +4734,7 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
             A[24*k + j] = A[24*k + j]*inverse[k];
         }
@@ -4822,7 +4838,7 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     place_blocks_24(&summed[57], &summed[66], &summed[75], &summed[84], 12, A);
     place_inertia_24(&summed[0], &summed[6], &summed[15], 18, A);
     scale_moments_24(model->per_length, A);
-    solve_pivoted_24(A);
+    (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         out.of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
@@ -5877,14 +5893,27 @@ static slopes_found slopes_apart(
     const stewart_real F[6])
 {
     int c, i, j, k;
-    slopes_found out = {0};
-    rows by = {0};
+    slopes_found out;
+    rows by;
     joint_slopes_legs legs;
     stewart_real summed[93];
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {REAL(0)};
+    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real rest[24];
     stewart_real right[6];
@@ -5953,7 +5982,7 @@ static linearisation_found find_linearisation(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
 {
     int i, j;
-    linearisation_found out = {0};
+    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
     stewart_real A[144];
@@ -5993,13 +6022,15 @@ static linearisation_found find_linearisation(
         out.of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
-        out.of.A[12*i + (i + 6)] = REAL(1);
         for (j = 0; j < 12; ++j) {
+            out.of.A[12*i + j] = REAL(0);
             out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
+            out.of.B[6*i + j] = REAL(0);
             out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
+        out.of.A[12*i + (i + 6)] = REAL(1);
     }
     out.of.A[40] = -motion->omega[2];
     out.of.A[41] = motion->omega[1];

@@ -9,7 +9,7 @@ become the unknowns: no large number is added to a small one.
 
 def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -> "Apart":
     """Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given."""
-    out = Apart()
+    out = blank(Apart)
     legs = blank(JointRowsLegs)
     summed = blank(JointRowsSums)
     force = array(24)
@@ -48,8 +48,8 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
 
 def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6)") -> "SlopesApart":
     """M^-1 times the derivatives of the wrench and H, columns 6 to 23 of A, as ``forward_apart`` solves."""
-    out = SlopesApart()
-    by = Rows()
+    out = blank(SlopesApart)
+    by = blank(Rows)
     legs = blank(JointSlopesLegs)
     summed = blank(JointSlopesSums)
     start = blank(array(6))
@@ -148,6 +148,9 @@ def make_rows(summed: "JointRowsSums", legs: "JointRowsLegs", by: "Rows") -> Non
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
                 turn = legs.leg[i].row_w[3 * j + k] / by.length
                 by.row[3 * i + j][k + 3] = by.extent[3 * i + j] * turn
+    for i in range(18, 24):
+        for j in range(6):
+            by.row[i][j] = 0.0
     heft = larger(sqrt(size(mass)), least)
     per_mass = where(mass > 0.0, 1.0 / mass, 0.0)
     c[0] = summed.M_vw[5] * per_mass
@@ -231,6 +234,9 @@ def pick_rows(by: "Rows") -> None:
 
 def weigh_rows(by: "Rows") -> None:
     """M in the coordinates."""
+    for k in range(6):
+        for n in range(6):
+            by.inertia[k][n] = 0.0
     for b in range(8):
         for i in range(3):
             for j in range(3):
