@@ -24,7 +24,9 @@ In the order of the flow, each knowing only what stands before it:
     motion          the closed form: M, C, g, forward dynamics, derivatives
     operations      what a whole kernel costs
     thresholds      where each status begins, and why there
-    emit            blocks as C, as NumPy
+    kernel          whole functions as trees: blocks, and what is written around them
+    print           trees as C, Python, MATLAB and Rust
+    emit            kernels as files of C and NumPy
     package         what surrounds kernels: a kit for one robot, from files of ``templates``
     generate        all of it, written to files
     passes          what each reduction is worth

@@ -113,9 +113,9 @@ def test_orientations_are_those_of_the_library() -> None:
     np.testing.assert_allclose(stacked(found.R), motion.R.reshape(-1, 9), rtol=0, atol=8 * EPSILON)
     np.testing.assert_allclose(stacked(found.omega), motion.omega, rtol=0, atol=64 * EPSILON)
     np.testing.assert_allclose(stacked(found.alpha), motion.alpha, rtol=0, atol=64 * EPSILON)
-    assert (run(tree, "finite_turn", found) == OK).all()
+    assert (run(tree, "orientation_status", found) == OK).all()
     found.alpha[2] = np.where(np.arange(8) == 3, np.nan, found.alpha[2])
-    assert list(np.flatnonzero(run(tree, "finite_turn", found))) == [3]
+    assert list(np.flatnonzero(run(tree, "orientation_status", found))) == [3]
 
 
 def one_pose(seed: int) -> tuple[ss.Robot, Array, Array, Array]:

@@ -3,6 +3,7 @@
 One pose at a time, for processors without vector registers, and the legs of many poses.
 """
 
+import re
 from collections.abc import Iterable
 
 from ..block import Block
@@ -63,7 +64,10 @@ def _files(
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
     file = f"stewart_{name}"
-    printer = C(program.functions, None, True, records, program.structures)
+    snake = {
+        each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
+    }
+    printer = C(program.functions, None, True, snake | records, program.structures)
     own = (each for each in program.structures if each.name not in records)
     top = filled("top.c", file=file, version=version) + filled("arithmetic.c")
     source = printer.source(top, *own, *program.functions, filled(f"{name}.c"))

@@ -6,11 +6,11 @@ so one straight-line program serves all six legs of all poses. Knows nothing of 
 
 from .. import notation as n
 from ..block import Block, Output, Quantity, Step
+from ..kernel.prepare import ABOUT_REFERENCE
 from ..kernels import Kernel
 from ..operations import KernelOperations
 from .c import operations_table
 from .infix import WIDTH, infix, wrap
-from .lane_scale import ABOUT_REFERENCE
 
 
 def module(

@@ -2,7 +2,6 @@
 
 from math import sqrt
 
-from ..emit.lane_scale import LARGEST, SMALLEST
 from .interface import STATUS as OF_INTERFACE
 
 STATUS = {
@@ -18,6 +17,14 @@ SEARCH = {
 }
 INTEGERS = STATUS | SEARCH
 """Whole numbers that written functions may use."""
+
+SMALLEST, LARGEST = 0.125, 16.0
+"""Sizes of platforms, m, between which forces and moments in metres compare well enough.
+
+Of 10^4 poses none loses more than 6.1 rounding units times its condition number at 1/8 m, 2 at 1 m and above,
+but 10 at 1/16 m. In float, pivots that are rounding error of moments come near
+``STEWART_SUSPECT`` at 64 m.
+"""
 
 PRECISIONS = {
     "double": (2.0**-52, float.fromhex("0x1.fffffffffffffp1023")),

@@ -13,6 +13,7 @@ from .. import notation as n
 from ..block import Block, Quantity
 from ..prepared import ADDED
 from ..regroup import ForceKernel
+from .constants import LARGEST, SMALLEST
 from .layouts import Layout, Place, Written, loads, member, names_used, stored, stores
 from .lower import steps_of
 from .nodes import (
@@ -39,13 +40,6 @@ from .nodes import (
 from .read import Given
 from .written import scale
 
-SMALLEST, LARGEST = 0.125, 16.0
-"""Sizes of platforms, m, between which forces and moments in metres compare well enough.
-
-Of 10^4 poses none loses more than 6.1 rounding units times its condition number at 1/8 m, 2 at 1 m and above,
-but 10 at 1/16 m. In float, pivots that are rounding error of moments come near
-``STEWART_SUSPECT`` at 64 m.
-"""
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
 """The same of arms from the reference point, which is amid most platforms."""
 PER_LENGTH = Field(

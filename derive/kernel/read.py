@@ -161,7 +161,7 @@ class _Reader:
         typed = [(each.arg, *self.argument(each.annotation)) for each in tree.args.args]
         typed = [each for each in typed if self.given.get(each[0]) is not False]
         self.types = {name: kind for name, kind, _ in typed}
-        read = self.body(tree.body[1:])
+        read = self.body(tree.body[ast.get_docstring(tree) is not None :])
         changed = _changed(read, self.functions, self.is_address)
         arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
         result = None if _is_none(tree.returns) else self.annotated(tree.returns)

@@ -1,0 +1,98 @@
+"""The reader of written functions: what is settled when a text is read, scopes, early return, addresses."""
+
+from typing import Any
+
+import pytest
+
+from stewart_sym.derive.kernel import read
+from stewart_sym.derive.kernel.nodes import (
+    Assign,
+    Call,
+    Field,
+    Function,
+    Let,
+    Name,
+    Number,
+    Pointer,
+    Real,
+    Return,
+    Structure,
+    Variable,
+    statements,
+)
+from stewart_sym.derive.print.c import C
+
+# What stands in these texts are names of the program that they are read into.
+# ruff: noqa: F821, B018
+
+
+def settled(x: "array(3)", y: "Real") -> "Real":  # type: ignore[name-defined]
+    if FIRST:
+        ADDED
+    else:
+        y = y + 2.0
+    for i in each(2):
+        part[i,] = x[i] if FIRST else x[2]
+    return part[0,] + part[1,]
+
+
+def scoped(x: "array(3)", count: "Integer") -> "Integer":  # type: ignore[name-defined]
+    for i in range(3):
+        code = count + i
+        if code > 2:
+            return code
+    code = 7
+    code = code + count
+    return code
+
+
+def through(to: "Arrays", from_one: "Pointer(Real)", count: "Count") -> None:  # type: ignore[name-defined]
+    for pose in range(count):
+        if from_one is not None and not from_one[pose] > 1.0:
+            to.F[pose * 6 + 1] = from_one[pose]
+
+
+def test_conditions_loops_and_registers_are_settled_when_a_text_is_read() -> None:
+    added = (Assign(Name("y"), Number(1.0)),)
+    one = read.function(settled, {}, {}, given={"FIRST": 1, "ADDED": added})
+    other = read.function(settled, {}, {}, given={"FIRST": 0, "ADDED": added})
+    assert one.body[0] == added[0]
+    assert [each.name for each in one.body if isinstance(each, Let)] == ["part_0", "part_1"]
+    assert len({each.value for each in one.body if isinstance(each, Let)}) == 2
+    assert len({each.value for each in other.body if isinstance(each, Let)}) == 1
+
+
+def test_a_name_ends_with_its_block_and_changes_make_variables() -> None:
+    body = read.function(scoped, {}, {}).body
+    made = [each for each in statements(body) if isinstance(each, Let | Variable) and each.name == "code"]
+    assert len(made) == 2
+    assert sum(isinstance(each, Return) for each in statements(body)) == 2
+
+
+def test_an_argument_given_as_false_is_left_out() -> None:
+    found = read.function(scoped, {}, {}, given={"x": False})
+    assert [each.name for each in found.arguments] == ["count"]
+
+
+def test_what_an_address_in_a_structure_leads_to_is_no_part_of_it() -> None:
+    arrays = Structure("arrays", "", (Field("F", Pointer(Real())),))
+    signature = Function("take", "", (), None, (Return(None),))
+    found = read.function(through, {"Arrays": arrays}, {"take": signature})
+    text = "\n".join(C().function(found))
+    assert "to->F[pose*6U + 1U] = from_one[pose];" in text
+    assert "if (from_one != NULL && !(from_one[pose] > REAL(1))) {" in text
+    assert "for (pose = 0; pose < count; ++pose) {" in text
+
+
+def test_a_call_of_a_function_that_is_not_known_is_rejected() -> None:
+    def wrong(x: "Real") -> "Real":  # type: ignore[name-defined]
+        return unknown(x)
+
+    with pytest.raises(ValueError, match="wrong: expected a function of the program, got unknown"):
+        read.function(wrong, {}, {})
+
+
+def test_calls_are_counted_against_their_arguments() -> None:
+    none: tuple[Any, ...] = ()
+    with pytest.raises(ValueError, match="zip"):
+        C([Function("f", "", none, None, none)]).text(Call("f", (Name("x"),)))
