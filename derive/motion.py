@@ -96,6 +96,8 @@ TURNED = Quantity(
     "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
 )
 
+AXIAL = Quantity("axial", (), "1", "share of the inertia about a leg's axis beside k3 times that of its tip")
+
 # A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
 # L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
 M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
@@ -251,7 +253,7 @@ def _columns(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, n.g)
+_LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, AXIAL, n.g)
 
 
 def _tip_inertia(build: Builder, leg: _Leg) -> tuple[sp.Matrix, sp.Matrix]:
@@ -770,13 +772,13 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
     fall = T.T * build.vector("fall", _centripetal_acceleration(build, leg.at) - n.g.value)
-    fall = build.vector(
+    fall = n.m_u.value * build.vector(
         "fall_T",
         fall + _by_joints(leg.at) * TURNED.value,
         "",
         "acceleration of the platform point from free fall, leg frame",
     )
-    m_u = n.m_u.value
+    turning, bend = _turning_with_leg(fall, NET.value, friction)
     S, S_dot, S_ddot = (
         _named(
             build,
@@ -785,15 +787,15 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             "generalised forces by the tip's motion",
         )
         for name, value in (
-            ("tau_S", by.S + tip.by_place_of_mass(m_u, fall)),
+            ("tau_S", by.S + turning),
             ("tau_S_dot", by.S_dot),
-            ("tau_S_ddot", by.inertia * tip.gradients().value + m_u * tip.of_tip().T),
+            ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
         )
     )
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
     pace = _named(build, "Y", S_dot + S_ddot * W)
-    bend = _turned(build, "bent", T, _local(build, "bent_leg", by.bend), "force by S as the rows turn")
+    bend = _turned(build, "bent", T, _local(build, "bent_leg", bend), "force by S as the rows turn")
     fr = _named(build, "Z", -bend * turn)
     mt, mr = turn * bend, turn * fr + tip.skew(by.force) * turn
     mv = mw = by_omega = sp.zeros(3, 3)
@@ -822,6 +824,22 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     )
     pose = _derivatives_of_platform(friction, "joint_slopes", alone=True)
     return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
+
+
+def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
+
+    Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
+    a thin rod's forces across the leg add to them cancels: the share 1 - AXIAL of it is in neither. Of a leg
+    with inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
+    fall: mass at the tip times its acceleration from free fall, leg frame.
+    """
+    forces = tip.torques(friction)
+    rod = tip.of_rod(forces)
+    across = (1 - AXIAL.value) * (tip.gradients().value.T * rod + fall)
+    turning = tip.by_place_of_force(fall - sp.Matrix([0, across[1], across[2]]))
+    apart = AXIAL.value * net + (1 - AXIAL.value) * (forces - rod).applyfunc(tip.gathered)
+    return turning, _bend(sp.Matrix([net[0], apart[1], apart[2]]))
 
 
 def name_omega(build: Builder, at: JointFrame) -> None:

@@ -104,6 +104,13 @@ def place(expr: sp.Matrix) -> sp.Matrix:
     return sp.Matrix.hstack(along(expr, 0), along(expr, 1), turned)
 
 
+def of_rod(forces: sp.Matrix) -> sp.Matrix:
+    """The generalised forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
+    (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
+    others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
+    return forces.xreplace(dict.fromkeys(others, sp.S.Zero))
+
+
 @dataclass(frozen=True)
 class Gradients:
     """Gamma, Gamma_dot, Gamma_ddot, 3x3, rows L, theta, phi, columns along s, y, z."""
@@ -118,17 +125,17 @@ def of_tip() -> sp.Matrix:
     return sp.Matrix([[1, 0, 0], [0, 0, L * k3], [0, -L, 0]])
 
 
-def by_place_of_mass(mass: sp.Expr, e: sp.Matrix) -> sp.Matrix:
-    """Derivative by S of the generalised forces Gamma^-T m e of a mass at the tip, 3x3, leg frame.
+def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
+    """Derivative by S of the generalised forces Gamma^-T force, 3x3, leg frame.
 
-    e: its acceleration from free fall, fixed in the base frame; Gamma^-1 turns and grows with the leg.
+    force: at the tip, fixed in the base frame; Gamma^-1 turns and grows with the leg.
     """
-    e_s, e_y, e_z = e
-    return mass * sp.Matrix(
+    f_s, f_y, f_z = force
+    return sp.Matrix(
         [
-            [0, inv_L * e_y, inv_L * e_z],
-            [-e_z, k1 * inv_k3 * e_y, e_s],
-            [k3 * e_y, k1 * e_z - k3 * e_s, -k1 * e_y],
+            [0, inv_L * f_y, inv_L * f_z],
+            [-f_z, k1 * inv_k3 * f_y, f_s],
+            [k3 * f_y, k1 * f_z - k3 * f_s, -k1 * f_y],
         ]
     )
 

@@ -201,6 +201,7 @@ class LegInputs:
         self.net: Any = [0.0] * 3
         # m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone
         self.turned: Any = [0.0] * 3
+        self.axial: Any = 0.0  # 1: share of the inertia about a leg's axis beside k3 times that of its tip
 
 
 class EquationsLeg:
@@ -3119,6 +3120,9 @@ def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
                 turn = legs.leg[i].row_w[3 * j + k] / by.length
                 by.row[3 * i + j][k + 3] = by.extent[3 * i + j] * turn
+    for i in range(18, 24):
+        for j in range(6):
+            by.row[i][j] = 0.0
     heft = on.larger(on.sqrt(on.size(mass)), least)
     per_mass = on.where(mass > 0.0, 1.0 / mass, 0.0)
     c[0] = summed.M_vw[5] * per_mass
@@ -3202,6 +3206,9 @@ def pick_rows(on: Arithmetic, by: Any) -> None:
 
 def weigh_rows(on: Arithmetic, by: Any) -> None:
     """M in the coordinates."""
+    for k in range(6):
+        for n in range(6):
+            by.inertia[k][n] = 0.0
     for b in range(8):
         for i in range(3):
             for j in range(3):
@@ -3293,13 +3300,19 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
         on.put(acceleration, x[k] / (on.where(by.column[k] < 3, 1.0, by.length)), by.column[k])
 
 
-def rows_held(on: Arithmetic, by: Any, found: Any, start: Any, rest: Any) -> None:
-    """Of each leg the generalised forces, and the accelerations that those of the platform give to it."""
+def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any) -> None:
+    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+    the share of the inertia about its own axis beside k3 times that of its tip.
+    """
     whole = [0.0] * 24
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
+        k3 = legs.leg[b].k3
+        of_tip = legs.leg[b].L * by.extent[3 * b]
+        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
+        by.given[b].axial = on.where(k3 < on.LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
         for i in range(3):
             force = rest[3 * b + i]
             turned = 0.0
@@ -3343,7 +3356,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(6):
         right[i] = A[i][6]
     row_back(on, by, right, start, out.x)
-    rows_held(on, by, right, start, rest)
+    rows_held(on, legs, by, right, start, rest)
     out.status = on.where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = on.where((out.status != OK) | (on.size(out.x[i]) <= on.MAX), out.status, NOT_FINITE)
@@ -5275,8 +5288,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 1983
-    (1250 mul, 729 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2206
+    (1382 mul, 820 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -5295,6 +5308,7 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = pose.B
     net_x, net_y, net_z = given.net
     turned_x, turned_y, turned_z = given.turned
+    axial = given.axial
     g_x, g_y, g_z = platform.g
     # (1) platform point from the reference point
     q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
@@ -5371,13 +5385,14 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_ddot_x = omega_y * w_q_z - c4
     S_ddot_y = -c5
     S_ddot_z = omega_x * w_q_y - c6
+    c7 = k3 * k3
     # (8) acceleration of the length
-    L_ddot = (L * (phi_dot2 * k3 * k3 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x)
-    c7 = 2.0 * L_share
-    c8 = k3 * turned_z
+    L_ddot = L * (c7 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
+    c8 = 2.0 * L_share
+    c9 = k3 * turned_z
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c7 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
-    own_z = c8 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c7
+    own_y = turned_y - c8 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_z = c9 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c8
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
@@ -5387,206 +5402,256 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     normal_z = k_x * y_y - k_y * y_x
     # omega along k x y, y and k
     w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
-    c9 = inv_rho * net_z
-    c10 = inv_L * net_y
+    w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
+    w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
+    c10 = inv_rho * net_z
+    c11 = inv_L * net_y
     # force at the tip, less the actuator's
-    R_tip_x = c9 * y_x + net_x * s_x - c10 * z_x
-    R_tip_y = c9 * y_y + net_x * s_y - c10 * z_y
-    R_tip_z = c9 * y_z + net_x * s_z - c10 * z_z
+    R_tip_x = c10 * y_x + net_x * s_x - c11 * z_x
+    R_tip_y = c10 * y_y + net_x * s_y - c11 * z_y
+    R_tip_z = c10 * y_z + net_x * s_z - c11 * z_z
     fall_x = omega_y * w_q_z - c4 - g_x
     fall_y = -c5 - g_y
     fall_z = omega_x * w_q_y - c6 - g_z
     # acceleration of the platform point from free fall, leg frame
     fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z + turned_x
-    fall_T_y = L * c8 + fall_x * y_x + fall_y * y_y + fall_z * y_z
+    fall_T_y = L * c9 + fall_x * y_x + fall_y * y_y + fall_z * y_z
     fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z - L * turned_y
-    c11 = h_z * own_y
-    c12 = W_z * W_z
-    c13 = inv_L * inv_L
-    c14 = L_dot * c13
-    c15 = 2.0 * h_y
-    c16 = W_z * c15
-    c17 = h_y * inv_L
-    c18 = inv_k3 * k1
-    c19 = c17 * c18
-    c20 = 4.0 * W_z
-    c21 = c20 * theta_dot
-    c22 = c12 * h_z
-    c23 = c22 * inv_L
-    c24 = 4.0 * c18
-    tau_S_leg_11 = (2.0 * L_dot * c13 * h_z * theta_dot + 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
-        * inv_L * own_z - c11 * inv_L - c14 * c16 - c19 * c21 - c23 * c24)
-    c25 = fall_T_y * m_u
-    c26 = L_ddot * c13
-    c27 = c17 * c3
-    c28 = h_z * inv_L
-    c29 = 2.0 * theta_dot
-    c30 = c28 * c29
-    c31 = h_y * own_y
-    c32 = inv_L * inv_k3
-    c33 = c32 * k1
-    c34 = h_z * own_z
-    c35 = c12 * c17
-    c36 = 2.0 * h_x
-    c37 = W_z * c14
-    c38 = L_dot * L_dot
-    c39 = inv_L * inv_L * inv_L
-    c40 = c38 * c39
-    c41 = inv_k3 * inv_k3
-    c42 = 2.0 * c41
-    c43 = h_y * k1
-    c44 = c43 * inv_k3
-    tau_S_leg_12 = (C_p * W_z + W_z * c30 + c25 * inv_L + c26 * h_y + c27 + c31 * c33 + c33 * c34 + c35 * c42
-        + c36 * c37 - c14 * c29 * c44 - c15 * c40 - c21 * c28 * c41 - c24 * c37 * h_z - c27 * c42 - c35)
-    c45 = fall_T_z * m_u
-    c46 = c3 * h_z
-    c47 = W_z * c29
-    c48 = c17 * c47
-    c49 = c36 * theta_dot
-    c50 = 2.0 * h_z
-    c51 = 2.0 * W_z
-    c52 = c44 * c51
-    tau_S_leg_13 = (c14 * c52 + c23 * c42 + c26 * h_z + c41 * c48 + c45 * inv_L + c46 * inv_L - C_p * theta_dot
-        - c14 * c49 - c23 - c40 * c50 - c48)
-    c53 = C_us * inv_L
-    c54 = c53 * theta_dot
-    c55 = J_yy * inv_L
-    c56 = J_yz * inv_L
-    c57 = inv_L * theta_dot
-    c58 = J_xy * c57
-    c59 = J_xy * inv_L
-    c60 = c59 * k1
-    c61 = c60 * inv_k3
-    c62 = c12 * inv_L
-    c63 = 4.0 * J_xz
-    c64 = c15 * theta_dot
-    c65 = 2.0 * J_yy
-    c66 = 2.0 * J_xx
-    c67 = c66 - 2.0 * J_zz
-    c68 = c65 + c67
-    tau_S_leg_21 = (2.0 * J_xy * L_dot * W_z * c13 * inv_k3 * k1 + 4.0 * J_xy * W_z * c41 * inv_L * theta_dot
-        + 2.0 * J_xz * c12 * c41 * inv_L + 2.0 * J_yy * L_dot * c13 * theta_dot + 2.0 * J_yz * L_dot * W_z * c13
-        + 4.0 * J_yz * W_z * inv_L * inv_k3 * k1 * theta_dot + 2.0 * L_dot * h_x * inv_L * theta_dot + 2.0 * W_z
-        * h_y * theta_dot + c12 * h_z - W_z * c41 * c64 - c12 * c68 * inv_L * inv_k3 * k1 - c2 * c52 - c20 * c58
-        - c22 * c41 - c45 - c46 - c54 - c55 * own_y - c56 * own_z - c61 * own_z - c62 * c63)
-    c70 = c59 * own_y
-    c71 = W_z * c49
-    c72 = inv_L * w_z
-    c73 = c72 * gamma_y
-    c74 = c25 * k1
-    c75 = c12 * c56
-    c76 = C_s * inv_L
-    c77 = c20 * h_z
-    c78 = k1 * own_z
-    c79 = c36 * c78
-    c80 = W_z * c53 * inv_k3
-    c81 = J_yz * c26
-    c82 = c3 * c56
-    c83 = k1 * own_y
-    c84 = c56 * c83
-    c85 = c18 * theta_dot
-    c86 = inv_L * w_x
-    c87 = c86 * k1
-    c88 = c87 * gamma_y
-    c89 = J_xy * c14
-    c90 = c29 * c89
-    c91 = W_z * c63
-    c92 = c14 * c91
-    c93 = c12 * inv_k3
-    c94 = c57 * c91
-    c95 = c2 * c36
-    c96 = W_z * c95
-    c97 = 2.0 * J_yz
-    c98 = c40 * c97
-    c99 = c26 * inv_k3
-    c100 = J_xy * k1
-    c101 = W_z * c50
-    c102 = c101 * c41
-    c103 = inv_k3 * inv_k3 * inv_k3
-    c104 = c101 * k1
-    c105 = c104 * theta_dot
-    c106 = c12 * c43
-    c107 = 2.0 * c103
-    c108 = c107 * c3
-    c109 = 2.0 * k1
-    c110 = J_xz * c109
-    c111 = W_z * c57
-    c112 = c14 * c97
-    c113 = J_xy * c109 * c40
-    c114 = c12 * c60
-    c115 = J_xz * c51
-    c116 = c115 * c41
-    c117 = c13 * c38
-    c118 = W_z * c41
-    c119 = c118 * c57
-    tau_S_leg_22 = (L_ddot * c19 + W_z * c57 * c67 + c103 * c110 * c111 + c106 * c107 + c108 * c60 + c112 * c85
-        + c113 * inv_k3 + c116 * c14 + c18 * c96 + c2 * c64 + c2 * c77 + c3 * c44 + c31 * c41 + c34 + c41 * c90
-        + c42 * c82 + c55 * c78 * inv_k3 + c60 * c93 + c70 + c74 * inv_k3 + c75 + c77 * c85 + c79 * inv_k3 + c80
-        * k1 + c98 - c100 * c99 - c102 * c2 - c103 * c105 - c107 * c114 - c108 * c43 - 2.0 * c117 * c44 - c119
-        * c68 - c18 * c94 - c2 * c41 * c64 - c3 * c61 - c31 - c37 * c68 * inv_k3 * k1 - c41 * c70 - c42 * c75
-        - c43 * c93 - c71 - c73 - c76 * inv_k3 * w_n_omega - c81 - c82 - c84 * inv_k3 - c88 * inv_k3 - c90 - c92)
-    c120 = h_y * own_z
-    c121 = c103 * c57
-    c122 = W_z * c112
-    c123 = c51 * c89
-    c124 = c110 * c62
-    c125 = J_xx - J_zz
-    tau_S_leg_23 = (C_us * L_dot * c13 + 2.0 * J_xy * L_dot * W_z * c13 + 2.0 * J_xy * W_z * inv_L * inv_k3
-        * k1 * theta_dot + J_xy * c41 * inv_L * own_z + J_yy * L_ddot * c13 + J_yy * c3 * inv_L + 2.0 * J_yz
-        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c41 * h_y * inv_L + 4.0
-        * W_z * c103 * h_y * k1 * theta_dot + 2.0 * c103 * c12 * h_z * k1 + c12 * c41 * inv_L * (J_yy + c125)
-        + fall_T_x * m_u + gamma_n * inv_L * k3 * w_x - c100 * c121 * c20 - c103 * c124 - c11 - c117 * c36 - c12
-        * c36 - c12 * c55 - c120 * c41 - c122 * c18 - c123 * c41 - c16 * c2 - c40 * c65 - c41 * c47 * c56 - c44
-        * c47 - c72 * g_k * k3 - c72 * gamma_n * k1 - c87 * g_k)
-    c126 = J_xx * inv_L
-    c127 = c126 * inv_k3
-    c128 = c110 * inv_L
-    c129 = c56 * k3
-    c130 = c101 * inv_k3
-    c131 = c57 * inv_k3
-    c132 = c36 * k3
-    c133 = W_z * c132
-    c134 = 2.0 * k3
-    c135 = c134 * c59
-    c136 = inv_L * k3
-    c137 = c66 * inv_k3
-    c138 = c109 * c89
-    c139 = c112 * k3
-    c140 = J_xx * c20
-    c141 = c41 * k1
-    c142 = c141 * c57
-    c144 = -c67 * k3
-    tau_S_leg_31 = (c12 * c135 + c125 * c136 * own_z + c131 * c91 + c133 * c2 + c135 * c3 + c137 * c37 + c138
-        * theta_dot + c139 * theta_dot + c140 * c142 + c144 * c37 + c25 * k3 + c92 * k1 + c93 * h_y - c104 * c2
-        - c109 * c75 - c109 * c82 - c127 * own_z - c128 * own_z - c129 * own_y - c130 * theta_dot - 2.0 * c59
-        * c93 - c70 * k1 - c80)
-    c145 = 2.0 * J_xz
-    c146 = c109 * c46
-    c147 = c109 * c58
-    c148 = c50 * theta_dot
-    c149 = c2 * k3
-    c150 = c126 * c41
-    c151 = c50 * k1
-    tau_S_leg_32 = (2.0 * J_xx * L_dot * c13 * c41 * k1 * theta_dot + 2.0 * J_xx * c103 * c3 * inv_L + J_xx
-        * c12 * inv_L * inv_k3 + 2.0 * J_xx * c38 * c39 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c13 * k3 + J_xy
-        * inv_L * inv_k3 * own_z + 2.0 * J_xz * L_dot * c13 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c41 * inv_L
-        * k1 + 2.0 * J_xz * c3 * inv_L * k1 + 4.0 * J_xz * c38 * c39 * k1 + 2.0 * J_xz * inv_L * k3 * own_y
-        + J_yz * inv_L * k1 * own_z + L_ddot * c125 * c13 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z
-        * c41 * h_y * k1 * theta_dot + c12 * c125 * inv_L * k3 + 2.0 * c12 * c41 * h_z * k1 + c125 * inv_L * k1
-        * own_y + 2.0 * c13 * c38 * h_x * k3 + 2.0 * c3 * h_x * k3 + fall_T_z * k1 * m_u + gamma_n * inv_L * inv_k3
-        * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c14 * inv_k3 - J_xx
-        * c99 - L_ddot * c132 * inv_L - W_z * c147 - c103 * c62 * c66 - 2.0 * c11 * k3 - c110 * c26 - c110 * c41
-        * c62 - c117 * c151 - c118 * c147 - c120 * inv_k3 - c122 * k1 - c123 * inv_k3 - c124 - c125 * c3 * inv_L
-        * k3 - c127 * c3 - c129 * c47 - c141 * c54 - c145 * c32 * own_y - c146 * c41 - c146 - c148 * c149 - c150
-        * c83 - c2 * c49 * k1 - c36 * c83 - c38 * c39 * c67 * k3 - c59 * k3 * own_z - c86 * gamma_n - fall_T_x
-        * k3 * m_u)
-    c153 = c118 * k1
-    c154 = k1 * theta_dot
-    tau_S_leg_33 = (c100 * c26 + c102 * c154 + c111 * c144 + c112 * c154 + c114 * c41 + c125 * c78 * inv_L + c130
-        * c2 + c131 * c140 + c134 * c82 + c136 * c145 * own_z + c150 * c78 + c153 * c53 + 2.0 * c3 * c60 + c70
-        * k3 + c71 * k3 + c73 * k3 + c81 * k3 + c88 + c94 * k1 - c101 * c149 - c105 - c106 * c41 - c110 * c119
-        - c113 - c115 * c14 * inv_k3 - c121 * c140 - c134 * c34 - c134 * c89 * theta_dot - c141 * c37 * c66
-        - c74 - c79 - c84 - c96 * k1 - c98 * k3)
+    c12 = h_z * own_y
+    c13 = W_z * W_z
+    c14 = inv_L * inv_L
+    c15 = L_dot * c14
+    c16 = 2.0 * h_y
+    c17 = W_z * c16
+    c18 = h_y * inv_L
+    c19 = W_z * inv_k3
+    c20 = c19 * k1
+    c21 = 4.0 * c20
+    c22 = c21 * theta_dot
+    c23 = c13 * h_z
+    c24 = c23 * inv_L
+    c25 = inv_k3 * k1
+    tau_S_leg_11 = (2.0 * L_dot * c14 * h_z * theta_dot + 2.0 * c13 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
+        * inv_L * own_z - c12 * inv_L - c15 * c17 - c18 * c22 - 4.0 * c24 * c25)
+    c26 = 2.0 * h_x
+    c27 = c26 * inv_L
+    c28 = c27 * own_z
+    c29 = axial * m_u
+    c30 = c29 * fall_T_y
+    c31 = L_ddot * c14
+    c32 = c14 * w_x
+    c33 = c32 * gamma_y
+    c34 = c18 * c3
+    c35 = h_z * inv_L
+    c36 = 2.0 * theta_dot
+    c37 = c35 * c36
+    c38 = h_y * own_y
+    c39 = inv_L * k1
+    c40 = c39 * inv_k3
+    c41 = h_z * own_z
+    c42 = J_zz * own_z
+    c43 = c14 * c42
+    c44 = c13 * c18
+    c45 = L_dot * L_dot
+    c46 = inv_L * inv_L * inv_L
+    c47 = c45 * c46
+    c48 = axial * c15
+    c49 = inv_k3 * inv_k3
+    c50 = 4.0 * W_z
+    c51 = 2.0 * c49
+    c52 = 4.0 * c15
+    c53 = h_y * k1
+    c54 = c53 * inv_k3
+    c55 = c15 * c36
+    tau_S_leg_12 = (C_p * W_z + W_z * c26 * c48 + W_z * c37 + axial * c28 + axial * c43 + c30 * inv_L + c31
+        * h_y + c33 + c34 + c38 * c40 + c40 * c41 + c44 * c51 - axial * c33 - c16 * c47 - c20 * c52 * h_z - c28
+        - c34 * c51 - c35 * c49 * c50 * theta_dot - c43 - c44 - c54 * c55)
+    c56 = c26 * own_y
+    c57 = c56 * inv_L
+    c58 = c29 * fall_T_z
+    c59 = J_yy * c14 * own_y
+    c60 = L_ddot * h_z
+    c61 = c3 * h_z
+    c62 = W_z * c36
+    c63 = c18 * c62
+    c64 = c32 * g_k * k3
+    c65 = gamma_n * k1
+    c66 = c32 * c65
+    c67 = 2.0 * h_z
+    c68 = c26 * theta_dot
+    c69 = 2.0 * W_z
+    c70 = c54 * c69
+    c72 = J_yy - J_zz
+    c73 = c13 * inv_k3
+    c74 = c73 * k1
+    c75 = c14 * c74
+    tau_S_leg_13 = (c14 * c60 + c15 * c70 + c24 * c51 + c49 * c63 + c57 + c58 * inv_L + c59 + c61 * inv_L + c64
+        + c66 + c72 * c75 - C_p * theta_dot - axial * c57 - axial * c59 - axial * c64 - axial * c66 - axial
+        * c72 * c75 - c24 - c47 * c67 - c48 * c68 - c63)
+    c77 = C_us * inv_L
+    c78 = c77 * theta_dot
+    c79 = 2.0 * J_yy
+    c80 = inv_L * own_y
+    c81 = J_yz * inv_L
+    c82 = c16 * theta_dot
+    c83 = W_z * c82
+    c84 = axial * c56
+    c85 = J_yy * inv_L
+    c86 = axial * c85
+    c87 = inv_L * theta_dot
+    c88 = J_xy * c87
+    c89 = c50 * c88
+    c90 = inv_L * k3
+    c91 = c90 * w_x
+    c92 = c91 * g_k
+    c93 = inv_L * w_x
+    c94 = c65 * c93
+    c95 = J_xz * c13
+    c96 = 4.0 * inv_L
+    c97 = J_xy * inv_L
+    c98 = c97 * k1
+    c99 = c98 * inv_k3
+    c100 = axial * c2
+    c101 = c15 * c79
+    c102 = 2.0 * J_yz
+    c103 = c102 * c15
+    c104 = c49 * c83
+    c105 = c23 * c49
+    c106 = 2.0 * c95
+    c107 = c49 * inv_L
+    c108 = 2.0 * k1
+    c109 = J_xy * c15
+    c110 = c108 * c109
+    c111 = c39 * c73
+    c112 = 2.0 * J_xx
+    tau_S_leg_21 = (W_z * c103 + axial * c111 * c72 + axial * c92 + axial * c94 + c100 * c68 + c101 * theta_dot
+        + c106 * c107 + c110 * c19 + c111 * (3.0 * J_zz - 3.0 * J_yy - c112) + c22 * c81 + c23 + c49 * c89 + c83
+        + c84 + c86 * own_y - c104 - c105 - c2 * c70 - c56 - c58 - c61 - c78 - c79 * c80 - c81 * own_z - c89
+        - c92 - c94 - c95 * c96 - c99 * own_z)
+    c113 = c97 * own_y
+    c114 = W_z * c68
+    c115 = gamma_y * inv_L * w_z
+    c116 = c13 * c81
+    c117 = C_s * inv_L
+    c118 = W_z * c77 * inv_k3
+    c119 = c30 * k1
+    c120 = J_yz * c31
+    c121 = c3 * c81
+    c122 = k1 * own_y
+    c123 = c122 * c81
+    c124 = inv_k3 * own_z
+    c125 = axial * k1
+    c126 = c125 * c26
+    c127 = axial * c42
+    c128 = c109 * c36
+    c129 = J_xz * W_z
+    c130 = c129 * c52
+    c131 = J_xz * k1
+    c132 = c125 * c93
+    c133 = J_xy * k1
+    c134 = c133 * c31
+    c135 = W_z * c67
+    c136 = c135 * c49
+    c137 = inv_k3 * inv_k3 * inv_k3
+    c138 = c135 * k1
+    c139 = c138 * theta_dot
+    c140 = c2 * c26
+    c141 = c125 * c140
+    c142 = 2.0 * c53
+    c143 = c13 * c137
+    c144 = c137 * c3
+    c145 = c39 * own_z
+    c146 = c129 * c87
+    c147 = J_yz * k1
+    c148 = -2.0 * J_zz
+    c149 = c112 + c148
+    c150 = J_xy * c108 * c47
+    c151 = 2.0 * c98
+    c152 = J_xz * c69
+    c153 = c14 * c45
+    c154 = c149 + c79
+    c156 = W_z * c49
+    tau_S_leg_22 = (L_ddot * c18 * c25 + W_z * c149 * c87 + c102 * c47 + c108 * c137 * c146 + c113 + c116 + c118
+        * k1 + c119 * inv_k3 + c121 * c51 + c124 * c126 + c127 * c40 + c128 * c49 + c141 * c19 + c142 * c143
+        + c144 * c151 + c145 * c72 * inv_k3 + c147 * c55 * inv_k3 + c15 * c152 * c49 + c150 * inv_k3 + c2 * c50
+        * h_z + c2 * c82 + c22 * h_z + c3 * c54 + c38 * c49 + c41 + c73 * c98 - c113 * c49 - c114 - c115 - c116
+        * c51 - c117 * inv_k3 * w_n_omega - c120 - c121 - c123 * inv_k3 - c128 - c130 - 4.0 * c131 * c19 * c87
+        - c132 * gamma_y * inv_k3 - c134 * inv_k3 - c136 * c2 - c137 * c139 - c142 * c144 - c143 * c151 - c15
+        * c154 * c20 - 2.0 * c153 * c54 - c154 * c156 * c87 - c2 * c49 * c82 - c3 * c99 - c38 - c53 * c73)
+    c157 = g_k * k1
+    c158 = gamma_n * w_z
+    c159 = h_y * own_z
+    c160 = c50 * c87
+    c161 = c137 * c160
+    c162 = c15 * c19
+    c163 = c106 * c39
+    c164 = J_xx + c72
+    tau_S_leg_23 = (C_us * L_dot * c14 + 2.0 * J_xy * L_dot * W_z * c14 + 2.0 * J_xy * W_z * inv_L * inv_k3
+        * k1 * theta_dot + J_xy * c49 * inv_L * own_z + J_yy * L_ddot * c14 + J_yy * c3 * inv_L + 2.0 * J_yz
+        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c49 * h_y * inv_L + 4.0
+        * W_z * c137 * h_y * k1 * theta_dot + 2.0 * c13 * c137 * h_z * k1 + c13 * c164 * c49 * inv_L + fall_T_x
+        * m_u + gamma_n * inv_L * k3 * w_x - c109 * c49 * c69 - c12 - c13 * c26 - c13 * c85 - c133 * c161 - c137
+        * c163 - 2.0 * c147 * c162 - c153 * c26 - c157 * c93 - c158 * c39 - c159 * c49 - c17 * c2 - c47 * c79
+        - c49 * c62 * c81 - c54 * c62 - c90 * g_k * w_z)
+    c165 = c26 * k3
+    c166 = c165 * own_z
+    c167 = c91 * gamma_y
+    c168 = c73 * h_y
+    c169 = J_xx * inv_k3
+    c170 = c169 * inv_L
+    c171 = 2.0 * J_xz
+    c172 = c81 * k3
+    c173 = c135 * inv_k3
+    c174 = J_xz * c19
+    c175 = 4.0 * c87
+    c176 = 2.0 * k3
+    c177 = c176 * c97
+    c178 = W_z * c165
+    c179 = c90 * own_z
+    c180 = J_yz * k3
+    c181 = c49 * k1
+    c183 = -W_z * c149 * k3
+    tau_S_leg_31 = (J_xx * c160 * c181 + axial * c166 + c100 * c178 + c110 * theta_dot + c112 * c162 + c127
+        * c90 + c13 * c177 + c130 * k1 + c15 * c183 + c167 + c168 + c174 * c175 + c177 * c3 + c179 * (J_xx + c148)
+        + c180 * c55 + c30 * k3 - axial * c167 - c108 * c116 - c108 * c121 - c113 * k1 - c118 - c138 * c2 - c145
+        * c171 - c166 - c170 * own_z - c172 * own_y - c173 * theta_dot - 2.0 * c73 * c97)
+    c184 = k3 * own_z
+    c185 = c93 * gamma_n
+    c186 = c171 * inv_k3
+    c187 = c108 * c61
+    c188 = c108 * c88
+    c189 = c67 * theta_dot
+    c190 = c2 * k3
+    c191 = c112 * inv_L
+    c192 = c67 * k1
+    c193 = J_xx - J_zz
+    tau_S_leg_32 = (2.0 * J_xx * L_dot * c14 * c49 * k1 * theta_dot + 2.0 * J_xx * c137 * c3 * inv_L + 2.0 * J_xx
+        * c45 * c46 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c14 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
+        * L_dot * c14 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c49 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
+        + 4.0 * J_xz * c45 * c46 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
+        * c14 * c193 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c49 * h_y * k1 * theta_dot + axial
+        * c13 * c72 * inv_L * k3 + axial * c7 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c13 * c164
+        * inv_L * inv_k3 + 2.0 * c13 * c49 * h_z * k1 + c13 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c14 * c45 * h_x
+        * k3 + c164 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
+        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c15 * inv_k3
+        - J_xx * c107 * c122 - J_xz * c108 * c31 - L_ddot * c165 * inv_L - W_z * c188 - axial * c13 * c72 * inv_L
+        * inv_k3 - axial * c157 * c91 - axial * c185 - 2.0 * c109 * c19 - 2.0 * c12 * k3 - c122 * c86 - c125
+        * c2 * c68 - c143 * c191 - c147 * c15 * c69 - c149 * c45 * c46 * k3 - c153 * c192 - c156 * c188 - c159
+        * inv_k3 - c163 * c49 - c163 - c169 * c31 - c170 * c3 - c172 * c62 - c181 * c78 - c184 * c97 - c185
+        * c7 - c186 * c80 - c187 * c49 - c187 - c189 * c190 - c193 * c3 * inv_L * k3 - c84 * k1 - fall_T_x * k3
+        * m_u)
+    c195 = J_xx * c145
+    c196 = c156 * k1
+    c197 = J_xy * k3
+    c198 = c171 * c19
+    c199 = 2.0 * c180
+    c200 = c13 * c49
+    c201 = c112 * c196
+    tau_S_leg_33 = (c113 * k3 + c114 * k3 + c115 * k3 + c120 * k3 + c121 * c176 + c129 * c175 * k1 + c132 * gamma_y
+        + c134 + c136 * k1 * theta_dot + c147 * c55 + c151 * c3 + c160 * c169 + c171 * c179 + c173 * c2 + c183
+        * c87 + c195 * c49 + c195 + c196 * c77 + c200 * c98 - J_xx * c161 - W_z * c141 - c108 * c146 * c49 - c119
+        - c123 - c126 * own_z - c127 * c39 - c135 * c190 - c139 - c15 * c198 - c15 * c201 - c150 - c176 * c41
+        - c197 * c55 - c199 * c47 - c200 * c53)
     # generalised forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
@@ -5597,24 +5662,24 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
     tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
     tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
-    tau_S_dot_leg_11 = C_p + c17 * c51 - c30
-    c155 = c109 * c17 * inv_k3
-    tau_S_dot_leg_12 = c14 * c15 + c155 * theta_dot + c18 * c20 * c28 - W_z * c36 * inv_L
-    tau_S_dot_leg_13 = c14 * c50 + c36 * c57 - W_z * c155
-    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c49 - c51 * c56 - c51 * c61 - c57 * c65
-    c156 = c109 * c56
-    c157 = c156 * theta_dot
+    tau_S_dot_leg_11 = C_p + c18 * c69 - c37
+    c202 = c108 * c18
+    tau_S_dot_leg_12 = c15 * c16 + c202 * inv_k3 * theta_dot + c21 * c35 - W_z * c27
+    tau_S_dot_leg_13 = c15 * c67 + c26 * c87 - c19 * c202
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c151 * c19 - c68 - c69 * c81 - c79 * c87
+    c203 = c108 * c81
+    c204 = c203 * theta_dot
     tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
-        * inv_k3 * k1 + 2.0 * W_z * c41 * h_z + W_z * c68 * inv_L * inv_k3 * k1 + 2.0 * c41 * h_y * theta_dot
-        - c101 - c112 - c116 * inv_L - c138 * inv_k3 - c157 * inv_k3 - 2.0 * c41 * c58 - c64)
-    c158 = c51 * c59
-    tau_S_dot_leg_23 = (W_z * c156 * inv_k3 + c14 * c65 + c158 * c41 + c16 + c95 - c148 - c158 - c16 * c41 - c53)
-    tau_S_dot_leg_31 = (W_z * c67 * inv_L * k3 + 2.0 * W_z * h_z * k1 - W_z * c32 * c66 - c129 * c29 - c133
-        - c147 - c91 * inv_L * k1)
+        * inv_k3 * k1 + W_z * c154 * inv_L * inv_k3 * k1 + 2.0 * W_z * c49 * h_z + 2.0 * c49 * h_y * theta_dot
+        - c103 - c107 * c152 - c110 * inv_k3 - c135 - c204 * inv_k3 - 2.0 * c49 * c88 - c82)
+    c205 = c69 * c97
+    tau_S_dot_leg_23 = c101 + c140 + c17 + c19 * c203 + c205 * c49 - c17 * c49 - c189 - c205 - c77
+    tau_S_dot_leg_31 = (W_z * c149 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c129 * c96 * k1 - c172 * c36 - c178
+        - c188 - c19 * c191)
     tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
-        * k1 + L_dot * c13 * c67 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
-        * c135 - c131 * c145 - c132 * c2 - c137 * c14 - c14 * c63 * k1 - c142 * c66 - c16 * inv_k3)
-    tau_S_dot_leg_33 = c115 * c32 + c134 * c58 + c138 + c139 + c153 * c66 * inv_L - c130 - c157
+        * k1 + L_dot * c14 * c149 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
+        * c177 - c112 * c15 * inv_k3 - c112 * c181 * c87 - c131 * c52 - c165 * c2 - c17 * inv_k3 - c186 * c87)
+    tau_S_dot_leg_33 = c110 + c112 * c156 * c39 + c15 * c199 + 2.0 * c197 * c87 + c198 * inv_L - c173 - c204
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
@@ -5625,14 +5690,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_dot_zx = s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x + tau_S_dot_leg_33 * z_x
     tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
     tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
-    tau_S_ddot_leg_12 = -c17
-    tau_S_ddot_leg_13 = -c28
-    tau_S_ddot_leg_22 = c56 + c61 - c44
-    c159 = L * m_u
-    tau_S_ddot_leg_23 = -c159 - c36 - c55
-    tau_S_ddot_leg_31 = -h_y * k3
-    tau_S_ddot_leg_32 = c127 + c128 + c132 + c159 * k3 - c125 * c136 - c151
-    tau_S_ddot_leg_33 = h_y * k1 - c129 - c60
+    tau_S_ddot_leg_12 = -c18
+    tau_S_ddot_leg_13 = -c35
+    tau_S_ddot_leg_22 = c81 + c99 - c54
+    c206 = L * m_u
+    tau_S_ddot_leg_23 = -c206 - c26 - c85
+    c207 = h_y * k3
+    tau_S_ddot_leg_31 = -c207
+    tau_S_ddot_leg_32 = c165 + c170 + c171 * c39 + c206 * k3 - c192 - c193 * c90
+    tau_S_ddot_leg_33 = h_y * k1 - c172 - c98
     # generalised forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
@@ -5670,17 +5736,28 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
     Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
     Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
-    c160 = net_z * inv_rho * inv_rho
-    bent_leg_12 = -c160 * k3
-    c161 = c13 * net_y
-    bent_leg_13 = c161
-    c162 = c9 * inv_L
-    bent_leg_21 = -c162
-    c163 = inv_rho * k3
-    bent_leg_22 = c10 * inv_rho * k1 + c163 * net_x
-    bent_leg_23 = c162 * kappa
-    bent_leg_31 = c161
-    bent_leg_32 = c160 * k1
+    c208 = 1.0 - axial
+    c209 = (axial * net_z + c208 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c13 * inv_k3 + J_xy
+        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c13 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
+        * L * W_z * h_z * inv_k3 * theta_dot + L * c13 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
+        * w_k_omega - J_xx * c184 - L * c108 * c41 - L * c168 - L * c38 * k1 - L_ddot * c207 - L_dot * c138
+        - L_dot * c36 * c53 - c13 * c197 - c174 * c36 - c197 * c3 - c201 * theta_dot - gamma_n * w_y))
+    c210 = c209 * inv_rho * inv_rho
+    bent_leg_12 = -c210 * k3
+    c211 = J_xy * c62
+    c212 = (axial * net_y + c208 * (C_us * theta_dot + J_xx * c74 + J_yz * own_z + L * c104 + L * c105 + c106
+        + c124 * c133 + c158 * k3 + c211 + c60 - C_s * w_y_omega - 2.0 * L * c23 - L * c54 * own_z - L * c83
+        - c147 * c19 * c36 - c157 * w_z - c211 * c49 - c49 * c95))
+    c213 = c14 * c212
+    bent_leg_13 = c213
+    c214 = inv_L * inv_rho
+    c215 = c209 * c214
+    bent_leg_21 = -c215
+    c216 = inv_rho * k3
+    bent_leg_22 = c212 * c214 * k1 + c216 * net_x
+    bent_leg_23 = c215 * kappa
+    bent_leg_31 = c213
+    bent_leg_32 = c210 * k1
     bent_leg_33 = inv_L * net_x
     bent_T_xs = bent_leg_21 * y_x + bent_leg_31 * z_x
     bent_T_xy = bent_leg_12 * s_x + bent_leg_22 * y_x + bent_leg_32 * z_x
@@ -5701,45 +5778,45 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     bent_zx = bent_T_zs * s_x + bent_T_zy * y_x + bent_T_zz * z_x
     bent_zy = bent_T_zs * s_y + bent_T_zy * y_y + bent_T_zz * z_y
     bent_zz = bent_T_zs * s_z + bent_T_zy * y_z + bent_T_zz * z_z
-    c164 = bent_xy * q_z
-    c165 = bent_xz * q_y
-    Z_xx = c165 - c164
+    c217 = bent_xy * q_z
+    c218 = bent_xz * q_y
+    Z_xx = c218 - c217
     Z_xy = bent_xx * q_z - bent_xz * q_x
-    c166 = bent_xx * q_y
-    Z_xz = bent_xy * q_x - c166
-    c167 = bent_yy * q_z
-    Z_yx = bent_yz * q_y - c167
-    c168 = bent_yx * q_z
-    c169 = -bent_yz * q_x
-    Z_yy = c168 + c169
-    c170 = -bent_yy * q_x
-    Z_yz = -bent_yx * q_y - c170
-    c171 = -bent_zz * q_y
-    Z_zx = -bent_zy * q_z - c171
-    c172 = bent_zz * q_x
-    Z_zy = bent_zx * q_z - c172
-    c173 = bent_zx * q_y
-    c174 = bent_zy * q_x
-    Z_zz = c174 - c173
-    G_dot_21 = -c57
-    c175 = k1 * phi_dot
-    G_dot_22 = c175 * inv_L
-    G_dot_23 = c14
-    G_dot_31 = -c163 * phi_dot
-    c176 = inv_rho * theta_dot
-    G_dot_32 = -c176 * kappa - c2 * inv_rho
-    G_dot_33 = c175 * inv_rho
-    c177 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c177
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c163 * theta_dot)
-    f_S_leg_13 = G_dot_33 * c177
+    c219 = bent_xx * q_y
+    Z_xz = bent_xy * q_x - c219
+    c220 = bent_yy * q_z
+    Z_yx = bent_yz * q_y - c220
+    c221 = bent_yx * q_z
+    c222 = -bent_yz * q_x
+    Z_yy = c221 + c222
+    c223 = -bent_yy * q_x
+    Z_yz = -bent_yx * q_y - c223
+    c224 = -bent_zz * q_y
+    Z_zx = -bent_zy * q_z - c224
+    c225 = bent_zz * q_x
+    Z_zy = bent_zx * q_z - c225
+    c226 = bent_zx * q_y
+    c227 = bent_zy * q_x
+    Z_zz = c227 - c226
+    G_dot_21 = -c87
+    c228 = k1 * phi_dot
+    G_dot_22 = c228 * inv_L
+    G_dot_23 = c15
+    G_dot_31 = -c216 * phi_dot
+    c229 = inv_rho * theta_dot
+    G_dot_32 = -c2 * inv_rho - c229 * kappa
+    G_dot_33 = c228 * inv_rho
+    c230 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c230
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c216 * theta_dot)
+    f_S_leg_13 = G_dot_33 * c230
     f_S_leg_21 = C_s * G_dot_21
     f_S_leg_22 = C_s * G_dot_22
     f_S_leg_23 = C_s * G_dot_23
-    c178 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c178
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c176 * k1)
-    f_S_leg_33 = G_dot_33 * c178
+    c231 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c231
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c229 * k1)
+    f_S_leg_33 = G_dot_33 * c231
     f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
     f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
     f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
@@ -5759,9 +5836,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
     f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
     f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
-    f_S_dot_leg_12 = c177 * inv_rho
-    f_S_dot_leg_23 = -c76
-    f_S_dot_leg_32 = C_s * c163
+    f_S_dot_leg_12 = c230 * inv_rho
+    f_S_dot_leg_23 = -c117
+    f_S_dot_leg_32 = C_s * c216
     f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
     f_S_dot_T_xz = f_S_dot_leg_23 * y_x
     f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
@@ -5778,33 +5855,33 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
     f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    c179 = R_tip_y * q_y
-    c180 = R_tip_z * q_z
-    c181 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c182 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c183 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c184 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c185 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
-    c186 = R_tip_x * q_x
-    c187 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c188 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c189 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c190 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c232 = R_tip_y * q_y
+    c233 = R_tip_z * q_z
+    c234 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c235 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c236 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c237 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c238 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c239 = R_tip_x * q_x
+    c240 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c241 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c242 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c243 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_ft = [bent_xx, bent_xy, bent_xz, bent_yx, bent_yy, bent_yz, bent_zx, bent_zy, bent_zz]
     out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
-    out.W_mt = [c173 - c168 - f_S_xx, bent_zy * q_y - c167 - f_S_xy, -bent_yz * q_z - c171 - f_S_xz, bent_xx
-        * q_z - bent_zx * q_x - f_S_yx, c164 - c174 - f_S_yy, bent_xz * q_z - c172 - f_S_yz, bent_yx * q_x - c166
-        - f_S_zx, -bent_xy * q_y - c170 - f_S_zy, -c165 - c169 - f_S_zz]
-    out.W_mr = [Z_zx * q_y + c182 * q_z - Z_yx * q_z - c179 - c180 - c181 * q_y, R_tip_y * q_x + Z_zy * q_y
-        + c181 * q_x - Z_yy * q_z - c183 * q_z, R_tip_z * q_x + Z_zz * q_y + c183 * q_y - Z_yz * q_z - c182
-        * q_x, R_tip_x * q_y + Z_xx * q_z + c184 * q_z - Z_zx * q_x - c185 * q_y, Z_xy * q_z + c185 * q_x - Z_zy
-        * q_x - c180 - c186 - c187 * q_z, R_tip_z * q_y + Z_xz * q_z + c187 * q_y - Z_zz * q_x - c184 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c188 * q_z - Z_xx * q_y - c189 * q_y, R_tip_y * q_z + Z_yy * q_x + c189
-        * q_x - Z_xy * q_y - c190 * q_z, Z_yz * q_x + c190 * q_y - Z_xz * q_y - c179 - c186 - c188 * q_x]
+    out.W_mt = [c226 - c221 - f_S_xx, bent_zy * q_y - c220 - f_S_xy, -bent_yz * q_z - c224 - f_S_xz, bent_xx
+        * q_z - bent_zx * q_x - f_S_yx, c217 - c227 - f_S_yy, bent_xz * q_z - c225 - f_S_yz, bent_yx * q_x - c219
+        - f_S_zx, -bent_xy * q_y - c223 - f_S_zy, -c218 - c222 - f_S_zz]
+    out.W_mr = [Z_zx * q_y + c235 * q_z - Z_yx * q_z - c232 - c233 - c234 * q_y, R_tip_y * q_x + Z_zy * q_y
+        + c234 * q_x - Z_yy * q_z - c236 * q_z, R_tip_z * q_x + Z_zz * q_y + c236 * q_y - Z_yz * q_z - c235
+        * q_x, R_tip_x * q_y + Z_xx * q_z + c237 * q_z - Z_zx * q_x - c238 * q_y, Z_xy * q_z + c238 * q_x - Z_zy
+        * q_x - c233 - c239 - c240 * q_z, R_tip_z * q_y + Z_xz * q_z + c240 * q_y - Z_zz * q_x - c237 * q_x,
+        R_tip_x * q_z + Z_yx * q_x + c241 * q_z - Z_xx * q_y - c242 * q_y, R_tip_y * q_z + Z_yy * q_x + c242
+        * q_x - Z_xy * q_y - c243 * q_z, Z_yz * q_x + c243 * q_y - Z_xz * q_y - c232 - c239 - c241 * q_x]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
@@ -5908,6 +5985,7 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     apart = forward_apart(on, model, motion, F, by)
     for i in range(6):
         out.x[i] = apart.x[i]
+        legs.given[i].axial = by.given[i].axial
         for j in range(3):
             legs.given[i].net[j] = by.given[i].net[j]
             legs.given[i].turned[j] = by.given[i].turned[j]
@@ -5985,11 +6063,13 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
     for i in range(6):
-        out.A[i][i + 6] = 1.0
         for j in range(12):
+            out.A[i][j] = 0.0
             out.A[i + 6][j] = -A[i][j + 6]
         for j in range(6):
+            out.B[i][j] = 0.0
             out.B[i + 6][j] = A[i][j + 18]
+        out.A[i][i + 6] = 1.0
     out.A[3][4] = -motion.omega[2]
     out.A[3][5] = motion.omega[1]
     out.A[4][3] = motion.omega[2]

@@ -54,7 +54,7 @@ from ..kernel.nodes import (
     Variable,
 )
 from ..kernel.written import motion_lanes as written
-from ..motion import F_LEG, NAMES, NET, TURNED, SumKernel
+from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..regroup import ForceKernel
@@ -79,7 +79,7 @@ _PARTS = {
 }
 _FORCED = ("forward_dynamics", "linearisation")
 _ORDER = (*_STRUCTS, *(each for each in FUNCTIONS if each not in _STRUCTS))
-_INPUTS = (F_LEG, NET, TURNED)
+_INPUTS = (F_LEG, NET, TURNED, AXIAL)
 _MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Motion")
 _CHECKS = Structure(
     "leg_checks",

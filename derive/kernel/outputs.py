@@ -224,7 +224,7 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-_GIVEN = (m.F_LEG, m.NET, m.TURNED)
+_GIVEN = (m.F_LEG, m.NET, m.TURNED, m.AXIAL)
 _PREFIX = {"forward_dynamics": "forward"}
 
 

@@ -115,6 +115,7 @@ typedef struct {
     stewart_real F; /* N: actuator force of the leg */
     stewart_real net[3]; /* N, N m: generalised forces of the leg less the actuator's, along L, theta, phi */
     stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
+    stewart_real axial; /* 1: share of the inertia about a leg's axis beside k3 times that of its tip */
 } leg_inputs;
 
 /* C [v; omega] + g + friction. */
@@ -2619,9 +2620,11 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
+/* Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
+ * share of the inertia about its own axis beside k3 times that of its tip. */
 static void rows_held(
-    rows *by, const stewart_real found[6], const stewart_real start[6], const stewart_real rest[24])
+    const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
+    const stewart_real rest[24])
 {
     int b, i, j;
     stewart_real whole[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -2631,6 +2634,10 @@ static void rows_held(
         }
     }
     for (b = 0; b < 6; ++b) {
+        const stewart_real k3 = legs->checked.k3[b];
+        const stewart_real of_tip = legs->checked.L[b]*by->extent[3*b];
+        const stewart_real share = of_tip/by->extent[3*b + 1]*(of_tip/by->extent[3*b + 2]*k3);
+        by->given[b].axial = k3 < STEWART_LEANING ? k3/(k3 + share*share*(share*share)) : REAL(1);
         for (i = 0; i < 3; ++i) {
             stewart_real force = rest[3*b + i];
             stewart_real turned = REAL(0);
@@ -2689,7 +2696,7 @@ static apart_found forward_apart(
         right[i] = A[8*i + 6];
     }
     row_back(by, right, start, out.x);
-    rows_held(by, right, start, rest);
+    rows_held(&legs, by, right, start, rest);
     out.status = legs.status == STEWART_OK ? fault : legs.status;
     for (i = 0; i < 6; ++i) {
         out.status = (out.status != STEWART_OK || STEWART_FABS(out.x[i]) <= STEWART_MAX) ? out.status : STEWART_NOT_FINITE;
@@ -4942,6 +4949,7 @@ typedef struct {
     stewart_real sum[93][LANES];
     stewart_real net[3][LANES];
     stewart_real turned[3][LANES];
+    stewart_real axial[LANES];
     stewart_real tau_t[9][LANES];
     stewart_real tau_r[9][LANES];
     stewart_real tau_v[9][LANES];
@@ -5219,6 +5227,7 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real C_us = model->C_us[l];
         const stewart_real net_x = out->net[0][l], net_y = out->net[1][l], net_z = out->net[2][l];
         const stewart_real turned_x = out->turned[0][l], turned_y = out->turned[1][l], turned_z = out->turned[2][l];
+        const stewart_real axial = out->axial[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -5294,14 +5303,15 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real S_ddot_x = omega_y*w_q_z - c4;
         const stewart_real S_ddot_y = -c5;
         const stewart_real S_ddot_z = omega_x*w_q_y - c6;
+        const stewart_real c7 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+        const stewart_real L_ddot = L*(c7*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
             + turned_x;
-        const stewart_real c7 = REAL(2)*L_share;
-        const stewart_real c8 = k3*turned_z;
+        const stewart_real c8 = REAL(2)*L_share;
+        const stewart_real c9 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_z = c8 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c7;
+        const stewart_real own_y = turned_y - c8*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = c9 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c8;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
@@ -5311,200 +5321,251 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real normal_z = k_x*y_y - k_y*y_x;
         /* omega along k x y, y and k */
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real c9 = inv_rho*net_z;
-        const stewart_real c10 = inv_L*net_y;
+        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
+        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real c10 = inv_rho*net_z;
+        const stewart_real c11 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c9*y_x + net_x*s_x - c10*z_x;
-        const stewart_real R_tip_y = c9*y_y + net_x*s_y - c10*z_y;
-        const stewart_real R_tip_z = c9*y_z + net_x*s_z - c10*z_z;
+        const stewart_real R_tip_x = c10*y_x + net_x*s_x - c11*z_x;
+        const stewart_real R_tip_y = c10*y_y + net_x*s_y - c11*z_y;
+        const stewart_real R_tip_z = c10*y_z + net_x*s_z - c11*z_z;
         const stewart_real fall_x = omega_y*w_q_z - c4 - g_x;
         const stewart_real fall_y = -c5 - g_y;
         const stewart_real fall_z = omega_x*w_q_y - c6 - g_z;
         /* acceleration of the platform point from free fall, leg frame */
         const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x;
-        const stewart_real fall_T_y = L*c8 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_y = L*c9 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
         const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y;
-        const stewart_real c11 = h_z*own_y;
-        const stewart_real c12 = W_z*W_z;
-        const stewart_real c13 = inv_L*inv_L;
-        const stewart_real c14 = L_dot*c13;
-        const stewart_real c15 = REAL(2)*h_y;
-        const stewart_real c16 = W_z*c15;
-        const stewart_real c17 = h_y*inv_L;
-        const stewart_real c18 = inv_k3*k1;
-        const stewart_real c19 = c17*c18;
-        const stewart_real c20 = REAL(4)*W_z;
-        const stewart_real c21 = c20*theta_dot;
-        const stewart_real c22 = c12*h_z;
-        const stewart_real c23 = c22*inv_L;
-        const stewart_real c24 = REAL(4)*c18;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c13*h_z*theta_dot + REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L
-            + h_y*inv_L*own_z - c11*inv_L - c14*c16 - c19*c21 - c23*c24;
-        const stewart_real c25 = fall_T_y*m_u;
-        const stewart_real c26 = L_ddot*c13;
-        const stewart_real c27 = c17*c3;
-        const stewart_real c28 = h_z*inv_L;
-        const stewart_real c29 = REAL(2)*theta_dot;
-        const stewart_real c30 = c28*c29;
-        const stewart_real c31 = h_y*own_y;
-        const stewart_real c32 = inv_L*inv_k3;
-        const stewart_real c33 = c32*k1;
-        const stewart_real c34 = h_z*own_z;
-        const stewart_real c35 = c12*c17;
-        const stewart_real c36 = REAL(2)*h_x;
-        const stewart_real c37 = W_z*c14;
-        const stewart_real c38 = L_dot*L_dot;
-        const stewart_real c39 = inv_L*inv_L*inv_L;
-        const stewart_real c40 = c38*c39;
-        const stewart_real c41 = inv_k3*inv_k3;
-        const stewart_real c42 = REAL(2)*c41;
-        const stewart_real c43 = h_y*k1;
-        const stewart_real c44 = c43*inv_k3;
-        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c30 + c25*inv_L + c26*h_y + c27 + c31*c33 + c33*c34
-            + c35*c42 + c36*c37 - c14*c29*c44 - c15*c40 - c21*c28*c41 - c24*c37*h_z - c27*c42 - c35;
-        const stewart_real c45 = fall_T_z*m_u;
-        const stewart_real c46 = c3*h_z;
-        const stewart_real c47 = W_z*c29;
-        const stewart_real c48 = c17*c47;
-        const stewart_real c49 = c36*theta_dot;
-        const stewart_real c50 = REAL(2)*h_z;
-        const stewart_real c51 = REAL(2)*W_z;
-        const stewart_real c52 = c44*c51;
-        const stewart_real tau_S_leg_13 = c14*c52 + c23*c42 + c26*h_z + c41*c48 + c45*inv_L + c46*inv_L - C_p*theta_dot
-            - c14*c49 - c23 - c40*c50 - c48;
-        const stewart_real c53 = C_us*inv_L;
-        const stewart_real c54 = c53*theta_dot;
-        const stewart_real c55 = J_yy*inv_L;
-        const stewart_real c56 = J_yz*inv_L;
-        const stewart_real c57 = inv_L*theta_dot;
-        const stewart_real c58 = J_xy*c57;
-        const stewart_real c59 = J_xy*inv_L;
-        const stewart_real c60 = c59*k1;
-        const stewart_real c61 = c60*inv_k3;
-        const stewart_real c62 = c12*inv_L;
-        const stewart_real c63 = REAL(4)*J_xz;
-        const stewart_real c64 = c15*theta_dot;
-        const stewart_real c65 = REAL(2)*J_yy;
-        const stewart_real c66 = REAL(2)*J_xx;
-        const stewart_real c67 = c66 - REAL(2)*J_zz;
-        const stewart_real c68 = c65 + c67;
-        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c13*inv_k3*k1 + REAL(4)*J_xy*W_z*c41*inv_L*theta_dot
-            + REAL(2)*J_xz*c12*c41*inv_L + REAL(2)*J_yy*L_dot*c13*theta_dot + REAL(2)*J_yz*L_dot*W_z*c13 + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
-            + REAL(2)*L_dot*h_x*inv_L*theta_dot + REAL(2)*W_z*h_y*theta_dot + c12*h_z - W_z*c41*c64 - c12*c68*inv_L*inv_k3*k1
-            - c2*c52 - c20*c58 - c22*c41 - c45 - c46 - c54 - c55*own_y - c56*own_z - c61*own_z - c62*c63;
-        const stewart_real c70 = c59*own_y;
-        const stewart_real c71 = W_z*c49;
-        const stewart_real c72 = inv_L*w_z;
-        const stewart_real c73 = c72*gamma_y;
-        const stewart_real c74 = c25*k1;
-        const stewart_real c75 = c12*c56;
-        const stewart_real c76 = C_s*inv_L;
-        const stewart_real c77 = c20*h_z;
-        const stewart_real c78 = k1*own_z;
-        const stewart_real c79 = c36*c78;
-        const stewart_real c80 = W_z*c53*inv_k3;
-        const stewart_real c81 = J_yz*c26;
-        const stewart_real c82 = c3*c56;
-        const stewart_real c83 = k1*own_y;
-        const stewart_real c84 = c56*c83;
-        const stewart_real c85 = c18*theta_dot;
-        const stewart_real c86 = inv_L*w_x;
-        const stewart_real c87 = c86*k1;
-        const stewart_real c88 = c87*gamma_y;
-        const stewart_real c89 = J_xy*c14;
-        const stewart_real c90 = c29*c89;
-        const stewart_real c91 = W_z*c63;
-        const stewart_real c92 = c14*c91;
-        const stewart_real c93 = c12*inv_k3;
-        const stewart_real c94 = c57*c91;
-        const stewart_real c95 = c2*c36;
-        const stewart_real c96 = W_z*c95;
-        const stewart_real c97 = REAL(2)*J_yz;
-        const stewart_real c98 = c40*c97;
-        const stewart_real c99 = c26*inv_k3;
-        const stewart_real c100 = J_xy*k1;
-        const stewart_real c101 = W_z*c50;
-        const stewart_real c102 = c101*c41;
-        const stewart_real c103 = inv_k3*inv_k3*inv_k3;
-        const stewart_real c104 = c101*k1;
-        const stewart_real c105 = c104*theta_dot;
-        const stewart_real c106 = c12*c43;
-        const stewart_real c107 = REAL(2)*c103;
-        const stewart_real c108 = c107*c3;
-        const stewart_real c109 = REAL(2)*k1;
-        const stewart_real c110 = J_xz*c109;
-        const stewart_real c111 = W_z*c57;
-        const stewart_real c112 = c14*c97;
-        const stewart_real c113 = J_xy*c109*c40;
-        const stewart_real c114 = c12*c60;
-        const stewart_real c115 = J_xz*c51;
-        const stewart_real c116 = c115*c41;
-        const stewart_real c117 = c13*c38;
-        const stewart_real c118 = W_z*c41;
-        const stewart_real c119 = c118*c57;
-        const stewart_real tau_S_leg_22 = L_ddot*c19 + W_z*c57*c67 + c103*c110*c111 + c106*c107 + c108*c60 + c112*c85
-            + c113*inv_k3 + c116*c14 + c18*c96 + c2*c64 + c2*c77 + c3*c44 + c31*c41 + c34 + c41*c90 + c42*c82
-            + c55*c78*inv_k3 + c60*c93 + c70 + c74*inv_k3 + c75 + c77*c85 + c79*inv_k3 + c80*k1 + c98 - c100*c99
-            - c102*c2 - c103*c105 - c107*c114 - c108*c43 - REAL(2)*c117*c44 - c119*c68 - c18*c94 - c2*c41*c64
-            - c3*c61 - c31 - c37*c68*inv_k3*k1 - c41*c70 - c42*c75 - c43*c93 - c71 - c73 - c76*inv_k3*w_n_omega
-            - c81 - c82 - c84*inv_k3 - c88*inv_k3 - c90 - c92;
-        const stewart_real c120 = h_y*own_z;
-        const stewart_real c121 = c103*c57;
-        const stewart_real c122 = W_z*c112;
-        const stewart_real c123 = c51*c89;
-        const stewart_real c124 = c110*c62;
-        const stewart_real c125 = J_xx - J_zz;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c13 + REAL(2)*J_xy*L_dot*W_z*c13 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
-            + J_xy*c41*inv_L*own_z + J_yy*L_ddot*c13 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c41*h_y*inv_L + REAL(4)*W_z*c103*h_y*k1*theta_dot + REAL(2)*c103*c12*h_z*k1
-            + c12*c41*inv_L*(J_yy + c125) + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c100*c121*c20 - c103*c124
-            - c11 - c117*c36 - c12*c36 - c12*c55 - c120*c41 - c122*c18 - c123*c41 - c16*c2 - c40*c65 - c41*c47*c56
-            - c44*c47 - c72*g_k*k3 - c72*gamma_n*k1 - c87*g_k;
-        const stewart_real c126 = J_xx*inv_L;
-        const stewart_real c127 = c126*inv_k3;
-        const stewart_real c128 = c110*inv_L;
-        const stewart_real c129 = c56*k3;
-        const stewart_real c130 = c101*inv_k3;
-        const stewart_real c131 = c57*inv_k3;
-        const stewart_real c132 = c36*k3;
-        const stewart_real c133 = W_z*c132;
-        const stewart_real c134 = REAL(2)*k3;
-        const stewart_real c135 = c134*c59;
-        const stewart_real c136 = inv_L*k3;
-        const stewart_real c137 = c66*inv_k3;
-        const stewart_real c138 = c109*c89;
-        const stewart_real c139 = c112*k3;
-        const stewart_real c140 = J_xx*c20;
-        const stewart_real c141 = c41*k1;
-        const stewart_real c142 = c141*c57;
-        const stewart_real c144 = -c67*k3;
-        const stewart_real tau_S_leg_31 = c12*c135 + c125*c136*own_z + c131*c91 + c133*c2 + c135*c3 + c137*c37
-            + c138*theta_dot + c139*theta_dot + c140*c142 + c144*c37 + c25*k3 + c92*k1 + c93*h_y - c104*c2 - c109*c75
-            - c109*c82 - c127*own_z - c128*own_z - c129*own_y - c130*theta_dot - REAL(2)*c59*c93 - c70*k1 - c80;
-        const stewart_real c145 = REAL(2)*J_xz;
-        const stewart_real c146 = c109*c46;
-        const stewart_real c147 = c109*c58;
-        const stewart_real c148 = c50*theta_dot;
-        const stewart_real c149 = c2*k3;
-        const stewart_real c150 = c126*c41;
-        const stewart_real c151 = c50*k1;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c13*c41*k1*theta_dot + REAL(2)*J_xx*c103*c3*inv_L
-            + J_xx*c12*inv_L*inv_k3 + REAL(2)*J_xx*c38*c39*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c13*k3 + J_xy*inv_L*inv_k3*own_z
-            + REAL(2)*J_xz*L_dot*c13*inv_k3*theta_dot + REAL(2)*J_xz*c3*c41*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1
-            + REAL(4)*J_xz*c38*c39*k1 + REAL(2)*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c125*c13*k3
-            + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c41*h_y*k1*theta_dot + c12*c125*inv_L*k3 + REAL(2)*c12*c41*h_z*k1
-            + c125*inv_L*k1*own_y + REAL(2)*c13*c38*h_x*k3 + REAL(2)*c3*h_x*k3 + fall_T_z*k1*m_u + gamma_n*inv_L*inv_k3*k1*w_z
-            + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y - C_us*c14*inv_k3 - J_xx*c99 - L_ddot*c132*inv_L
-            - W_z*c147 - c103*c62*c66 - REAL(2)*c11*k3 - c110*c26 - c110*c41*c62 - c117*c151 - c118*c147 - c120*inv_k3
-            - c122*k1 - c123*inv_k3 - c124 - c125*c3*inv_L*k3 - c127*c3 - c129*c47 - c141*c54 - c145*c32*own_y
-            - c146*c41 - c146 - c148*c149 - c150*c83 - c2*c49*k1 - c36*c83 - c38*c39*c67*k3 - c59*k3*own_z - c86*gamma_n
-            - fall_T_x*k3*m_u;
-        const stewart_real c153 = c118*k1;
-        const stewart_real c154 = k1*theta_dot;
-        const stewart_real tau_S_leg_33 = c100*c26 + c102*c154 + c111*c144 + c112*c154 + c114*c41 + c125*c78*inv_L
-            + c130*c2 + c131*c140 + c134*c82 + c136*c145*own_z + c150*c78 + c153*c53 + REAL(2)*c3*c60 + c70*k3
-            + c71*k3 + c73*k3 + c81*k3 + c88 + c94*k1 - c101*c149 - c105 - c106*c41 - c110*c119 - c113 - c115*c14*inv_k3
-            - c121*c140 - c134*c34 - c134*c89*theta_dot - c141*c37*c66 - c74 - c79 - c84 - c96*k1 - c98*k3;
+        const stewart_real c12 = h_z*own_y;
+        const stewart_real c13 = W_z*W_z;
+        const stewart_real c14 = inv_L*inv_L;
+        const stewart_real c15 = L_dot*c14;
+        const stewart_real c16 = REAL(2)*h_y;
+        const stewart_real c17 = W_z*c16;
+        const stewart_real c18 = h_y*inv_L;
+        const stewart_real c19 = W_z*inv_k3;
+        const stewart_real c20 = c19*k1;
+        const stewart_real c21 = REAL(4)*c20;
+        const stewart_real c22 = c21*theta_dot;
+        const stewart_real c23 = c13*h_z;
+        const stewart_real c24 = c23*inv_L;
+        const stewart_real c25 = inv_k3*k1;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c14*h_z*theta_dot + REAL(2)*c13*h_x*inv_L + REAL(2)*c3*h_x*inv_L
+            + h_y*inv_L*own_z - c12*inv_L - c15*c17 - c18*c22 - REAL(4)*c24*c25;
+        const stewart_real c26 = REAL(2)*h_x;
+        const stewart_real c27 = c26*inv_L;
+        const stewart_real c28 = c27*own_z;
+        const stewart_real c29 = axial*m_u;
+        const stewart_real c30 = c29*fall_T_y;
+        const stewart_real c31 = L_ddot*c14;
+        const stewart_real c32 = c14*w_x;
+        const stewart_real c33 = c32*gamma_y;
+        const stewart_real c34 = c18*c3;
+        const stewart_real c35 = h_z*inv_L;
+        const stewart_real c36 = REAL(2)*theta_dot;
+        const stewart_real c37 = c35*c36;
+        const stewart_real c38 = h_y*own_y;
+        const stewart_real c39 = inv_L*k1;
+        const stewart_real c40 = c39*inv_k3;
+        const stewart_real c41 = h_z*own_z;
+        const stewart_real c42 = J_zz*own_z;
+        const stewart_real c43 = c14*c42;
+        const stewart_real c44 = c13*c18;
+        const stewart_real c45 = L_dot*L_dot;
+        const stewart_real c46 = inv_L*inv_L*inv_L;
+        const stewart_real c47 = c45*c46;
+        const stewart_real c48 = axial*c15;
+        const stewart_real c49 = inv_k3*inv_k3;
+        const stewart_real c50 = REAL(4)*W_z;
+        const stewart_real c51 = REAL(2)*c49;
+        const stewart_real c52 = REAL(4)*c15;
+        const stewart_real c53 = h_y*k1;
+        const stewart_real c54 = c53*inv_k3;
+        const stewart_real c55 = c15*c36;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c26*c48 + W_z*c37 + axial*c28 + axial*c43 + c30*inv_L
+            + c31*h_y + c33 + c34 + c38*c40 + c40*c41 + c44*c51 - axial*c33 - c16*c47 - c20*c52*h_z - c28 - c34*c51
+            - c35*c49*c50*theta_dot - c43 - c44 - c54*c55;
+        const stewart_real c56 = c26*own_y;
+        const stewart_real c57 = c56*inv_L;
+        const stewart_real c58 = c29*fall_T_z;
+        const stewart_real c59 = J_yy*c14*own_y;
+        const stewart_real c60 = L_ddot*h_z;
+        const stewart_real c61 = c3*h_z;
+        const stewart_real c62 = W_z*c36;
+        const stewart_real c63 = c18*c62;
+        const stewart_real c64 = c32*g_k*k3;
+        const stewart_real c65 = gamma_n*k1;
+        const stewart_real c66 = c32*c65;
+        const stewart_real c67 = REAL(2)*h_z;
+        const stewart_real c68 = c26*theta_dot;
+        const stewart_real c69 = REAL(2)*W_z;
+        const stewart_real c70 = c54*c69;
+        const stewart_real c72 = J_yy - J_zz;
+        const stewart_real c73 = c13*inv_k3;
+        const stewart_real c74 = c73*k1;
+        const stewart_real c75 = c14*c74;
+        const stewart_real tau_S_leg_13 = c14*c60 + c15*c70 + c24*c51 + c49*c63 + c57 + c58*inv_L + c59 + c61*inv_L
+            + c64 + c66 + c72*c75 - C_p*theta_dot - axial*c57 - axial*c59 - axial*c64 - axial*c66 - axial*c72*c75
+            - c24 - c47*c67 - c48*c68 - c63;
+        const stewart_real c77 = C_us*inv_L;
+        const stewart_real c78 = c77*theta_dot;
+        const stewart_real c79 = REAL(2)*J_yy;
+        const stewart_real c80 = inv_L*own_y;
+        const stewart_real c81 = J_yz*inv_L;
+        const stewart_real c82 = c16*theta_dot;
+        const stewart_real c83 = W_z*c82;
+        const stewart_real c84 = axial*c56;
+        const stewart_real c85 = J_yy*inv_L;
+        const stewart_real c86 = axial*c85;
+        const stewart_real c87 = inv_L*theta_dot;
+        const stewart_real c88 = J_xy*c87;
+        const stewart_real c89 = c50*c88;
+        const stewart_real c90 = inv_L*k3;
+        const stewart_real c91 = c90*w_x;
+        const stewart_real c92 = c91*g_k;
+        const stewart_real c93 = inv_L*w_x;
+        const stewart_real c94 = c65*c93;
+        const stewart_real c95 = J_xz*c13;
+        const stewart_real c96 = REAL(4)*inv_L;
+        const stewart_real c97 = J_xy*inv_L;
+        const stewart_real c98 = c97*k1;
+        const stewart_real c99 = c98*inv_k3;
+        const stewart_real c100 = axial*c2;
+        const stewart_real c101 = c15*c79;
+        const stewart_real c102 = REAL(2)*J_yz;
+        const stewart_real c103 = c102*c15;
+        const stewart_real c104 = c49*c83;
+        const stewart_real c105 = c23*c49;
+        const stewart_real c106 = REAL(2)*c95;
+        const stewart_real c107 = c49*inv_L;
+        const stewart_real c108 = REAL(2)*k1;
+        const stewart_real c109 = J_xy*c15;
+        const stewart_real c110 = c108*c109;
+        const stewart_real c111 = c39*c73;
+        const stewart_real c112 = REAL(2)*J_xx;
+        const stewart_real tau_S_leg_21 = W_z*c103 + axial*c111*c72 + axial*c92 + axial*c94 + c100*c68 + c101*theta_dot
+            + c106*c107 + c110*c19 + c111*(REAL(3)*J_zz - REAL(3)*J_yy - c112) + c22*c81 + c23 + c49*c89 + c83
+            + c84 + c86*own_y - c104 - c105 - c2*c70 - c56 - c58 - c61 - c78 - c79*c80 - c81*own_z - c89 - c92
+            - c94 - c95*c96 - c99*own_z;
+        const stewart_real c113 = c97*own_y;
+        const stewart_real c114 = W_z*c68;
+        const stewart_real c115 = gamma_y*inv_L*w_z;
+        const stewart_real c116 = c13*c81;
+        const stewart_real c117 = C_s*inv_L;
+        const stewart_real c118 = W_z*c77*inv_k3;
+        const stewart_real c119 = c30*k1;
+        const stewart_real c120 = J_yz*c31;
+        const stewart_real c121 = c3*c81;
+        const stewart_real c122 = k1*own_y;
+        const stewart_real c123 = c122*c81;
+        const stewart_real c124 = inv_k3*own_z;
+        const stewart_real c125 = axial*k1;
+        const stewart_real c126 = c125*c26;
+        const stewart_real c127 = axial*c42;
+        const stewart_real c128 = c109*c36;
+        const stewart_real c129 = J_xz*W_z;
+        const stewart_real c130 = c129*c52;
+        const stewart_real c131 = J_xz*k1;
+        const stewart_real c132 = c125*c93;
+        const stewart_real c133 = J_xy*k1;
+        const stewart_real c134 = c133*c31;
+        const stewart_real c135 = W_z*c67;
+        const stewart_real c136 = c135*c49;
+        const stewart_real c137 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c138 = c135*k1;
+        const stewart_real c139 = c138*theta_dot;
+        const stewart_real c140 = c2*c26;
+        const stewart_real c141 = c125*c140;
+        const stewart_real c142 = REAL(2)*c53;
+        const stewart_real c143 = c13*c137;
+        const stewart_real c144 = c137*c3;
+        const stewart_real c145 = c39*own_z;
+        const stewart_real c146 = c129*c87;
+        const stewart_real c147 = J_yz*k1;
+        const stewart_real c148 = -REAL(2)*J_zz;
+        const stewart_real c149 = c112 + c148;
+        const stewart_real c150 = J_xy*c108*c47;
+        const stewart_real c151 = REAL(2)*c98;
+        const stewart_real c152 = J_xz*c69;
+        const stewart_real c153 = c14*c45;
+        const stewart_real c154 = c149 + c79;
+        const stewart_real c156 = W_z*c49;
+        const stewart_real tau_S_leg_22 = L_ddot*c18*c25 + W_z*c149*c87 + c102*c47 + c108*c137*c146 + c113 + c116
+            + c118*k1 + c119*inv_k3 + c121*c51 + c124*c126 + c127*c40 + c128*c49 + c141*c19 + c142*c143 + c144*c151
+            + c145*c72*inv_k3 + c147*c55*inv_k3 + c15*c152*c49 + c150*inv_k3 + c2*c50*h_z + c2*c82 + c22*h_z
+            + c3*c54 + c38*c49 + c41 + c73*c98 - c113*c49 - c114 - c115 - c116*c51 - c117*inv_k3*w_n_omega - c120
+            - c121 - c123*inv_k3 - c128 - c130 - REAL(4)*c131*c19*c87 - c132*gamma_y*inv_k3 - c134*inv_k3 - c136*c2
+            - c137*c139 - c142*c144 - c143*c151 - c15*c154*c20 - REAL(2)*c153*c54 - c154*c156*c87 - c2*c49*c82
+            - c3*c99 - c38 - c53*c73;
+        const stewart_real c157 = g_k*k1;
+        const stewart_real c158 = gamma_n*w_z;
+        const stewart_real c159 = h_y*own_z;
+        const stewart_real c160 = c50*c87;
+        const stewart_real c161 = c137*c160;
+        const stewart_real c162 = c15*c19;
+        const stewart_real c163 = c106*c39;
+        const stewart_real c164 = J_xx + c72;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c14 + REAL(2)*J_xy*L_dot*W_z*c14 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
+            + J_xy*c49*inv_L*own_z + J_yy*L_ddot*c14 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c49*h_y*inv_L + REAL(4)*W_z*c137*h_y*k1*theta_dot + REAL(2)*c13*c137*h_z*k1
+            + c13*c164*c49*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c109*c49*c69 - c12 - c13*c26 - c13*c85
+            - c133*c161 - c137*c163 - REAL(2)*c147*c162 - c153*c26 - c157*c93 - c158*c39 - c159*c49 - c17*c2
+            - c47*c79 - c49*c62*c81 - c54*c62 - c90*g_k*w_z;
+        const stewart_real c165 = c26*k3;
+        const stewart_real c166 = c165*own_z;
+        const stewart_real c167 = c91*gamma_y;
+        const stewart_real c168 = c73*h_y;
+        const stewart_real c169 = J_xx*inv_k3;
+        const stewart_real c170 = c169*inv_L;
+        const stewart_real c171 = REAL(2)*J_xz;
+        const stewart_real c172 = c81*k3;
+        const stewart_real c173 = c135*inv_k3;
+        const stewart_real c174 = J_xz*c19;
+        const stewart_real c175 = REAL(4)*c87;
+        const stewart_real c176 = REAL(2)*k3;
+        const stewart_real c177 = c176*c97;
+        const stewart_real c178 = W_z*c165;
+        const stewart_real c179 = c90*own_z;
+        const stewart_real c180 = J_yz*k3;
+        const stewart_real c181 = c49*k1;
+        const stewart_real c183 = -W_z*c149*k3;
+        const stewart_real tau_S_leg_31 = J_xx*c160*c181 + axial*c166 + c100*c178 + c110*theta_dot + c112*c162
+            + c127*c90 + c13*c177 + c130*k1 + c15*c183 + c167 + c168 + c174*c175 + c177*c3 + c179*(J_xx + c148)
+            + c180*c55 + c30*k3 - axial*c167 - c108*c116 - c108*c121 - c113*k1 - c118 - c138*c2 - c145*c171
+            - c166 - c170*own_z - c172*own_y - c173*theta_dot - REAL(2)*c73*c97;
+        const stewart_real c184 = k3*own_z;
+        const stewart_real c185 = c93*gamma_n;
+        const stewart_real c186 = c171*inv_k3;
+        const stewart_real c187 = c108*c61;
+        const stewart_real c188 = c108*c88;
+        const stewart_real c189 = c67*theta_dot;
+        const stewart_real c190 = c2*k3;
+        const stewart_real c191 = c112*inv_L;
+        const stewart_real c192 = c67*k1;
+        const stewart_real c193 = J_xx - J_zz;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c14*c49*k1*theta_dot + REAL(2)*J_xx*c137*c3*inv_L
+            + REAL(2)*J_xx*c45*c46*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c14*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c14*inv_k3*theta_dot
+            + REAL(2)*J_xz*c3*c49*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c45*c46*k1 + REAL(2)*J_xz*inv_L*k3*own_y
+            + J_yz*inv_L*k1*own_z + L_ddot*c14*c193*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c49*h_y*k1*theta_dot
+            + axial*c13*c72*inv_L*k3 + axial*c7*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c13*c164*inv_L*inv_k3
+            + REAL(2)*c13*c49*h_z*k1 + c13*inv_L*k3*(J_xx - J_yy) + REAL(2)*c14*c45*h_x*k3 + c164*inv_L*k1*own_y
+            + REAL(2)*c3*h_x*k3 + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
+            + REAL(2)*h_z*inv_k3*own_y - C_us*c15*inv_k3 - J_xx*c107*c122 - J_xz*c108*c31 - L_ddot*c165*inv_L
+            - W_z*c188 - axial*c13*c72*inv_L*inv_k3 - axial*c157*c91 - axial*c185 - REAL(2)*c109*c19 - REAL(2)*c12*k3
+            - c122*c86 - c125*c2*c68 - c143*c191 - c147*c15*c69 - c149*c45*c46*k3 - c153*c192 - c156*c188 - c159*inv_k3
+            - c163*c49 - c163 - c169*c31 - c170*c3 - c172*c62 - c181*c78 - c184*c97 - c185*c7 - c186*c80 - c187*c49
+            - c187 - c189*c190 - c193*c3*inv_L*k3 - c84*k1 - fall_T_x*k3*m_u;
+        const stewart_real c195 = J_xx*c145;
+        const stewart_real c196 = c156*k1;
+        const stewart_real c197 = J_xy*k3;
+        const stewart_real c198 = c171*c19;
+        const stewart_real c199 = REAL(2)*c180;
+        const stewart_real c200 = c13*c49;
+        const stewart_real c201 = c112*c196;
+        const stewart_real tau_S_leg_33 = c113*k3 + c114*k3 + c115*k3 + c120*k3 + c121*c176 + c129*c175*k1 + c132*gamma_y
+            + c134 + c136*k1*theta_dot + c147*c55 + c151*c3 + c160*c169 + c171*c179 + c173*c2 + c183*c87 + c195*c49
+            + c195 + c196*c77 + c200*c98 - J_xx*c161 - W_z*c141 - c108*c146*c49 - c119 - c123 - c126*own_z - c127*c39
+            - c135*c190 - c139 - c15*c198 - c15*c201 - c150 - c176*c41 - c197*c55 - c199*c47 - c200*c53;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -5515,25 +5576,26 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c17*c51 - c30;
-        const stewart_real c155 = c109*c17*inv_k3;
-        const stewart_real tau_S_dot_leg_12 = c14*c15 + c155*theta_dot + c18*c20*c28 - W_z*c36*inv_L;
-        const stewart_real tau_S_dot_leg_13 = c14*c50 + c36*c57 - W_z*c155;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c49 - c51*c56 - c51*c61 - c57*c65;
-        const stewart_real c156 = c109*c56;
-        const stewart_real c157 = c156*theta_dot;
+        const stewart_real tau_S_dot_leg_11 = C_p + c18*c69 - c37;
+        const stewart_real c202 = c108*c18;
+        const stewart_real tau_S_dot_leg_12 = c15*c16 + c202*inv_k3*theta_dot + c21*c35 - W_z*c27;
+        const stewart_real tau_S_dot_leg_13 = c15*c67 + c26*c87 - c19*c202;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c151*c19 - c68 - c69*c81 - c79*c87;
+        const stewart_real c203 = c108*c81;
+        const stewart_real c204 = c203*theta_dot;
         const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
-            + REAL(2)*W_z*c41*h_z + W_z*c68*inv_L*inv_k3*k1 + REAL(2)*c41*h_y*theta_dot - c101 - c112 - c116*inv_L
-            - c138*inv_k3 - c157*inv_k3 - REAL(2)*c41*c58 - c64;
-        const stewart_real c158 = c51*c59;
-        const stewart_real tau_S_dot_leg_23 = W_z*c156*inv_k3 + c14*c65 + c158*c41 + c16 + c95 - c148 - c158
-            - c16*c41 - c53;
-        const stewart_real tau_S_dot_leg_31 = W_z*c67*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c32*c66 - c129*c29
-            - c133 - c147 - c91*inv_L*k1;
+            + W_z*c154*inv_L*inv_k3*k1 + REAL(2)*W_z*c49*h_z + REAL(2)*c49*h_y*theta_dot - c103 - c107*c152
+            - c110*inv_k3 - c135 - c204*inv_k3 - REAL(2)*c49*c88 - c82;
+        const stewart_real c205 = c69*c97;
+        const stewart_real tau_S_dot_leg_23 = c101 + c140 + c17 + c19*c203 + c205*c49 - c17*c49 - c189 - c205
+            - c77;
+        const stewart_real tau_S_dot_leg_31 = W_z*c149*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c129*c96*k1 - c172*c36
+            - c178 - c188 - c19*c191;
         const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
-            + L_dot*c13*c67*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c135 - c131*c145
-            - c132*c2 - c137*c14 - c14*c63*k1 - c142*c66 - c16*inv_k3;
-        const stewart_real tau_S_dot_leg_33 = c115*c32 + c134*c58 + c138 + c139 + c153*c66*inv_L - c130 - c157;
+            + L_dot*c14*c149*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c177 - c112*c15*inv_k3
+            - c112*c181*c87 - c131*c52 - c165*c2 - c17*inv_k3 - c186*c87;
+        const stewart_real tau_S_dot_leg_33 = c110 + c112*c156*c39 + c15*c199 + REAL(2)*c197*c87 + c198*inv_L
+            - c173 - c204;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
         const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
@@ -5544,14 +5606,15 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x;
         const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
-        const stewart_real tau_S_ddot_leg_12 = -c17;
-        const stewart_real tau_S_ddot_leg_13 = -c28;
-        const stewart_real tau_S_ddot_leg_22 = c56 + c61 - c44;
-        const stewart_real c159 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c159 - c36 - c55;
-        const stewart_real tau_S_ddot_leg_31 = -h_y*k3;
-        const stewart_real tau_S_ddot_leg_32 = c127 + c128 + c132 + c159*k3 - c125*c136 - c151;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c129 - c60;
+        const stewart_real tau_S_ddot_leg_12 = -c18;
+        const stewart_real tau_S_ddot_leg_13 = -c35;
+        const stewart_real tau_S_ddot_leg_22 = c81 + c99 - c54;
+        const stewart_real c206 = L*m_u;
+        const stewart_real tau_S_ddot_leg_23 = -c206 - c26 - c85;
+        const stewart_real c207 = h_y*k3;
+        const stewart_real tau_S_ddot_leg_31 = -c207;
+        const stewart_real tau_S_ddot_leg_32 = c165 + c170 + c171*c39 + c206*k3 - c192 - c193*c90;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c172 - c98;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
         const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
@@ -5589,17 +5652,28 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real c160 = net_z*inv_rho*inv_rho;
-        const stewart_real bent_leg_12 = -c160*k3;
-        const stewart_real c161 = c13*net_y;
-        const stewart_real bent_leg_13 = c161;
-        const stewart_real c162 = c9*inv_L;
-        const stewart_real bent_leg_21 = -c162;
-        const stewart_real c163 = inv_rho*k3;
-        const stewart_real bent_leg_22 = c10*inv_rho*k1 + c163*net_x;
-        const stewart_real bent_leg_23 = c162*kappa;
-        const stewart_real bent_leg_31 = c161;
-        const stewart_real bent_leg_32 = c160*k1;
+        const stewart_real c208 = REAL(1) - axial;
+        const stewart_real c209 = axial*net_z + c208*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c13*inv_k3
+            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c13*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
+            + L*c13*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c184 - L*c108*c41 - L*c168
+            - L*c38*k1 - L_ddot*c207 - L_dot*c138 - L_dot*c36*c53 - c13*c197 - c174*c36 - c197*c3 - c201*theta_dot
+            - gamma_n*w_y);
+        const stewart_real c210 = c209*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c210*k3;
+        const stewart_real c211 = J_xy*c62;
+        const stewart_real c212 = axial*net_y + c208*(C_us*theta_dot + J_xx*c74 + J_yz*own_z + L*c104 + L*c105
+            + c106 + c124*c133 + c158*k3 + c211 + c60 - C_s*w_y_omega - REAL(2)*L*c23 - L*c54*own_z - L*c83
+            - c147*c19*c36 - c157*w_z - c211*c49 - c49*c95);
+        const stewart_real c213 = c14*c212;
+        const stewart_real bent_leg_13 = c213;
+        const stewart_real c214 = inv_L*inv_rho;
+        const stewart_real c215 = c209*c214;
+        const stewart_real bent_leg_21 = -c215;
+        const stewart_real c216 = inv_rho*k3;
+        const stewart_real bent_leg_22 = c212*c214*k1 + c216*net_x;
+        const stewart_real bent_leg_23 = c215*kappa;
+        const stewart_real bent_leg_31 = c213;
+        const stewart_real bent_leg_32 = c210*k1;
         const stewart_real bent_leg_33 = inv_L*net_x;
         const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
         const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
@@ -5620,45 +5694,45 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
         const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
         const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
-        const stewart_real c164 = bent_xy*q_z;
-        const stewart_real c165 = bent_xz*q_y;
-        const stewart_real Z_xx = c165 - c164;
+        const stewart_real c217 = bent_xy*q_z;
+        const stewart_real c218 = bent_xz*q_y;
+        const stewart_real Z_xx = c218 - c217;
         const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
-        const stewart_real c166 = bent_xx*q_y;
-        const stewart_real Z_xz = bent_xy*q_x - c166;
-        const stewart_real c167 = bent_yy*q_z;
-        const stewart_real Z_yx = bent_yz*q_y - c167;
-        const stewart_real c168 = bent_yx*q_z;
-        const stewart_real c169 = -bent_yz*q_x;
-        const stewart_real Z_yy = c168 + c169;
-        const stewart_real c170 = -bent_yy*q_x;
-        const stewart_real Z_yz = -bent_yx*q_y - c170;
-        const stewart_real c171 = -bent_zz*q_y;
-        const stewart_real Z_zx = -bent_zy*q_z - c171;
-        const stewart_real c172 = bent_zz*q_x;
-        const stewart_real Z_zy = bent_zx*q_z - c172;
-        const stewart_real c173 = bent_zx*q_y;
-        const stewart_real c174 = bent_zy*q_x;
-        const stewart_real Z_zz = c174 - c173;
-        const stewart_real G_dot_21 = -c57;
-        const stewart_real c175 = k1*phi_dot;
-        const stewart_real G_dot_22 = c175*inv_L;
-        const stewart_real G_dot_23 = c14;
-        const stewart_real G_dot_31 = -c163*phi_dot;
-        const stewart_real c176 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c176*kappa - c2*inv_rho;
-        const stewart_real G_dot_33 = c175*inv_rho;
-        const stewart_real c177 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c177;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c163*theta_dot);
-        const stewart_real f_S_leg_13 = G_dot_33*c177;
+        const stewart_real c219 = bent_xx*q_y;
+        const stewart_real Z_xz = bent_xy*q_x - c219;
+        const stewart_real c220 = bent_yy*q_z;
+        const stewart_real Z_yx = bent_yz*q_y - c220;
+        const stewart_real c221 = bent_yx*q_z;
+        const stewart_real c222 = -bent_yz*q_x;
+        const stewart_real Z_yy = c221 + c222;
+        const stewart_real c223 = -bent_yy*q_x;
+        const stewart_real Z_yz = -bent_yx*q_y - c223;
+        const stewart_real c224 = -bent_zz*q_y;
+        const stewart_real Z_zx = -bent_zy*q_z - c224;
+        const stewart_real c225 = bent_zz*q_x;
+        const stewart_real Z_zy = bent_zx*q_z - c225;
+        const stewart_real c226 = bent_zx*q_y;
+        const stewart_real c227 = bent_zy*q_x;
+        const stewart_real Z_zz = c227 - c226;
+        const stewart_real G_dot_21 = -c87;
+        const stewart_real c228 = k1*phi_dot;
+        const stewart_real G_dot_22 = c228*inv_L;
+        const stewart_real G_dot_23 = c15;
+        const stewart_real G_dot_31 = -c216*phi_dot;
+        const stewart_real c229 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c229*kappa;
+        const stewart_real G_dot_33 = c228*inv_rho;
+        const stewart_real c230 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c230;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c216*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c230;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c178 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c178;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c176*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c178;
+        const stewart_real c231 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c231;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c229*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c231;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -5678,9 +5752,9 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c177*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c76;
-        const stewart_real f_S_dot_leg_32 = C_s*c163;
+        const stewart_real f_S_dot_leg_12 = c230*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c117;
+        const stewart_real f_S_dot_leg_32 = C_s*c216;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -5697,18 +5771,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c179 = R_tip_y*q_y;
-        const stewart_real c180 = R_tip_z*q_z;
-        const stewart_real c181 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c182 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c183 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c184 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c185 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c186 = R_tip_x*q_x;
-        const stewart_real c187 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c188 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c189 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c190 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c232 = R_tip_y*q_y;
+        const stewart_real c233 = R_tip_z*q_z;
+        const stewart_real c234 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c235 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c236 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c237 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c238 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c239 = R_tip_x*q_x;
+        const stewart_real c240 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c241 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c242 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c243 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5748,24 +5822,24 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = c173 - c168 - f_S_xx;
-        out->sum[40][l] = bent_zy*q_y - c167 - f_S_xy;
-        out->sum[41][l] = -bent_yz*q_z - c171 - f_S_xz;
+        out->sum[39][l] = c226 - c221 - f_S_xx;
+        out->sum[40][l] = bent_zy*q_y - c220 - f_S_xy;
+        out->sum[41][l] = -bent_yz*q_z - c224 - f_S_xz;
         out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
-        out->sum[43][l] = c164 - c174 - f_S_yy;
-        out->sum[44][l] = bent_xz*q_z - c172 - f_S_yz;
-        out->sum[45][l] = bent_yx*q_x - c166 - f_S_zx;
-        out->sum[46][l] = -bent_xy*q_y - c170 - f_S_zy;
-        out->sum[47][l] = -c165 - c169 - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c182*q_z - Z_yx*q_z - c179 - c180 - c181*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c181*q_x - Z_yy*q_z - c183*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c183*q_y - Z_yz*q_z - c182*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c184*q_z - Z_zx*q_x - c185*q_y;
-        out->sum[52][l] = Z_xy*q_z + c185*q_x - Z_zy*q_x - c180 - c186 - c187*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c187*q_y - Z_zz*q_x - c184*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c188*q_z - Z_xx*q_y - c189*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c189*q_x - Z_xy*q_y - c190*q_z;
-        out->sum[56][l] = Z_yz*q_x + c190*q_y - Z_xz*q_y - c179 - c186 - c188*q_x;
+        out->sum[43][l] = c217 - c227 - f_S_yy;
+        out->sum[44][l] = bent_xz*q_z - c225 - f_S_yz;
+        out->sum[45][l] = bent_yx*q_x - c219 - f_S_zx;
+        out->sum[46][l] = -bent_xy*q_y - c223 - f_S_zy;
+        out->sum[47][l] = -c218 - c222 - f_S_zz;
+        out->sum[48][l] = Z_zx*q_y + c235*q_z - Z_yx*q_z - c232 - c233 - c234*q_y;
+        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c234*q_x - Z_yy*q_z - c236*q_z;
+        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c236*q_y - Z_yz*q_z - c235*q_x;
+        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c237*q_z - Z_zx*q_x - c238*q_y;
+        out->sum[52][l] = Z_xy*q_z + c238*q_x - Z_zy*q_x - c233 - c239 - c240*q_z;
+        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c240*q_y - Z_zz*q_x - c237*q_x;
+        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c241*q_z - Z_xx*q_y - c242*q_y;
+        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c242*q_x - Z_xy*q_y - c243*q_z;
+        out->sum[56][l] = Z_yz*q_x + c243*q_y - Z_xz*q_y - c232 - c239 - c241*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -5879,6 +5953,7 @@ static void joint_slopes_sums(
         legs->turned[0][l] = legs->turned[0][5];
         legs->turned[1][l] = legs->turned[1][5];
         legs->turned[2][l] = legs->turned[2][5];
+        legs->axial[l] = legs->axial[5];
     }
     joint_slopes_of_leg(model, motion, &pose, legs);
     legs->status = legs_status(&legs->checked);
@@ -5920,6 +5995,7 @@ static slopes_found slopes_apart(
     const apart_found apart = forward_apart(model, motion, F, &by);
     for (i = 0; i < 6; ++i) {
         out.x[i] = apart.x[i];
+        legs.axial[i] = by.given[i].axial;
         for (j = 0; j < 3; ++j) {
             legs.net[j][i] = by.given[i].net[j];
             legs.turned[j][i] = by.given[i].turned[j];

@@ -39,7 +39,7 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     for i in range(6):
         right[i] = A[i][6]
     row_back(by, right, start, out.x)
-    rows_held(by, right, start, rest)
+    rows_held(legs, by, right, start, rest)
     out.status = where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = where((out.status != OK) | (size(out.x[i]) <= MAX), out.status, NOT_FINITE)
@@ -62,6 +62,7 @@ def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6
     apart = forward_apart(model, motion, F, by)
     for i in range(6):
         out.x[i] = apart.x[i]
+        legs.given[i].axial = by.given[i].axial
         for j in range(3):
             legs.given[i].net[j] = by.given[i].net[j]
             legs.given[i].turned[j] = by.given[i].turned[j]
@@ -334,13 +335,20 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
         acceleration[by.column[k]] = x[k] / where(by.column[k] < 3, 1.0, by.length)
 
 
-def rows_held(by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)") -> None:
-    """Of each leg the generalised forces, and the accelerations that those of the platform give to it."""
+def rows_held(
+    legs: "JointRowsLegs", by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)"
+) -> None:
+    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
+    share of the inertia about its own axis beside k3 times that of its tip."""
     whole = array(24)
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
+        k3 = legs.leg[b].k3
+        of_tip = legs.leg[b].L * by.extent[3 * b]
+        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
+        by.given[b].axial = where(k3 < LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
         for i in range(3):
             force = rest[3 * b + i]
             turned = 0.0
