@@ -3120,6 +3120,9 @@ def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
                 turn = legs.leg[i].row_w[3 * j + k] / by.length
                 by.row[3 * i + j][k + 3] = by.extent[3 * i + j] * turn
+    for i in range(18, 24):
+        for j in range(6):
+            by.row[i][j] = 0.0
     heft = on.larger(on.sqrt(on.size(mass)), least)
     per_mass = on.where(mass > 0.0, 1.0 / mass, 0.0)
     c[0] = summed.M_vw[5] * per_mass
@@ -3203,6 +3206,9 @@ def pick_rows(on: Arithmetic, by: Any) -> None:
 
 def weigh_rows(on: Arithmetic, by: Any) -> None:
     """M in the coordinates."""
+    for k in range(6):
+        for n in range(6):
+            by.inertia[k][n] = 0.0
     for b in range(8):
         for i in range(3):
             for j in range(3):
@@ -3294,7 +3300,7 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
         on.put(acceleration, x[k] / (on.where(by.column[k] < 3, 1.0, by.length)), by.column[k])
 
 
-def rows_held(on: Arithmetic, by: Any, legs: Any, found: Any, start: Any, rest: Any) -> None:
+def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
     the share of the inertia about its own axis beside k3 times that of its tip.
     """
@@ -3304,8 +3310,8 @@ def rows_held(on: Arithmetic, by: Any, legs: Any, found: Any, start: Any, rest: 
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
         k3 = legs.leg[b].k3
-        tip = legs.leg[b].L * by.extent[3 * b]
-        share = tip / by.extent[3 * b + 1] * (tip / by.extent[3 * b + 2] * k3)
+        of_tip = legs.leg[b].L * by.extent[3 * b]
+        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
         by.given[b].axial = on.where(k3 < on.LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
         for i in range(3):
             force = rest[3 * b + i]
@@ -3350,7 +3356,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(6):
         right[i] = A[i][6]
     row_back(on, by, right, start, out.x)
-    rows_held(on, by, legs, right, start, rest)
+    rows_held(on, legs, by, right, start, rest)
     out.status = on.where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = on.where((out.status != OK) | (on.size(out.x[i]) <= on.MAX), out.status, NOT_FINITE)
@@ -6057,11 +6063,13 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
     for i in range(6):
-        out.A[i][i + 6] = 1.0
         for j in range(12):
+            out.A[i][j] = 0.0
             out.A[i + 6][j] = -A[i][j + 6]
         for j in range(6):
+            out.B[i][j] = 0.0
             out.B[i + 6][j] = A[i][j + 18]
+        out.A[i][i + 6] = 1.0
     out.A[3][4] = -motion.omega[2]
     out.A[3][5] = motion.omega[1]
     out.A[4][3] = motion.omega[2]

@@ -2379,6 +2379,11 @@ static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs
             }
         }
     }
+    for (i = 18; i < 24; ++i) {
+        for (j = 0; j < 6; ++j) {
+            by->row[6*i + j] = REAL(0);
+        }
+    }
     const stewart_real heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
     const stewart_real per_mass = mass > REAL(0) ? REAL(1)/mass : REAL(0);
     c[0] = summed[11]*per_mass;
@@ -2480,6 +2485,11 @@ static void pick_rows(rows *by)
 static void weigh_rows(rows *by)
 {
     int b, i, j, k, n;
+    for (k = 0; k < 6; ++k) {
+        for (n = 0; n < 6; ++n) {
+            by->inertia[6*k + n] = REAL(0);
+        }
+    }
     for (b = 0; b < 8; ++b) {
         for (i = 0; i < 3; ++i) {
             for (j = 0; j < 3; ++j) {
@@ -2613,7 +2623,7 @@ static void row_back(
 /* Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
  * share of the inertia about its own axis beside k3 times that of its tip. */
 static void rows_held(
-    rows *by, const joint_rows_legs *legs, const stewart_real found[6], const stewart_real start[6],
+    const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
     const stewart_real rest[24])
 {
     int b, i, j;
@@ -2625,8 +2635,8 @@ static void rows_held(
     }
     for (b = 0; b < 6; ++b) {
         const stewart_real k3 = legs->checked.k3[b];
-        const stewart_real tip = legs->checked.L[b]*by->extent[3*b];
-        const stewart_real share = tip/by->extent[3*b + 1]*(tip/by->extent[3*b + 2]*k3);
+        const stewart_real of_tip = legs->checked.L[b]*by->extent[3*b];
+        const stewart_real share = of_tip/by->extent[3*b + 1]*(of_tip/by->extent[3*b + 2]*k3);
         by->given[b].axial = k3 < STEWART_LEANING ? k3/(k3 + share*share*(share*share)) : REAL(1);
         for (i = 0; i < 3; ++i) {
             stewart_real force = rest[3*b + i];
@@ -2648,7 +2658,7 @@ static apart_found forward_apart(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], rows *by)
 {
     int i, j;
-    apart_found out = {0};
+    apart_found out;
     joint_rows_legs legs;
     stewart_real summed[27];
     stewart_real force[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -2686,7 +2696,7 @@ static apart_found forward_apart(
         right[i] = A[8*i + 6];
     }
     row_back(by, right, start, out.x);
-    rows_held(by, &legs, right, start, rest);
+    rows_held(&legs, by, right, start, rest);
     out.status = legs.status == STEWART_OK ? fault : legs.status;
     for (i = 0; i < 6; ++i) {
         out.status = (out.status != STEWART_OK || STEWART_FABS(out.x[i]) <= STEWART_MAX) ? out.status : STEWART_NOT_FINITE;
@@ -2716,7 +2726,7 @@ static forward_dynamics_found find_forward_dynamics(
     }
     int fault = solve_definite_8(A, STEWART_KEPT);
     if (status == STEWART_OK && fault == STEWART_INDEFINITE) {
-        rows by = {0};
+        rows by;
         const apart_found apart = forward_apart(model, motion, F, &by);
         for (i = 0; i < 6; ++i) {
             A[8*i + 6] = fault == STEWART_INDEFINITE ? apart.x[i] : A[8*i + 6];
@@ -3037,7 +3047,11 @@ int stewart_exact_joint_inertia(
 /* Actuator forces. */
 static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
 {
-    forces_found out = {0};
+    int i;
+    forces_found out;
+    for (i = 0; i < 6; ++i) {
+        out.F[i] = REAL(0);
+    }
     out.status = stewart_exact_forces(model, motion, out.F);
     return out;
 }
@@ -5954,8 +5968,8 @@ static slopes_found slopes_apart(
     const stewart_real F[6])
 {
     int c, i, j, k;
-    slopes_found out = {0};
-    rows by = {0};
+    slopes_found out;
+    rows by;
     joint_slopes_legs legs;
     stewart_real summed[93];
     stewart_real start[6];
@@ -6044,7 +6058,7 @@ static linearisation_found find_linearisation(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
 {
     int i, j;
-    linearisation_found out = {0};
+    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
     stewart_real A[144];
@@ -6084,13 +6098,15 @@ static linearisation_found find_linearisation(
         out.of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
-        out.of.A[12*i + (i + 6)] = REAL(1);
         for (j = 0; j < 12; ++j) {
+            out.of.A[12*i + j] = REAL(0);
             out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
+            out.of.B[6*i + j] = REAL(0);
             out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
+        out.of.A[12*i + (i + 6)] = REAL(1);
     }
     out.of.A[40] = -motion->omega[2];
     out.of.A[41] = motion->omega[1];

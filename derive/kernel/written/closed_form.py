@@ -95,7 +95,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
         A[i + 3][6] = summed.right_moment[i]
     fault = solve_definite_8(A, KEPT)
     if anywhere((status == OK) & (fault == INDEFINITE)):
-        by = Rows()
+        by = blank(Rows)
         apart = forward_apart(model, motion, F, by)
         for i in range(6):
             A[i][6] = where(fault == INDEFINITE, apart.x[i], A[i][6])
@@ -194,7 +194,7 @@ def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
 
 def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisation":
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    out = Linearisation()
+    out = blank(Linearisation)
     legs = blank(DerivativesLegs)
     summed = blank(DerivativesSums)
     A = blank(array(6, 24))
@@ -225,11 +225,13 @@ def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisa
         out.a[i] = moved.a[i]
         out.alpha[i] = moved.alpha[i]
     for i in range(6):
-        out.A[i][i + 6] = 1.0
         for j in range(12):
+            out.A[i][j] = 0.0
             out.A[i + 6][j] = -A[i][j + 6]
         for j in range(6):
+            out.B[i][j] = 0.0
             out.B[i + 6][j] = A[i][j + 18]
+        out.A[i][i + 6] = 1.0
     out.A[3][4] = -motion.omega[2]
     out.A[3][5] = motion.omega[1]
     out.A[4][3] = motion.omega[2]

@@ -9,7 +9,7 @@ become the unknowns: no large number is added to a small one.
 
 def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -> "Apart":
     """Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given."""
-    out = Apart()
+    out = blank(Apart)
     legs = blank(JointRowsLegs)
     summed = blank(JointRowsSums)
     force = array(24)
@@ -39,7 +39,7 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     for i in range(6):
         right[i] = A[i][6]
     row_back(by, right, start, out.x)
-    rows_held(by, legs, right, start, rest)
+    rows_held(legs, by, right, start, rest)
     out.status = where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = where((out.status != OK) | (size(out.x[i]) <= MAX), out.status, NOT_FINITE)
@@ -48,8 +48,8 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
 
 def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6)") -> "SlopesApart":
     """M^-1 times the derivatives of the wrench and H, columns 6 to 23 of A, as ``forward_apart`` solves."""
-    out = SlopesApart()
-    by = Rows()
+    out = blank(SlopesApart)
+    by = blank(Rows)
     legs = blank(JointSlopesLegs)
     summed = blank(JointSlopesSums)
     start = blank(array(6))
@@ -149,6 +149,9 @@ def make_rows(summed: "JointRowsSums", legs: "JointRowsLegs", by: "Rows") -> Non
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
                 turn = legs.leg[i].row_w[3 * j + k] / by.length
                 by.row[3 * i + j][k + 3] = by.extent[3 * i + j] * turn
+    for i in range(18, 24):
+        for j in range(6):
+            by.row[i][j] = 0.0
     heft = larger(sqrt(size(mass)), least)
     per_mass = where(mass > 0.0, 1.0 / mass, 0.0)
     c[0] = summed.M_vw[5] * per_mass
@@ -232,6 +235,9 @@ def pick_rows(by: "Rows") -> None:
 
 def weigh_rows(by: "Rows") -> None:
     """M in the coordinates."""
+    for k in range(6):
+        for n in range(6):
+            by.inertia[k][n] = 0.0
     for b in range(8):
         for i in range(3):
             for j in range(3):
@@ -330,7 +336,7 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 
 
 def rows_held(
-    by: "Rows", legs: "JointRowsLegs", found: "array(6)", start: "array(6)", rest: "array(24)"
+    legs: "JointRowsLegs", by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)"
 ) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
     share of the inertia about its own axis beside k3 times that of its tip."""
@@ -340,8 +346,8 @@ def rows_held(
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
         k3 = legs.leg[b].k3
-        tip = legs.leg[b].L * by.extent[3 * b]
-        share = tip / by.extent[3 * b + 1] * (tip / by.extent[3 * b + 2] * k3)
+        of_tip = legs.leg[b].L * by.extent[3 * b]
+        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
         by.given[b].axial = where(k3 < LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
         for i in range(3):
             force = rest[3 * b + i]

@@ -49,6 +49,8 @@ def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)")
 
 def forces(model: "Model", motion: "Motion") -> "Forces":
     """Actuator forces."""
-    out = Forces()
+    out = blank(Forces)
+    for i in range(6):
+        out.F[i] = 0.0
     out.status = kernel_forces(model, motion, out.F)
     return out
