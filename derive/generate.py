@@ -128,8 +128,9 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
+    files |= {f"c/{name}": text for name, text in made.items()}
     files["interface.py"] = layout(models, version)
-    return files | {f"c/{name}": text for name, text in made.items()}
+    return files
 
 
 def _error_bounds(version: str) -> dict[str, str]:

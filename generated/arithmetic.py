@@ -12,8 +12,6 @@ SHORT_LEG = 2  # a leg has length zero
 POLE = 3  # a leg lies along the fixed axis of its universal joint
 SINGULAR = 4  # H is singular: no leg forces can hold the platform
 INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
-NOT_CONVERGED = 7  # no pose with these leg lengths was found
-MAX_STEPS = 30  # steps after which the search of a pose ends
 
 CONSTANTS = {
     'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.015625, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},

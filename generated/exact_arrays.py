@@ -1731,9 +1731,8 @@ def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any
     legs.leaning = leaning
 
 
-def equations_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def equations_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = EquationsSums()
     for i in range(6):
         out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
             + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
@@ -1769,7 +1768,6 @@ def equations_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
         out.friction_moment[i] = (pose.friction_moment[i] + (legs.leg[0].friction_moment[i] + legs.leg[1].friction_moment[i]
             + legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i] + legs.leg[4].friction_moment[i]
             + legs.leg[5].friction_moment[i]))
-    return out
 
 
 def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
@@ -2040,7 +2038,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     return out
 
 
-def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
     pose = equations_pose(on, model.platform, motion)
     equations_legs(on, model, motion, pose, legs)
@@ -2048,7 +2046,7 @@ def equations_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
         for i in range(6):
             near = equations_near(on, model.leg[i], model.platform, motion, pose, legs.given[i])
             legs.leg[i] = on.where(legs.leaning == 1, near, legs.leg[i])
-    return equations_total(on, pose, legs)
+    equations_total(on, pose, legs, summed)
 
 
 def place_symmetric_6(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
@@ -2084,49 +2082,46 @@ def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: An
             A[i + 3][first + j + 3] = ww[3 * i + j]
 
 
-def checked_equations(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = Equations()
+def check_equations(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.M[i][j]
+            lost = lost + 0.0 * out.M[i][j]
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.C[i][j]
+            lost = lost + 0.0 * out.C[i][j]
     for i in range(6):
-        lost = lost + 0.0 * found.g[i]
+        lost = lost + 0.0 * out.g[i]
     for i in range(6):
-        lost = lost + 0.0 * found.friction[i]
+        lost = lost + 0.0 * out.friction[i]
     for i in range(6):
-        lost = lost + 0.0 * found.bias[i]
-    for i in range(6):
-        for j in range(6):
-            lost = lost + 0.0 * found.H[i][j]
+        lost = lost + 0.0 * out.bias[i]
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.H_dot[i][j]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+            lost = lost + 0.0 * out.H[i][j]
     for i in range(6):
         for j in range(6):
-            out.M[i][j] = on.where(status == OK, found.M[i][j], on.NAN)
+            lost = lost + 0.0 * out.H_dot[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         for j in range(6):
-            out.C[i][j] = on.where(status == OK, found.C[i][j], on.NAN)
-    for i in range(6):
-        out.g[i] = on.where(status == OK, found.g[i], on.NAN)
-    for i in range(6):
-        out.friction[i] = on.where(status == OK, found.friction[i], on.NAN)
-    for i in range(6):
-        out.bias[i] = on.where(status == OK, found.bias[i], on.NAN)
+            out.M[i][j] = on.where(out.status == OK, out.M[i][j], on.NAN)
     for i in range(6):
         for j in range(6):
-            out.H[i][j] = on.where(status == OK, found.H[i][j], on.NAN)
+            out.C[i][j] = on.where(out.status == OK, out.C[i][j], on.NAN)
+    for i in range(6):
+        out.g[i] = on.where(out.status == OK, out.g[i], on.NAN)
+    for i in range(6):
+        out.friction[i] = on.where(out.status == OK, out.friction[i], on.NAN)
+    for i in range(6):
+        out.bias[i] = on.where(out.status == OK, out.bias[i], on.NAN)
     for i in range(6):
         for j in range(6):
-            out.H_dot[i][j] = on.where(status == OK, found.H_dot[i][j], on.NAN)
-    out.status = status
-    return out
+            out.H[i][j] = on.where(out.status == OK, out.H[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.H_dot[i][j] = on.where(out.status == OK, out.H_dot[i][j], on.NAN)
 
 
 def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
@@ -2137,7 +2132,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     motion = on.arrays(motion)
     out = Equations()
     legs = EquationsLegs()
-    summed = equations_sums(on, model, motion, legs)
+    summed = EquationsSums()
+    equations_sums(on, model, motion, legs, summed)
     place_inertia_6(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, out.M)
     place_blocks_6(on, summed.C_vv, summed.C_vw, summed.C_wv, summed.C_ww, 0, out.C)
     for i in range(3):
@@ -2156,7 +2152,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
     out.status = legs.status
-    return checked_equations(on, out)
+    check_equations(on, out)
+    return out
 
 
 def bias_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
@@ -2379,36 +2376,31 @@ def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> 
     legs.leaning = leaning
 
 
-def bias_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def bias_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = BiasSums()
     for i in range(3):
         out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + legs.leg[2].bias_force[i]
             + legs.leg[3].bias_force[i] + legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i]))
     for i in range(3):
         out.bias_moment[i] = (pose.bias_moment[i] + (legs.leg[0].bias_moment[i] + legs.leg[1].bias_moment[i]
             + legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i] + legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i]))
-    return out
 
 
-def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs."""
     pose = bias_pose(on, model.platform, motion)
     bias_legs(on, model, motion, pose, legs)
-    return bias_total(on, pose, legs)
+    bias_total(on, pose, legs, summed)
 
 
-def checked_bias(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = Bias()
+def check_bias(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(6):
-        lost = lost + 0.0 * found.bias[i]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+        lost = lost + 0.0 * out.bias[i]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
-        out.bias[i] = on.where(status == OK, found.bias[i], on.NAN)
-    out.status = status
-    return out
+        out.bias[i] = on.where(out.status == OK, out.bias[i], on.NAN)
 
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
@@ -2417,12 +2409,14 @@ def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     motion = on.arrays(motion)
     out = Bias()
     legs = BiasLegs()
-    summed = bias_sums(on, model, motion, legs)
+    summed = BiasSums()
+    bias_sums(on, model, motion, legs, summed)
     for i in range(3):
         out.bias[i] = summed.bias_force[i]
         out.bias[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    return checked_bias(on, out)
+    check_bias(on, out)
+    return out
 
 
 def forward_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
@@ -2694,9 +2688,8 @@ def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) 
     legs.leaning = leaning
 
 
-def forward_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def forward_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = ForwardSums()
     for i in range(6):
         out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
             + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
@@ -2712,14 +2705,13 @@ def forward_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
             + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
-    return out
 
 
-def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs."""
     pose = forward_pose(on, model.platform, motion)
     forward_legs(on, model, motion, pose, legs)
-    return forward_total(on, pose, legs)
+    forward_total(on, pose, legs, summed)
 
 
 def place_symmetric_8(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
@@ -2784,21 +2776,18 @@ def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
     return status
 
 
-def checked_forward_dynamics(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = Accelerations()
+def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(3):
-        lost = lost + 0.0 * found.a[i]
+        lost = lost + 0.0 * out.a[i]
     for i in range(3):
-        lost = lost + 0.0 * found.alpha[i]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+        lost = lost + 0.0 * out.alpha[i]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(3):
-        out.a[i] = on.where(status == OK, found.a[i], on.NAN)
+        out.a[i] = on.where(out.status == OK, out.a[i], on.NAN)
     for i in range(3):
-        out.alpha[i] = on.where(status == OK, found.alpha[i], on.NAN)
-    out.status = status
-    return out
+        out.alpha[i] = on.where(out.status == OK, out.alpha[i], on.NAN)
 
 
 def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
@@ -3059,9 +3048,8 @@ def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: An
     legs.leaning = leaning
 
 
-def joint_rows_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def joint_rows_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = JointRowsSums()
     for i in range(6):
         out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
             + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
@@ -3077,14 +3065,13 @@ def joint_rows_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
             + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
-    return out
 
 
-def joint_rows_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def joint_rows_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs."""
     pose = joint_rows_pose(on, model.platform, motion)
     joint_rows_legs(on, model, motion, pose, legs)
-    return joint_rows_total(on, pose, legs)
+    joint_rows_total(on, pose, legs, summed)
 
 
 def weigh(on: Arithmetic, inertia: Any, first: Any, by: Any) -> None:
@@ -3325,6 +3312,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     """Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given."""
     out = Apart()
     legs = JointRowsLegs()
+    summed = JointRowsSums()
     force = [0.0] * 24
     wrench = [0.0] * 6
     start = [0.0] * 6
@@ -3333,7 +3321,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = joint_rows_sums(on, model, motion, legs)
+    joint_rows_sums(on, model, motion, legs, summed)
     make_rows(on, summed, legs, by)
     pick_rows(on, by)
     weigh_rows(on, by)
@@ -3368,10 +3356,11 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     F = on.arrays(F)
     out = Accelerations()
     legs = ForwardLegs()
+    summed = ForwardSums()
     A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = forward_sums(on, model, motion, legs)
+    forward_sums(on, model, motion, legs, summed)
     status = legs.status
     place_inertia_8(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
     for i in range(3):
@@ -3388,7 +3377,8 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
         out.a[i] = A[i][6]
         out.alpha[i] = A[i + 3][6]
     out.status = on.where(status == OK, fault, status)
-    return checked_forward_dynamics(on, out)
+    check_forward_dynamics(on, out)
+    return out
 
 
 def place_symmetric_12(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
@@ -3466,19 +3456,16 @@ def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
     return suspect
 
 
-def checked_joint_inertia(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = JointInertia()
+def check_joint_inertia(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.inertia[i][j]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+            lost = lost + 0.0 * out.inertia[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         for j in range(6):
-            out.inertia[i][j] = on.where(status == OK, found.inertia[i][j], on.NAN)
-    out.status = status
-    return out
+            out.inertia[i][j] = on.where(out.status == OK, out.inertia[i][j], on.NAN)
 
 
 def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
@@ -3502,9 +3489,10 @@ def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     motion = on.arrays(motion)
     out = JointInertia()
     legs = EquationsLegs()
+    summed = EquationsSums()
     A = [[0.0] * 12 for _ in range(6)]
     half = [[0.0] * 6 for _ in range(6)]
-    summed = equations_sums(on, model, motion, legs)
+    equations_sums(on, model, motion, legs, summed)
     status = legs.status
     for i in range(3):
         for j in range(6):
@@ -3532,7 +3520,8 @@ def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
         for j in range(6):
             out.inertia[i][j] = (A[i][j + 6] + A[j][i + 6]) * 0.5
     out.status = status
-    return checked_joint_inertia(on, out)
+    check_joint_inertia(on, out)
+    return out
 
 
 def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
@@ -4199,9 +4188,8 @@ def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: A
     legs.leaning = leaning
 
 
-def derivatives_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def derivatives_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = DerivativesSums()
     for i in range(6):
         out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
             + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
@@ -4235,7 +4223,6 @@ def derivatives_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
     for i in range(9):
         out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
             + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
-    return out
 
 
 def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
@@ -4910,7 +4897,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     return out
 
 
-def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
     pose = derivatives_pose(on, model.platform, motion)
     derivatives_legs(on, model, motion, pose, legs)
@@ -4918,7 +4905,7 @@ def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
         for i in range(6):
             near = derivatives_near(on, model.leg[i], model.platform, motion, pose, legs.given[i])
             legs.leg[i] = on.where(legs.leaning == 1, near, legs.leg[i])
-    return derivatives_total(on, pose, legs)
+    derivatives_total(on, pose, legs, summed)
 
 
 def place_blocks_24(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
@@ -5006,35 +4993,32 @@ def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
     return suspect
 
 
-def checked_derivatives(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = Derivatives()
+def check_derivatives(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(6):
-        lost = lost + 0.0 * found.F[i]
+        lost = lost + 0.0 * out.F[i]
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.by_pose[i][j]
+            lost = lost + 0.0 * out.by_pose[i][j]
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.by_twist[i][j]
+            lost = lost + 0.0 * out.by_twist[i][j]
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * found.by_acceleration[i][j]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+            lost = lost + 0.0 * out.by_acceleration[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
-        out.F[i] = on.where(status == OK, found.F[i], on.NAN)
-    for i in range(6):
-        for j in range(6):
-            out.by_pose[i][j] = on.where(status == OK, found.by_pose[i][j], on.NAN)
+        out.F[i] = on.where(out.status == OK, out.F[i], on.NAN)
     for i in range(6):
         for j in range(6):
-            out.by_twist[i][j] = on.where(status == OK, found.by_twist[i][j], on.NAN)
+            out.by_pose[i][j] = on.where(out.status == OK, out.by_pose[i][j], on.NAN)
     for i in range(6):
         for j in range(6):
-            out.by_acceleration[i][j] = on.where(status == OK, found.by_acceleration[i][j], on.NAN)
-    out.status = status
-    return out
+            out.by_twist[i][j] = on.where(out.status == OK, out.by_twist[i][j], on.NAN)
+    for i in range(6):
+        for j in range(6):
+            out.by_acceleration[i][j] = on.where(out.status == OK, out.by_acceleration[i][j], on.NAN)
 
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
@@ -5043,11 +5027,12 @@ def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     motion = on.arrays(motion)
     out = Derivatives()
     legs = DerivativesLegs()
+    summed = DerivativesSums()
     A = [[0.0] * 24 for _ in range(6)]
     acting = forces(on, model, motion)
     for i in range(6):
         legs.given[i].F = acting.F[i]
-    summed = derivatives_sums(on, model, motion, legs)
+    derivatives_sums(on, model, motion, legs, summed)
     for i in range(3):
         for j in range(6):
             A[i][j] = legs.leg[j].H_force[i]
@@ -5064,7 +5049,8 @@ def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
             out.by_twist[i][j] = A[i][j + 12]
             out.by_acceleration[i][j] = A[i][j + 18]
     out.status = on.where(acting.status == OK, legs.status, acting.status)
-    return checked_derivatives(on, out)
+    check_derivatives(on, out)
+    return out
 
 
 def with_acceleration(on: Arithmetic, motion: Any, a: Any, alpha: Any) -> Any:
@@ -5103,33 +5089,30 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
     return status
 
 
-def checked_linearisation(on: Arithmetic, found: Any) -> Any:
-    """The result, with NaN where its status is not OK, which it is not where a number is not finite."""
-    out = Linearisation()
+def check_linearisation(on: Arithmetic, out: Any) -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
     lost = 0.0
     for i in range(3):
-        lost = lost + 0.0 * found.a[i]
+        lost = lost + 0.0 * out.a[i]
     for i in range(3):
-        lost = lost + 0.0 * found.alpha[i]
+        lost = lost + 0.0 * out.alpha[i]
     for i in range(12):
         for j in range(12):
-            lost = lost + 0.0 * found.A[i][j]
+            lost = lost + 0.0 * out.A[i][j]
     for i in range(12):
         for j in range(6):
-            lost = lost + 0.0 * found.B[i][j]
-    status = on.where((found.status != OK) | (lost == 0.0), found.status, NOT_FINITE)
+            lost = lost + 0.0 * out.B[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(3):
-        out.a[i] = on.where(status == OK, found.a[i], on.NAN)
+        out.a[i] = on.where(out.status == OK, out.a[i], on.NAN)
     for i in range(3):
-        out.alpha[i] = on.where(status == OK, found.alpha[i], on.NAN)
+        out.alpha[i] = on.where(out.status == OK, out.alpha[i], on.NAN)
     for i in range(12):
         for j in range(12):
-            out.A[i][j] = on.where(status == OK, found.A[i][j], on.NAN)
+            out.A[i][j] = on.where(out.status == OK, out.A[i][j], on.NAN)
     for i in range(12):
         for j in range(6):
-            out.B[i][j] = on.where(status == OK, found.B[i][j], on.NAN)
-    out.status = status
-    return out
+            out.B[i][j] = on.where(out.status == OK, out.B[i][j], on.NAN)
 
 
 def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
@@ -5862,9 +5845,8 @@ def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: 
     legs.leaning = leaning
 
 
-def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
+def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
-    out = JointSlopesSums()
     for i in range(6):
         out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
             + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
@@ -5898,14 +5880,13 @@ def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any) -> Any:
     for i in range(9):
         out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
             + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
-    return out
 
 
-def joint_slopes_sums(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
+def joint_slopes_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
     """Sums over platform and legs."""
     pose = joint_slopes_pose(on, model.platform, motion)
     joint_slopes_legs(on, model, motion, pose, legs)
-    return joint_slopes_total(on, pose, legs)
+    joint_slopes_total(on, pose, legs, summed)
 
 
 def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -> Any:
@@ -5913,6 +5894,7 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     out = SlopesApart()
     by = Rows()
     legs = JointSlopesLegs()
+    summed = JointSlopesSums()
     start = [0.0] * 6
     starts = [[0.0] * 6 for _ in range(18)]
     force = [0.0] * 24
@@ -5923,8 +5905,10 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     apart = forward_apart(on, model, motion, F, by)
     for i in range(6):
         out.x[i] = apart.x[i]
-        legs.given[i] = by.given[i]
-    summed = joint_slopes_sums(on, model, moving, legs)
+        for j in range(3):
+            legs.given[i].net[j] = by.given[i].net[j]
+            legs.given[i].turned[j] = by.given[i].turned[j]
+    joint_slopes_sums(on, model, moving, legs, summed)
     place_blocks_24(on, summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, out.A)
     place_blocks_24(on, summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, out.A)
     for i in range(3):
@@ -5969,13 +5953,14 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     F = on.arrays(F)
     out = Linearisation()
     legs = DerivativesLegs()
+    summed = DerivativesSums()
     A = [[0.0] * 24 for _ in range(6)]
     moved = forward_dynamics(on, model, motion, F)
     status = moved.status
     moving = with_acceleration(on, motion, moved.a, moved.alpha)
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = derivatives_sums(on, model, moving, legs)
+    derivatives_sums(on, model, moving, legs, summed)
     place_inertia_24(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
     place_blocks_24(on, summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
     place_blocks_24(on, summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
@@ -6009,7 +5994,8 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     out.A[5][3] = -motion.omega[1]
     out.A[5][4] = motion.omega[0]
     out.status = on.where(status == OK, fault, status)
-    return checked_linearisation(on, out)
+    check_linearisation(on, out)
+    return out
 
 
 

@@ -1,7 +1,7 @@
-"""The command ``stewart-sym``: one verb for each job.
+"""The command ``stewart-sym``: one subcommand for each job.
 
 Reads arguments, calls the library, prints, and turns errors into one line and an exit code: 0 success,
-1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What a verb needs
+1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What one needs
 is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but those that use them.
 """
 
@@ -40,7 +40,7 @@ ATLAS_CASES = 1_000_000
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one verb; ``argv`` without the program's name, None for this process's. Returns the exit code."""
+    """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
     try:
         arguments = _parser().parse_args(argv)
         # An error of the system that names no file is one of printing: all that write files name theirs.
@@ -63,7 +63,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 2
 
 
-# Verbs
+# Subcommands
 
 
 def _reproduce(arguments: argparse.Namespace) -> int:
@@ -793,7 +793,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="Example: stewart-sym reproduce -o reproduce",
     )
     parser.add_argument("--version", action="version", version=f"{PROGRAM} {version('stewart-sym')}")
-    verbs = parser.add_subparsers(title="verbs", metavar="VERB", required=True)
+    verbs = parser.add_subparsers(title="subcommands", metavar="SUBCOMMAND", required=True)
 
     verb = _verb(
         verbs,
@@ -845,7 +845,7 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--allow-singular",
         action="store_true",
-        help="write nan and a status for poses without an answer instead of refusing the trajectory",
+        help="write nan and a status for unsolvable poses instead of rejecting the trajectory",
     )
     verb.add_argument(
         "--noise-share",

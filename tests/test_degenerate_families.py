@@ -310,7 +310,7 @@ def differentiated(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, An
     found = fifty_digits(robot, motion, F)
     moving = digits.matrix([*motion.a.tolist(), *motion.alpha.tolist()])
     slopes = dict(zip(("by_pose", "by_twist"), differences(robot, motion, moving), strict=True))
-    held = differences(robot, motion, found["acceleration"])
+    held = differences(robot, motion, found["forward dynamics"])
     back = -(found["by_acceleration"] ** -1)
     return slopes | dict(zip(("A by pose", "A by twist"), (back * each for each in held), strict=True))
 
@@ -362,7 +362,7 @@ def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Arra
         "M": M,
         "H": H,
         "bias": bias,
-        "acceleration": acceleration,
+        "forward dynamics": acceleration,
         "joint inertia": inverse * M * inverse.T,
         "F": inverse * (M * moving + loaded_bias),
         "by_acceleration": inverse * M,
@@ -387,7 +387,7 @@ def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
 
 # --- helpers ----------------------------------------------------------------------------------------
 
-BLOCK_H = slice(judge.BLOCKS["H of equations"][1], judge.BLOCKS["H of equations"][1] + 36)
+BLOCK_H = slice(judge.BLOCKS["H"][1], judge.BLOCKS["H"][1] + 36)
 
 
 def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:

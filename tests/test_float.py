@@ -83,8 +83,8 @@ on_x86 = pytest.mark.skipif(
 
 FAST = ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]
 GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c", "stewart_paper_forces.c"]
-BUILDS = [("gcc", FAST, source) for source in SOURCES]
-# One printer writes all of them: other builds of a few will do.
+# One printer writes all of them: for most, the build with the fewest instructions folded or left out will do.
+BUILDS = [("gcc", FAST if source in GENERAL else ["-O1", *FAST[1:]], source) for source in SOURCES]
 BUILDS += [("gcc", ["-O2"], source) for source in GENERAL]
 BUILDS += [(compiler, FAST, source) for compiler in COMPILERS if compiler != "gcc" for source in GENERAL]
 

@@ -587,16 +587,6 @@ def guid(content: bytes) -> str:
     return found[1].decode()
 
 
-def test_same_unit_has_the_same_bytes_in_another_process(tmp_path: Path) -> None:
-    program = (
-        f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
-        f"import test_fmu; open({str(tmp_path / 'b')!r}, 'wb').write(test_fmu.made('lanes').content)"
-    )
-    env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
-    subprocess.run([sys.executable, "-c", program], env=env, check=True)
-    assert (tmp_path / "b").read_bytes() == made("lanes").content
-
-
 def test_archive_holds_description_page_all_sources_and_the_binary() -> None:
     held = contents(made("lanes").content)
     code = {f"sources/{name}": text.encode() for name, text in made("lanes").sources.items()}

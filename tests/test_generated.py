@@ -1,10 +1,8 @@
 """The committed files are what the derivation writes, and the C compiles silently wherever it is meant to."""
 
 import itertools
-import os
 import re
 import subprocess
-import sys
 from importlib.resources import files
 from pathlib import Path
 
@@ -33,6 +31,7 @@ def c_folder() -> Path:
 
 
 def test_committed_and_installed_files_are_what_the_derivation_writes(regenerated: dict[str, str]) -> None:
+    """Whatever the seed of hashes: here it is random as a rule, in ``.ci/newcomer`` another one."""
     installed = Path(str(files("stewart_sym.generated")))
     for root in (REPOSITORY / "generated", installed):
         for name, text in regenerated.items():
@@ -43,15 +42,6 @@ def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
     root = REPOSITORY / "generated"
     present = {str(path.relative_to(root)) for path in root.rglob("*") if path.suffix in (".c", ".h", ".py")}
     assert present == set(regenerated)
-
-
-@pytest.mark.slow
-def test_bytes_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "stewart_sym.cli", "derive", "-o", str(tmp_path)]
-    subprocess.run(command, check=True, env={**os.environ, "PYTHONHASHSEED": "4242"}, cwd=tmp_path)
-    for path in sorted(tmp_path.rglob("[!.]*.*")):
-        name = path.relative_to(tmp_path)
-        assert path.read_bytes() == (REPOSITORY / "generated" / name).read_bytes(), name
 
 
 LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}

@@ -281,6 +281,7 @@ def test_kernel_files_are_the_committed_ones() -> None:
 
 
 def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
+    """All files of the kit, a unit of FMI with a compiled library among them."""
     first = put(kit_of(choice=Choice(fmu=True)), tmp_path / "a")
     program = f"""
 import warnings
@@ -290,9 +291,10 @@ from stewart_sym.kit import Choice, write_kit
 warnings.simplefilter("ignore")
 write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True))
 """
-    env = {**os.environ, "PYTHONHASHSEED": "12345"}
+    env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], env=env, check=True)
     assert contents(tmp_path / "a") == contents(tmp_path / "b")
+    assert any(path.suffix == ".fmu" for path in first)
     assert sorted(path.relative_to(tmp_path / "a").as_posix() for path in first) == sorted(
         contents(tmp_path / "a")
     )

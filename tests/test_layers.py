@@ -4,6 +4,7 @@ import ast
 import graphlib
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -92,9 +93,10 @@ def sources() -> dict[str, Path]:
 SOURCES = sources()
 
 
-def imports(module: str, only_top: bool = False) -> set[str]:
+@cache
+def imports(module: str, only_top: bool = False) -> frozenset[str]:
     """Modules that a module imports, absolute; ``only_top``: when it is imported, not when it runs."""
-    return {name for node in statements(module, only_top) for name in targets(module, node)}
+    return frozenset(name for node in statements(module, only_top) for name in targets(module, node))
 
 
 def statements(module: str, only_top: bool = False) -> Iterator[ast.Import | ast.ImportFrom]:

@@ -13,6 +13,7 @@ import pytest
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
+from stewart_sym.cli import main
 from stewart_sym.results import Accelerations, DampedSolution, Velocities
 
 
@@ -118,3 +119,11 @@ def test_pairs_of_results_say_which_is_which() -> None:
     solution = ss.damped_solution(found.H, found.c, 1.0)
     assert isinstance(solution, DampedSolution)
     assert found.H @ solution.x + solution.wrench_error == pytest.approx(found.c)
+
+
+def test_the_help_speaks_of_subcommands(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    text = capsys.readouterr().out
+    assert "SUBCOMMAND ..." in text
+    assert "verb" not in text.lower()

@@ -106,7 +106,7 @@ def test_cppcheck_finds_nothing_in_static_c(path: Path) -> None:
 
 @pytest.mark.parametrize("folder", sorted((REPOSITORY / "derive").rglob("templates")), ids=str)
 def test_every_template_is_filled_somewhere(folder: Path) -> None:
-    users = "".join(path.read_text(encoding="utf-8") for path in folder.parent.glob("*.py"))
+    users = "".join(path.read_text(encoding="utf-8") for path in (REPOSITORY / "derive").rglob("*.py"))
     unused = []
     for path in folder.rglob("*.in"):
         name = path.name.removesuffix(".in")

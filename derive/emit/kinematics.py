@@ -3,10 +3,11 @@
 One pose at a time, for processors without vector registers, and the legs of many poses.
 """
 
+import re
 from collections.abc import Iterable
 
 from ..block import Block
-from ..kernel.constants import LIMITS
+from ..kernel.constants import SEARCH
 from ..kernel.kinematics import legs_program, rotation_program, search_program
 from ..kernel.nodes import Program
 from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
@@ -37,7 +38,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
-        max_steps=LIMITS["MAX_STEPS"][0],
+        max_steps=SEARCH["MAX_STEPS"][0],
         steps=_listed(STEPS["double"]),
         float_steps=_listed(STEPS["float"]),
     )
@@ -63,7 +64,10 @@ def _files(
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
     file = f"stewart_{name}"
-    printer = C(program.functions, None, True, records, program.structures)
+    snake = {
+        each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
+    }
+    printer = C(program.functions, None, True, snake | records, program.structures)
     own = (each for each in program.structures if each.name not in records)
     top = filled("top.c", file=file, version=version) + filled("arithmetic.c")
     source = printer.source(top, *own, *program.functions, filled(f"{name}.c"))

@@ -4,11 +4,18 @@ from math import sqrt
 
 from .interface import STATUS as OF_INTERFACE
 
-STATUS = {name: (code, meaning) for name, code, meaning in OF_INTERFACE if name != "BAD_ARGUMENT"}
+STATUS = {
+    name: (code, meaning)
+    for name, code, meaning in OF_INTERFACE
+    if name not in ("BAD_ARGUMENT", "NOT_CONVERGED")
+}
 """Code and meaning by name, of what kernels without pointers and searches return."""
 
-LIMITS = {"MAX_STEPS": (30, "steps after which the search of a pose ends")}
-INTEGERS = STATUS | LIMITS
+SEARCH = {
+    "NOT_CONVERGED": next((code, says) for name, code, says in OF_INTERFACE if name == "NOT_CONVERGED"),
+    "MAX_STEPS": (30, "steps after which the search of a pose ends"),
+}
+INTEGERS = STATUS | SEARCH
 """Whole numbers that written functions may use."""
 
 SMALLEST, LARGEST = 0.125, 16.0

@@ -21,30 +21,35 @@ _VECTORS = (n.q, k.S, n.L)
 
 
 def legs_program(blocks: k.Kinematics) -> Program:
-    """``leg_motions``: lengths of the legs, their rates and second rates, and their vectors."""
+    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors."""
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
-    made = [_read(blocks.second, "leg_motion", "LegMotion", _LEG | _MOTION)]
-    return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.leg_motions))
+    made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
+    return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.motions_of))
 
 
-def search_program(blocks: k.Kinematics) -> Program:
-    """``leg_rates``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back."""
+def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
+    """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
+
+    public: ``inverse_kinematics``, ``forward_kinematics`` and ``forward_velocity`` as well, whose numbers are
+    NaN where the status is not OK.
+    """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
         structure("Pose", "Pose of the platform.", (n.R, n.t)),
         structure("LegVectors", "Vectors of a leg.", _VECTORS),
         structure("LegRow", "A leg's row of J.", _outputs(blocks.row)),
         structure("LegRate", "A leg's rate.", _outputs(blocks.rate)),
-        structure("Turned", "A rotation.", _outputs(blocks.turned)),
+        structure("SmallTurn", "A rotation.", _outputs(blocks.turned)),
         *_SEARCHED,
     ]
     made = [
-        _read(blocks.vectors, "leg_vectors", "LegVectors", _LEG | _POSE),
-        _read(blocks.row, "leg_row", "LegRow", of_leg),
-        _read(blocks.rate, "leg_rate", "LegRate", of_leg | _MOTION),
-        _read(blocks.turned, "turned_by", "Turned", {"turn": ("", (k.turn,))}),
+        _read(blocks.vectors, "vectors_of", "LegVectors", _LEG | _POSE),
+        _read(blocks.row, "row_of", "LegRow", of_leg),
+        _read(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
+        _read(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
     ]
-    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *_SEARCH))
+    texts = (*_SEARCH, *_PUBLIC) if public else _SEARCH
+    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *texts))
 
 
 def rotation_program(blocks: Iterable[Block]) -> Program:
@@ -55,9 +60,9 @@ def rotation_program(blocks: Iterable[Block]) -> Program:
         names = dict.fromkeys(q.name.removesuffix("_w") for q in block.inputs)
         held = {name: tuple(q for q in block.inputs if q.name.removesuffix("_w") == name) for name in names}
         arguments: Arguments = {name: ("", parts) for name, parts in held.items()}
-        made.append(block_function(block, block.name, "Turn", arguments))
-    turn = structure("Turn", "An orientation and its rates.", (n.R, n.omega, n.alpha))
-    return _program("rotation", [turn], made, (written.finite_turn,))
+        made.append(block_function(block, block.name, "Orientation", arguments))
+    found = structure("Orientation", "An orientation and its rates.", (n.R, n.omega, n.alpha))
+    return _program("rotation", [found], made, (written.orientation_status,))
 
 
 def _outputs(block: Block) -> tuple[Quantity, ...]:
@@ -125,7 +130,7 @@ _SEARCHED = (
     ),
 )
 _SEARCH = (
-    written.leg_rates,
+    written.rates_of,
     written.legs_at,
     written.platform_size,
     written.reflect,
@@ -141,3 +146,4 @@ _SEARCH = (
     written.pose_of,
     written.twist_of,
 )
+_PUBLIC = (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)

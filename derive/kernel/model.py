@@ -21,7 +21,6 @@ from .nodes import (
     For,
     Function,
     Integer,
-    Let,
     Member,
     Name,
     Number,
@@ -121,33 +120,37 @@ def legs_function(name: str, total: Structure, pose: str, legs: str) -> Function
     return Function(
         name,
         "The sums over platform and legs.",
-        (Argument("pose", Record(pose)), Argument("legs", Record(legs))),
-        Record(total.name),
-        (Variable("out", Record(total.name)), *each_number(total, added), Return(out)),
+        (
+            Argument("pose", Record(pose)),
+            Argument("legs", Record(legs)),
+            Argument("out", Record(total.name), changed=True),
+        ),
+        None,
+        tuple(each_number(total, added)),
     )
 
 
-def checked_function(name: str, result: Structure) -> Function:
-    """A result with NaN for its numbers where its status is not OK, or one of them is not finite."""
-    out, found, lost, status = Name("out"), Name("found"), Name("lost"), Name("status")
+def check_function(name: str, result: Structure, blank: bool = True) -> Function:
+    """A status where a number of a result is not finite; blank: NaN for its numbers where that is not OK."""
+    out, lost = Name("out"), Name("lost")
+    status = Member(out, "status")
     fine = Compare("==", status, Constant("OK"))
-    said = Member(found, "status")
-    known = Either(Compare("!=", said, Constant("OK")), Compare("==", lost, Number(0.0)))
+    known = Either(Compare("!=", status, Constant("OK")), Compare("==", lost, Number(0.0)))
+    blanks = each_number(result, lambda at: Assign(at(out), Select(fine, at(out), Constant("NAN"))))
     return Function(
         name,
-        "The result, with NaN where its status is not OK, which it is not where a number is not finite.",
-        (Argument("found", Record(result.name)),),
-        Record(result.name),
+        "Says where a number of a result is not finite, and puts NaN for all where the status is not OK."
+        if blank
+        else "Says where a number of a result is not finite.",
+        (Argument("out", Record(result.name), changed=True),),
+        None,
         (
-            Variable("out", Record(result.name)),
             Variable("lost", Real(), Number(0.0)),
             *each_number(
-                result, lambda at: Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(found))))
+                result, lambda at: Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(out))))
             ),
-            Let("status", Select(known, said, Constant("NOT_FINITE"))),
-            *each_number(result, lambda at: Assign(at(out), Select(fine, at(found), Constant("NAN")))),
-            Assign(Member(out, "status"), status),
-            Return(out),
+            Assign(status, Select(known, status, Constant("NOT_FINITE"))),
+            *(blanks if blank else []),
         ),
     )
 

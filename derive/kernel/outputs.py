@@ -17,7 +17,7 @@ from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
-    checked_function,
+    check_function,
     legs_function,
     model_functions,
     model_structures,
@@ -305,4 +305,4 @@ _STRUCTURES = (
     ),
 )
 _NAMED: dict[str, Definition] = {each.name: each for each in (*RESULTS.values(), *_STRUCTURES)}
-_NAMED |= {f"checked_{of}": partial(checked_function, f"checked_{of}", each) for of, each in RESULTS.items()}
+_NAMED |= {f"check_{of}": partial(check_function, f"check_{of}", each) for of, each in RESULTS.items()}

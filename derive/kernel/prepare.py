@@ -119,17 +119,21 @@ def preparation(texts: Written, kernel: ForceKernel) -> list[Structure | Functio
 
 
 def _body(block: Block) -> Iterable[Statement]:
-    used = names_used(block)
-    if n.k in block.inputs and used & set(n.k.names):
-        k = Member(Name("leg"), "k")
-        yield Variable("axis", Array(Real(), (3,)), blank=True)
-        yield Do(Call("scaled_axis", (k, Name("axis"))))
-    yield from loads(block.inputs, used, _raw)
+    yield from axis(block)
+    yield from loads(block.inputs, names_used(block), raw)
     yield from steps_of(block.steps)
     yield from stores(block.outputs, lambda q: member("out", q))
 
 
-def _raw(quantity: Quantity) -> Place:
+def axis(block: Block) -> Iterable[Statement]:
+    """The fixed axis, which may have any length, as ``raw`` reads it."""
+    if n.k in block.inputs and names_used(block) & set(n.k.names):
+        k = Member(Name("leg"), "k")
+        yield Variable("axis", Array(Real(), (3,)), blank=True)
+        yield Do(Call("scaled_axis", (k, Name("axis"))))
+
+
+def raw(quantity: Quantity) -> Place:
     """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
     if quantity == n.k:
         return Place(Name("axis"))

@@ -8,7 +8,7 @@ from typing import Any
 from .. import notation as n
 from ..block import Quantity
 from ..kernel import outputs
-from ..kernel.constants import INTEGERS, NAMES, PRECISIONS, constants
+from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.nodes import Array, Program
 from ..print.matlab import Matlab
 from ..print.python import Python
@@ -65,10 +65,8 @@ FORCED = ("forward_dynamics", "linearisation")
 
 
 def statuses(line: str) -> str:
-    """A line for each status and limit, with its ``{name}``, ``{code}`` and ``{meaning}``."""
-    return "\n".join(
-        line.format(name=name, code=code, meaning=says) for name, (code, says) in INTEGERS.items()
-    )
+    """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
+    return "\n".join(line.format(name=name, code=code, meaning=says) for name, (code, says) in STATUS.items())
 
 
 def numbers_of(precision: str, line: str) -> str:

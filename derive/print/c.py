@@ -119,7 +119,8 @@ class C(Printer):
         """A structure as a type."""
         members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
-        return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {structure.name};"]
+        name = self.records.get(structure.name, structure.name)
+        return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {name};"]
 
     def _member(self, field: Field) -> list[str]:
         declared = f"    {self.declared(field.type, field.name)};"

@@ -97,134 +97,170 @@
 #define STEWART_UNIT (STEWART_EPSILON * (stewart_real)0.5078125)
 #define STEWART_SLACK ((stewart_real)1.015625)
 
-static int is_finite(const stewart_real *values, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
+/* What a leg adds to the platform, and the sum of it. */
+typedef struct {
+    stewart_real M_add;
+    stewart_real M_add_err;
+    stewart_real h_add[3];
+    stewart_real h_add_err[3];
+    stewart_real J_add[6];
+    stewart_real J_add_err[6];
+    stewart_real C_add;
+    stewart_real C_add_err;
+} added_terms;
 
-/* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be wrong. */
+/* What a pose has for all legs. */
+typedef struct {
+    stewart_real B[9];
+    stewart_real B_err[9];
+    stewart_real c_force[3];
+    stewart_real c_force_err[3];
+    stewart_real c_moment[3];
+    stewart_real c_moment_err[3];
+    stewart_real c_tip[3];
+    stewart_real c_tip_err[3];
+    stewart_real q_1[3];
+    stewart_real q_1_err[3];
+} shared_terms;
+
+/* What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis. */
+typedef struct {
+    stewart_real D;
+    stewart_real L;
+    stewart_real k3;
+    stewart_real reach;
+    stewart_real arm[3];
+    stewart_real H_force[3];
+    stewart_real H_force_err[3];
+    stewart_real H_moment[3];
+    stewart_real H_moment_err[3];
+    stewart_real c_force[3];
+    stewart_real c_force_err[3];
+    stewart_real c_moment[3];
+    stewart_real c_moment_err[3];
+    stewart_real arm_c[3];
+    stewart_real arm_c_err[3];
+} leg_terms;
+
+/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
+ * away; near, close: whether a leg is near its joint singularity, or short. */
+typedef struct {
+    stewart_real H[6][6];
+    stewart_real H_err[6][6];
+    stewart_real arm[6][3];
+    stewart_real c[6];
+    stewart_real c_err[6];
+    stewart_real c_own[6];
+    stewart_real L[6];
+    stewart_real reach[6];
+    int near;
+    int close;
+} platform_equations;
+
+/* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x); Y_arm:
+ * Y_moment, but 0 for leg 1, whose force has no moment about platform point 1. */
+typedef struct {
+    stewart_real Y_force[3];
+    stewart_real Y_moment[3];
+    stewart_real Y_arm[3];
+    stewart_real D_weight;
+    stewart_real x;
+} force_row;
+
+/* The same of six forces. */
+typedef struct {
+    force_row force[6];
+} force_rows;
+
+/* Slope of a force along what the pose has for all legs, as far as it goes through the legs. */
+typedef struct {
+    stewart_real R_legs[9];
+    stewart_real R_legs_err[9];
+    stewart_real B_legs[9];
+    stewart_real B_legs_err[9];
+    stewart_real q_1_legs[3];
+    stewart_real q_1_legs_err[3];
+} slopes_of_legs;
+
+/* The same of six forces. */
+typedef struct {
+    slopes_of_legs force[6];
+} force_slopes;
+
+/* A lower limit of the size of what `value` stands for; 0, and so no bound, where half of it may be
+ * wrong. */
 static stewart_real least(stewart_real value, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(value);
-    return error <= STEWART_HALF * positive ? positive - error : 0;
+    return error <= STEWART_HALF*positive ? positive - error : REAL(0);
 }
 
-/* Of a square root whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r), r = root. */
+/* Of a square root r whose argument errs by `error`: |sqrt(a) - r| <= error / (2 r - error / r). */
 static stewart_real root_error(stewart_real root, stewart_real error)
 {
-    return error / least(2 * root, error / root) + STEWART_UNIT * root;
+    return error/least(REAL(2)*root, error/root) + STEWART_UNIT*root;
 }
 
 /* Of inverse = 1 / of, where `of` errs by `error`. */
 static stewart_real reciprocal_error(stewart_real inverse, stewart_real of, stewart_real error)
 {
     const stewart_real positive = STEWART_FABS(inverse);
-    return positive * (error / least(of, error)) + STEWART_UNIT * positive;
+    return positive*(error/least(of, error)) + STEWART_UNIT*positive;
 }
 
 /* Adds a term that errs to a sum that errs. */
-static void add(stewart_real *sum, stewart_real *sum_err, stewart_real term, stewart_real term_err)
+static void add(stewart_real *total, stewart_real *total_err, stewart_real term, stewart_real term_err)
 {
-    *sum = *sum + term;
-    *sum_err = *sum_err + term_err + STEWART_UNIT * STEWART_FABS(*sum);
+    *total = *total + term;
+    *total_err = *total_err + term_err + STEWART_UNIT*STEWART_FABS(*total);
 }
 
-/* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by the
- * largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for the terms
- * of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples have no
- * rounding error, nor has their sum less 1. */
+/* Bounds the sizes of R^T R - 1, in `stretch`, and the entries of R less the rotation nearest to it, by
+ * the largest distance of a singular value from 1: half of the norm of row sums, with a 64th more for
+ * the terms of higher order. Entries of R are multiples of `grid` and a rest: products of the multiples
+ * have no rounding error, nor has their sum less 1. */
 static stewart_real rotation_error(const stewart_real R[9], stewart_real stretch[9])
 {
-    stewart_real high[9], low[9], grid = 1, worst = 0;
     int i, j, k;
-    while (STEWART_HALF * grid * STEWART_HALF * grid >= STEWART_EPSILON) {
-        grid = STEWART_HALF * grid;
+    stewart_real high[9];
+    stewart_real low[9];
+    stewart_real grid = REAL(1);
+    stewart_real worst = REAL(0);
+    for (i = 0; i < 64; ++i) {
+        if (!(STEWART_HALF*grid*STEWART_HALF*grid >= STEWART_EPSILON)) {
+            break;
+        }
+        grid = STEWART_HALF*grid;
     }
     for (i = 0; i < 9; ++i) {
-        const stewart_real shift = (stewart_real)1.5 * (grid / STEWART_EPSILON);
-        high[i] = (R[i] + shift) - shift;
+        const stewart_real shift = REAL(1.5)*(grid/STEWART_EPSILON);
+        high[i] = R[i] + shift - shift;
         low[i] = R[i] - high[i];
     }
     for (i = 0; i < 3; ++i) {
-        stewart_real row = 0;
+        stewart_real row = REAL(0);
         for (j = 0; j < 3; ++j) {
-            stewart_real sum = i == j ? -1 : 0, rest = 0, sizes = 0;
+            stewart_real total = i == j ? -REAL(1) : REAL(0);
+            stewart_real rest = REAL(0);
+            stewart_real sizes = REAL(0);
             for (k = 0; k < 9; k += 3) {
-                const stewart_real small = high[k + i] * low[k + j] + low[k + i] * R[k + j];
-                sum = sum + high[k + i] * high[k + j];
+                const stewart_real small = high[k + i]*low[k + j] + low[k + i]*R[k + j];
+                total = total + high[k + i]*high[k + j];
                 rest = rest + small;
-                sizes = sizes + STEWART_FABS(high[k + i] * low[k + j]) + STEWART_FABS(low[k + i] * R[k + j]);
+                sizes = sizes + STEWART_FABS(high[k + i]*low[k + j]) + STEWART_FABS(low[k + i]*R[k + j]);
             }
-            sum = sum + rest;
-            stretch[3 * i + j] = STEWART_FABS(sum) + STEWART_UNIT * (5 * sizes + STEWART_FABS(sum));
-            row = row + stretch[3 * i + j];
+            total = total + rest;
+            stretch[3*i + j] = STEWART_FABS(total) + STEWART_UNIT*(REAL(5)*sizes + STEWART_FABS(total));
+            row = row + stretch[3*i + j];
         }
         worst = row > worst ? row : worst;
     }
-    return worst <= (stewart_real)0.0078125 ? STEWART_HALF * STEWART_SLACK * worst : STEWART_INFINITY;
+    return worst <= REAL(0.0078125) ? STEWART_HALF*STEWART_SLACK*worst : STEWART_INFINITY;
 }
-
-/* What a leg adds to the platform, and the sum of it. */
-typedef struct {
-    stewart_real M_add, M_add_err;
-    stewart_real h_add[3], h_add_err[3];
-    stewart_real J_add[6], J_add_err[6];
-    stewart_real C_add, C_add_err;
-} added_terms;
-
-/* What a pose has for all legs. */
-typedef struct {
-    stewart_real B[9], B_err[9];
-    stewart_real c_force[3], c_force_err[3];
-    stewart_real c_moment[3], c_moment_err[3];
-    stewart_real c_tip[3], c_tip_err[3];
-    stewart_real q_1[3], q_1_err[3];
-} shared_terms;
-
-/* What a leg gives to the platform's equations. */
-typedef struct {
-    stewart_real D, L;
-    stewart_real sine; /* of the angle between the leg and the fixed axis */
-    stewart_real reach, arm[3]; /* size of what the leg vector is the sum of; arm of its moment */
-    stewart_real H_force[3], H_force_err[3];
-    stewart_real H_moment[3], H_moment_err[3];
-    stewart_real c_force[3], c_force_err[3];
-    stewart_real c_moment[3], c_moment_err[3];
-    stewart_real arm_c[3], arm_c_err[3];
-} leg_terms;
-
-/* The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c round
- * away. */
-typedef struct {
-    stewart_real H[6][6], H_err[6][6];
-    stewart_real c[6], c_err[6], c_own[6];
-    stewart_real L[6], reach[6], arm[6][3]; /* of the legs */
-    int near, close; /* whether a leg is near its joint singularity, or short beside what it is the sum of */
-} platform_equations;
-
-/* How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x). */
-typedef struct {
-    stewart_real Y_force[3], Y_moment[3]; /* its row of the inverse of H */
-    stewart_real Y_arm[3]; /* Y_moment, but 0 for leg 1: its force has no moment about platform point 1 */
-    stewart_real D_weight, x;
-} force_row;
-
-/* Slope of a force along what the pose has for all legs, as far as it goes through the legs. */
-typedef struct {
-    stewart_real R_legs[9], R_legs_err[9];
-    stewart_real B_legs[9], B_legs_err[9];
-    stewart_real q_1_legs[3], q_1_legs_err[3];
-} slopes_of_legs;
 
 /* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
  * length. */
-static void scaled_axis(const stewart_real *k, stewart_real *out)
+static void scaled_axis(const stewart_real k[3], stewart_real out[3])
 {
     int i, j;
     for (j = 0; j < 3; ++j) {
@@ -235,17 +271,17 @@ static void scaled_axis(const stewart_real *k, stewart_real *out)
         stewart_real largest = STEWART_FABS(out[0]);
         largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
         largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
-        by = largest > REAL(1048576) ? REAL(1) / REAL(4294967296) : by;
-        by = largest < REAL(1) / REAL(1048576) ? REAL(4294967296) : by;
+        by = largest > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
+        by = largest < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
         for (j = 0; j < 3; ++j) {
-            out[j] = by * out[j];
+            out[j] = by*out[j];
         }
     }
 }
 
 /* Constants of one leg, and what it adds to the platform. */
 static void prepare_leg(
-    const stewart_robot *robot, const stewart_leg *leg, stewart_exact_bounds_leg *out, added_terms *sum)
+    const stewart_robot *robot, const stewart_leg *leg, stewart_exact_bounds_leg *out, added_terms *added)
 {
     stewart_real axis[3];
     scaled_axis(leg->k, axis);
@@ -254,34 +290,45 @@ static void prepare_leg(
     const stewart_real k_x = axis[0], k_y = axis[1], k_z = axis[2];
     const stewart_real m_d = leg->m_d;
     const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
-    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2],
-        I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2], I_d0_yy = leg->I_d0[3],
+        I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
     const stewart_real m_u = leg->m_u;
     const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
-    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2],
-        I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2], I_u0_yy = leg->I_u0[3],
+        I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real p_y_max = STEWART_FABS(p_y), p_z_max = STEWART_FABS(p_z);
-    const stewart_real k_x_max = STEWART_FABS(k_x), k_y_max = STEWART_FABS(k_y),
-        k_z_max = STEWART_FABS(k_z);
+    const stewart_real p_y_max = STEWART_FABS(p_y);
+    const stewart_real p_z_max = STEWART_FABS(p_z);
+    const stewart_real k_x_max = STEWART_FABS(k_x);
+    const stewart_real k_y_max = STEWART_FABS(k_y);
+    const stewart_real k_z_max = STEWART_FABS(k_z);
     const stewart_real m_d_max = STEWART_FABS(m_d);
-    const stewart_real r_d0_y_max = STEWART_FABS(r_d0_y), r_d0_z_max = STEWART_FABS(r_d0_z);
-    const stewart_real I_d0_xx_max = STEWART_FABS(I_d0_xx), I_d0_xy_max = STEWART_FABS(I_d0_xy),
-        I_d0_xz_max = STEWART_FABS(I_d0_xz), I_d0_yy_max = STEWART_FABS(I_d0_yy),
-        I_d0_yz_max = STEWART_FABS(I_d0_yz), I_d0_zz_max = STEWART_FABS(I_d0_zz);
+    const stewart_real r_d0_y_max = STEWART_FABS(r_d0_y);
+    const stewart_real r_d0_z_max = STEWART_FABS(r_d0_z);
+    const stewart_real I_d0_xx_max = STEWART_FABS(I_d0_xx);
+    const stewart_real I_d0_xy_max = STEWART_FABS(I_d0_xy);
+    const stewart_real I_d0_xz_max = STEWART_FABS(I_d0_xz);
+    const stewart_real I_d0_yy_max = STEWART_FABS(I_d0_yy);
+    const stewart_real I_d0_yz_max = STEWART_FABS(I_d0_yz);
+    const stewart_real I_d0_zz_max = STEWART_FABS(I_d0_zz);
     const stewart_real m_u_max = STEWART_FABS(m_u);
-    const stewart_real r_u0_y_max = STEWART_FABS(r_u0_y), r_u0_z_max = STEWART_FABS(r_u0_z);
-    const stewart_real I_u0_xx_max = STEWART_FABS(I_u0_xx), I_u0_xy_max = STEWART_FABS(I_u0_xy),
-        I_u0_xz_max = STEWART_FABS(I_u0_xz), I_u0_yy_max = STEWART_FABS(I_u0_yy),
-        I_u0_yz_max = STEWART_FABS(I_u0_yz), I_u0_zz_max = STEWART_FABS(I_u0_zz);
-    const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
-        g_z_max = STEWART_FABS(g_z);
+    const stewart_real r_u0_y_max = STEWART_FABS(r_u0_y);
+    const stewart_real r_u0_z_max = STEWART_FABS(r_u0_z);
+    const stewart_real I_u0_xx_max = STEWART_FABS(I_u0_xx);
+    const stewart_real I_u0_xy_max = STEWART_FABS(I_u0_xy);
+    const stewart_real I_u0_xz_max = STEWART_FABS(I_u0_xz);
+    const stewart_real I_u0_yy_max = STEWART_FABS(I_u0_yy);
+    const stewart_real I_u0_yz_max = STEWART_FABS(I_u0_yz);
+    const stewart_real I_u0_zz_max = STEWART_FABS(I_u0_zz);
+    const stewart_real g_x_max = STEWART_FABS(g_x);
+    const stewart_real g_y_max = STEWART_FABS(g_y);
+    const stewart_real g_z_max = STEWART_FABS(g_z);
     const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
-    const stewart_real k_size_err = root_error(k_size, STEWART_UNIT*(REAL(3)*k_x_max*k_x_max
-        + REAL(3)*k_y_max*k_y_max + REAL(2)*k_z_max*k_z_max));
+    const stewart_real k_size_err = root_error(k_size, STEWART_UNIT*(REAL(3)*k_x_max*k_x_max + REAL(3)*k_y_max*k_y_max
+        + REAL(2)*k_z_max*k_z_max));
     const stewart_real inv_k_size = REAL(1)/k_size;
     const stewart_real inv_k_size_err = reciprocal_error(inv_k_size, k_size, k_size_err);
     /* fixed axis, of length one */
@@ -331,9 +378,8 @@ static void prepare_leg(
     const stewart_real c8_err = STEWART_UNIT*STEWART_FABS(c8);
     const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
     const stewart_real J_xx = I_d0_xx + I_u0_xx + m_d*(c5 + c6) + m_u*(c7 + c8);
-    const stewart_real J_xx_err = c5_err*m_d_max + c6_err*m_d_max + c7_err*m_u_max + c8_err*m_u_max
-        + STEWART_UNIT*(REAL(2)*I_d0_xx_max + REAL(2)*I_u0_xx_max + REAL(3)*m_d_max*(c5_max + c6_max)
-        + REAL(2)*m_u_max*(c7_max + c8_max) + STEWART_FABS(J_xx));
+    const stewart_real J_xx_err = c5_err*m_d_max + c6_err*m_d_max + c7_err*m_u_max + c8_err*m_u_max + STEWART_UNIT*(REAL(2)*I_d0_xx_max
+        + REAL(2)*I_u0_xx_max + REAL(3)*m_d_max*(c5_max + c6_max) + REAL(2)*m_u_max*(c7_max + c8_max) + STEWART_FABS(J_xx));
     const stewart_real J_xy = I_d0_xy + I_u0_xy - c1*r_u0_y - c3*r_d0_y;
     const stewart_real J_xy_err = c1_err*r_u0_y_max + c3_err*r_d0_y_max + STEWART_UNIT*(REAL(2)*I_d0_xy_max
         + REAL(2)*I_u0_xy_max + REAL(2)*c1_max*r_u0_y_max + c3_max*r_d0_y_max + STEWART_FABS(J_xy));
@@ -347,16 +393,14 @@ static void prepare_leg(
     const stewart_real c10_err = STEWART_UNIT*STEWART_FABS(c10);
     const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
     const stewart_real J_yy = I_d0_yy + I_u0_yy + m_d*(c6 + c9) + m_u*(c10 + c8);
-    const stewart_real J_yy_err = c10_err*m_u_max + c6_err*m_d_max + c8_err*m_u_max + c9_err*m_d_max
-        + STEWART_UNIT*(REAL(2)*I_d0_yy_max + REAL(2)*I_u0_yy_max + REAL(3)*m_d_max*(c6_max + c9_max)
-        + REAL(2)*m_u_max*(c10_max + c8_max) + STEWART_FABS(J_yy));
+    const stewart_real J_yy_err = c10_err*m_u_max + c6_err*m_d_max + c8_err*m_u_max + c9_err*m_d_max + STEWART_UNIT*(REAL(2)*I_d0_yy_max
+        + REAL(2)*I_u0_yy_max + REAL(3)*m_d_max*(c6_max + c9_max) + REAL(2)*m_u_max*(c10_max + c8_max) + STEWART_FABS(J_yy));
     const stewart_real J_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c4*r_d0_z;
     const stewart_real J_yz_err = c2_err*r_u0_z_max + c4_err*r_d0_z_max + STEWART_UNIT*(REAL(2)*I_d0_yz_max
         + REAL(2)*I_u0_yz_max + REAL(2)*c2_max*r_u0_z_max + c4_max*r_d0_z_max + STEWART_FABS(J_yz));
     const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
-    const stewart_real J_zz_err = c10_err*m_u_max + c5_err*m_d_max + c7_err*m_u_max + c9_err*m_d_max
-        + STEWART_UNIT*(REAL(2)*I_d0_zz_max + REAL(2)*I_u0_zz_max + REAL(3)*m_d_max*(c5_max + c9_max)
-        + REAL(2)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
+    const stewart_real J_zz_err = c10_err*m_u_max + c5_err*m_d_max + c7_err*m_u_max + c9_err*m_d_max + STEWART_UNIT*(REAL(2)*I_d0_zz_max
+        + REAL(2)*I_u0_zz_max + REAL(3)*m_d_max*(c5_max + c9_max) + REAL(2)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
     const stewart_real c11 = m_u*p_x;
     const stewart_real c11_err = STEWART_UNIT*STEWART_FABS(c11);
     const stewart_real c12 = m_u*p_y;
@@ -387,19 +431,18 @@ static void prepare_leg(
     const stewart_real dJ_zx_err = J_xx_err + J_zz_err + STEWART_UNIT*STEWART_FABS(dJ_zx);
     /* gravity along the fixed axis */
     const stewart_real g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
-    const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err
-        + STEWART_UNIT*(REAL(2)*g_x_max*k_unit_x_max + REAL(2)*g_y_max*k_unit_y_max + g_z_max*k_unit_z_max
-        + STEWART_FABS(g_k));
+    const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err + STEWART_UNIT*(REAL(2)*g_x_max*k_unit_x_max
+        + REAL(2)*g_y_max*k_unit_y_max + g_z_max*k_unit_z_max + STEWART_FABS(g_k));
     /* g x k, base frame */
     const stewart_real g_x_k_x = g_y*k_unit_z - g_z*k_unit_y;
-    const stewart_real g_x_k_x_err = g_y_max*k_unit_z_err + g_z_max*k_unit_y_err
-        + STEWART_UNIT*(g_y_max*k_unit_z_max + g_z_max*k_unit_y_max + STEWART_FABS(g_x_k_x));
+    const stewart_real g_x_k_x_err = g_y_max*k_unit_z_err + g_z_max*k_unit_y_err + STEWART_UNIT*(g_y_max*k_unit_z_max
+        + g_z_max*k_unit_y_max + STEWART_FABS(g_x_k_x));
     const stewart_real g_x_k_y = g_z*k_unit_x - g_x*k_unit_z;
-    const stewart_real g_x_k_y_err = g_x_max*k_unit_z_err + g_z_max*k_unit_x_err
-        + STEWART_UNIT*(g_x_max*k_unit_z_max + g_z_max*k_unit_x_max + STEWART_FABS(g_x_k_y));
+    const stewart_real g_x_k_y_err = g_x_max*k_unit_z_err + g_z_max*k_unit_x_err + STEWART_UNIT*(g_x_max*k_unit_z_max
+        + g_z_max*k_unit_x_max + STEWART_FABS(g_x_k_y));
     const stewart_real g_x_k_z = g_x*k_unit_y - g_y*k_unit_x;
-    const stewart_real g_x_k_z_err = g_x_max*k_unit_y_err + g_y_max*k_unit_x_err
-        + STEWART_UNIT*(g_x_max*k_unit_y_max + g_y_max*k_unit_x_max + STEWART_FABS(g_x_k_z));
+    const stewart_real g_x_k_z_err = g_x_max*k_unit_y_err + g_y_max*k_unit_x_err + STEWART_UNIT*(g_x_max*k_unit_y_max
+        + g_y_max*k_unit_x_max + STEWART_FABS(g_x_k_z));
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
@@ -408,20 +451,20 @@ static void prepare_leg(
     const stewart_real h_add_z_err = STEWART_UNIT*STEWART_FABS(h_add_z);
     /* its inertia about the reference point, platform frame */
     const stewart_real J_add_xx = m_u*(c13 + c14);
-    const stewart_real J_add_xx_err = c13_err*m_u_max + c14_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max
-        + c14_max) + STEWART_FABS(J_add_xx));
+    const stewart_real J_add_xx_err = c13_err*m_u_max + c14_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c14_max)
+        + STEWART_FABS(J_add_xx));
     const stewart_real J_add_xy = -c11*p_y;
     const stewart_real J_add_xy_err = c11_err*p_y_max + STEWART_UNIT*STEWART_FABS(J_add_xy);
     const stewart_real J_add_xz = -c11*p_z;
     const stewart_real J_add_xz_err = c11_err*p_z_max + STEWART_UNIT*STEWART_FABS(J_add_xz);
     const stewart_real J_add_yy = m_u*(c14 + c15);
-    const stewart_real J_add_yy_err = c14_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c14_max
-        + c15_max) + STEWART_FABS(J_add_yy));
+    const stewart_real J_add_yy_err = c14_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c14_max + c15_max)
+        + STEWART_FABS(J_add_yy));
     const stewart_real J_add_yz = -c12*p_z;
     const stewart_real J_add_yz_err = c12_err*p_z_max + STEWART_UNIT*STEWART_FABS(J_add_yz);
     const stewart_real J_add_zz = m_u*(c13 + c15);
-    const stewart_real J_add_zz_err = c13_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max
-        + c15_max) + STEWART_FABS(J_add_zz));
+    const stewart_real J_add_zz_err = c13_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c15_max)
+        + STEWART_FABS(J_add_zz));
     out->b[0] = b_x;
     out->b[1] = b_y;
     out->b[2] = b_z;
@@ -480,64 +523,65 @@ static void prepare_leg(
     out->g_x_k_err[2] = g_x_k_z_err;
     out->C_us = C_us;
     out->C_us_err = C_us_err;
-    sum->M_add = m_u;
-    sum->M_add_err = REAL(0);
-    sum->h_add[0] = c11;
-    sum->h_add_err[0] = c11_err;
-    sum->h_add[1] = c12;
-    sum->h_add_err[1] = c12_err;
-    sum->h_add[2] = h_add_z;
-    sum->h_add_err[2] = h_add_z_err;
-    sum->J_add[0] = J_add_xx;
-    sum->J_add_err[0] = J_add_xx_err;
-    sum->J_add[1] = J_add_xy;
-    sum->J_add_err[1] = J_add_xy_err;
-    sum->J_add[2] = J_add_xz;
-    sum->J_add_err[2] = J_add_xz_err;
-    sum->J_add[3] = J_add_yy;
-    sum->J_add_err[3] = J_add_yy_err;
-    sum->J_add[4] = J_add_yz;
-    sum->J_add_err[4] = J_add_yz_err;
-    sum->J_add[5] = J_add_zz;
-    sum->J_add_err[5] = J_add_zz_err;
-    sum->C_add = C_s;
-    sum->C_add_err = REAL(0);
+    added->M_add = m_u;
+    added->M_add_err = REAL(0);
+    added->h_add[0] = c11;
+    added->h_add_err[0] = c11_err;
+    added->h_add[1] = c12;
+    added->h_add_err[1] = c12_err;
+    added->h_add[2] = h_add_z;
+    added->h_add_err[2] = h_add_z_err;
+    added->J_add[0] = J_add_xx;
+    added->J_add_err[0] = J_add_xx_err;
+    added->J_add[1] = J_add_xy;
+    added->J_add_err[1] = J_add_xy_err;
+    added->J_add[2] = J_add_xz;
+    added->J_add_err[2] = J_add_xz_err;
+    added->J_add[3] = J_add_yy;
+    added->J_add_err[3] = J_add_yy_err;
+    added->J_add[4] = J_add_yz;
+    added->J_add_err[4] = J_add_yz_err;
+    added->J_add[5] = J_add_zz;
+    added->J_add_err[5] = J_add_zz_err;
+    added->C_add = C_s;
+    added->C_add_err = REAL(0);
 }
 
 /* Constants of the platform. */
 static void prepare_platform(
-    const stewart_robot *robot, const added_terms *sum, stewart_exact_bounds_platform *out)
+    const stewart_robot *robot, const added_terms *added, stewart_exact_bounds_platform *out)
 {
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
-    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2],
-        I_p_yy = robot->I_p[3], I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
+        I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real M_add = sum->M_add;
-    const stewart_real M_add_err = sum->M_add_err;
-    const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
-    const stewart_real h_add_x_err = sum->h_add_err[0], h_add_y_err = sum->h_add_err[1],
-        h_add_z_err = sum->h_add_err[2];
-    const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
-        J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
-    const stewart_real J_add_xx_err = sum->J_add_err[0], J_add_xy_err = sum->J_add_err[1],
-        J_add_xz_err = sum->J_add_err[2], J_add_yy_err = sum->J_add_err[3],
-        J_add_yz_err = sum->J_add_err[4], J_add_zz_err = sum->J_add_err[5];
-    const stewart_real C_add = sum->C_add;
-    const stewart_real C_add_err = sum->C_add_err;
-    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1],
-        p_1_z = robot->leg[0].p[2];
+    const stewart_real M_add = added->M_add;
+    const stewart_real M_add_err = added->M_add_err;
+    const stewart_real h_add_x = added->h_add[0], h_add_y = added->h_add[1], h_add_z = added->h_add[2];
+    const stewart_real h_add_x_err = added->h_add_err[0], h_add_y_err = added->h_add_err[1], h_add_z_err = added->h_add_err[2];
+    const stewart_real J_add_xx = added->J_add[0], J_add_xy = added->J_add[1], J_add_xz = added->J_add[2],
+        J_add_yy = added->J_add[3], J_add_yz = added->J_add[4], J_add_zz = added->J_add[5];
+    const stewart_real J_add_xx_err = added->J_add_err[0], J_add_xy_err = added->J_add_err[1], J_add_xz_err = added->J_add_err[2],
+        J_add_yy_err = added->J_add_err[3], J_add_yz_err = added->J_add_err[4], J_add_zz_err = added->J_add_err[5];
+    const stewart_real C_add = added->C_add;
+    const stewart_real C_add_err = added->C_add_err;
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real M_max = STEWART_FABS(M);
-    const stewart_real R_0_y_max = STEWART_FABS(R_0_y), R_0_z_max = STEWART_FABS(R_0_z);
-    const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx), I_p_xy_max = STEWART_FABS(I_p_xy),
-        I_p_xz_max = STEWART_FABS(I_p_xz), I_p_yy_max = STEWART_FABS(I_p_yy),
-        I_p_yz_max = STEWART_FABS(I_p_yz), I_p_zz_max = STEWART_FABS(I_p_zz);
-    const stewart_real J_add_xx_max = STEWART_FABS(J_add_xx) + J_add_xx_err,
-        J_add_xy_max = STEWART_FABS(J_add_xy) + J_add_xy_err,
-        J_add_xz_max = STEWART_FABS(J_add_xz) + J_add_xz_err,
-        J_add_yy_max = STEWART_FABS(J_add_yy) + J_add_yy_err,
-        J_add_yz_max = STEWART_FABS(J_add_yz) + J_add_yz_err,
-        J_add_zz_max = STEWART_FABS(J_add_zz) + J_add_zz_err;
+    const stewart_real R_0_y_max = STEWART_FABS(R_0_y);
+    const stewart_real R_0_z_max = STEWART_FABS(R_0_z);
+    const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx);
+    const stewart_real I_p_xy_max = STEWART_FABS(I_p_xy);
+    const stewart_real I_p_xz_max = STEWART_FABS(I_p_xz);
+    const stewart_real I_p_yy_max = STEWART_FABS(I_p_yy);
+    const stewart_real I_p_yz_max = STEWART_FABS(I_p_yz);
+    const stewart_real I_p_zz_max = STEWART_FABS(I_p_zz);
+    const stewart_real J_add_xx_max = STEWART_FABS(J_add_xx) + J_add_xx_err;
+    const stewart_real J_add_xy_max = STEWART_FABS(J_add_xy) + J_add_xy_err;
+    const stewart_real J_add_xz_max = STEWART_FABS(J_add_xz) + J_add_xz_err;
+    const stewart_real J_add_yy_max = STEWART_FABS(J_add_yy) + J_add_yy_err;
+    const stewart_real J_add_yz_max = STEWART_FABS(J_add_yz) + J_add_yz_err;
+    const stewart_real J_add_zz_max = STEWART_FABS(J_add_zz) + J_add_zz_err;
     const stewart_real c1 = R_0_y*R_0_y;
     const stewart_real c1_err = STEWART_UNIT*STEWART_FABS(c1);
     const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
@@ -545,32 +589,32 @@ static void prepare_platform(
     const stewart_real c2_err = STEWART_UNIT*STEWART_FABS(c2);
     const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
     const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
-    const stewart_real J_P_xx_err = J_add_xx_err + M_max*c1_err + M_max*c2_err + STEWART_UNIT*(I_p_xx_max
-        + J_add_xx_max + REAL(2)*M_max*(c1_max + c2_max) + STEWART_FABS(J_P_xx));
+    const stewart_real J_P_xx_err = J_add_xx_err + M_max*c1_err + M_max*c2_err + STEWART_UNIT*(I_p_xx_max + J_add_xx_max
+        + REAL(2)*M_max*(c1_max + c2_max) + STEWART_FABS(J_P_xx));
     const stewart_real c3 = M*R_0_x;
     const stewart_real c3_err = STEWART_UNIT*STEWART_FABS(c3);
     const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
     const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
-    const stewart_real J_P_xy_err = J_add_xy_err + R_0_y_max*c3_err + STEWART_UNIT*(I_p_xy_max
-        + J_add_xy_max + R_0_y_max*c3_max + STEWART_FABS(J_P_xy));
+    const stewart_real J_P_xy_err = J_add_xy_err + R_0_y_max*c3_err + STEWART_UNIT*(I_p_xy_max + J_add_xy_max
+        + R_0_y_max*c3_max + STEWART_FABS(J_P_xy));
     const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
-    const stewart_real J_P_xz_err = J_add_xz_err + R_0_z_max*c3_err + STEWART_UNIT*(I_p_xz_max
-        + J_add_xz_max + R_0_z_max*c3_max + STEWART_FABS(J_P_xz));
+    const stewart_real J_P_xz_err = J_add_xz_err + R_0_z_max*c3_err + STEWART_UNIT*(I_p_xz_max + J_add_xz_max
+        + R_0_z_max*c3_max + STEWART_FABS(J_P_xz));
     const stewart_real c4 = R_0_x*R_0_x;
     const stewart_real c4_err = STEWART_UNIT*STEWART_FABS(c4);
     const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
     const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
-    const stewart_real J_P_yy_err = J_add_yy_err + M_max*c2_err + M_max*c4_err + STEWART_UNIT*(I_p_yy_max
-        + J_add_yy_max + REAL(2)*M_max*(c2_max + c4_max) + STEWART_FABS(J_P_yy));
+    const stewart_real J_P_yy_err = J_add_yy_err + M_max*c2_err + M_max*c4_err + STEWART_UNIT*(I_p_yy_max + J_add_yy_max
+        + REAL(2)*M_max*(c2_max + c4_max) + STEWART_FABS(J_P_yy));
     const stewart_real c5 = M*R_0_y;
     const stewart_real c5_err = STEWART_UNIT*STEWART_FABS(c5);
     const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
     const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
-    const stewart_real J_P_yz_err = J_add_yz_err + R_0_z_max*c5_err + STEWART_UNIT*(I_p_yz_max
-        + J_add_yz_max + R_0_z_max*c5_max + STEWART_FABS(J_P_yz));
+    const stewart_real J_P_yz_err = J_add_yz_err + R_0_z_max*c5_err + STEWART_UNIT*(I_p_yz_max + J_add_yz_max
+        + R_0_z_max*c5_max + STEWART_FABS(J_P_yz));
     const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
-    const stewart_real J_P_zz_err = J_add_zz_err + M_max*c1_err + M_max*c4_err + STEWART_UNIT*(I_p_zz_max
-        + J_add_zz_max + REAL(2)*M_max*(c1_max + c4_max) + STEWART_FABS(J_P_zz));
+    const stewart_real J_P_zz_err = J_add_zz_err + M_max*c1_err + M_max*c4_err + STEWART_UNIT*(I_p_zz_max + J_add_zz_max
+        + REAL(2)*M_max*(c1_max + c4_max) + STEWART_FABS(J_P_zz));
     /* mass of the platform with the upper parts */
     const stewart_real M_P = M + M_add;
     const stewart_real M_P_err = M_add_err + STEWART_UNIT*STEWART_FABS(M_P);
@@ -624,29 +668,36 @@ static void prepare_platform(
     out->p_1[2] = p_1_z;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1 for
- * sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
+ * for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
+ * large. */
 static stewart_real per_length_of(stewart_real size)
 {
-    stewart_real unit = REAL(1);
     int i;
-    if (size >= REAL(0.125) && size <= REAL(16.0)) {
+    stewart_real unit = REAL(1);
+    if (size >= REAL(0.125) && size <= REAL(16)) {
         return unit;
     }
-    for (i = 0; i < 100 && unit < size; ++i) {
-        unit = REAL(2) * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(unit < size)) {
+            break;
+        }
+        unit = REAL(2)*unit;
     }
-    for (i = 0; i < 100 && size > REAL(0) && STEWART_HALF * unit >= size; ++i) {
-        unit = STEWART_HALF * unit;
+    for (i = 0; i < 100; ++i) {
+        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
+            break;
+        }
+        unit = STEWART_HALF*unit;
     }
-    return REAL(1) / unit;
+    return REAL(1)/unit;
 }
 
 /* Largest coordinate of the arms of moments about platform point 1, m. */
 static stewart_real size_of(const stewart_exact_bounds_model *model)
 {
-    stewart_real largest = REAL(0);
     int i, j;
+    stewart_real largest = REAL(0);
     for (j = 0; j < 3; ++j) {
         for (i = 1; i < 6; ++i) {
             largest = STEWART_LARGER(STEWART_FABS(model->leg[i].p[j] - model->leg[0].p[j]), largest);
@@ -657,35 +708,36 @@ static stewart_real size_of(const stewart_exact_bounds_model *model)
 
 int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bounds_model *model)
 {
-    stewart_exact_bounds_model made;
-    added_terms found, sum;
-    stewart_real squares = 0;
     int i, j;
-    if (!robot || !model) {
+    stewart_exact_bounds_model made;
+    added_terms found;
+    added_terms sum;
+    stewart_real squares = REAL(0);
+    if (robot == NULL || model == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    sum.M_add = 0;
-    sum.M_add_err = 0;
-    sum.h_add[0] = 0;
-    sum.h_add[1] = 0;
-    sum.h_add[2] = 0;
-    sum.h_add_err[0] = 0;
-    sum.h_add_err[1] = 0;
-    sum.h_add_err[2] = 0;
-    sum.J_add[0] = 0;
-    sum.J_add[1] = 0;
-    sum.J_add[2] = 0;
-    sum.J_add[3] = 0;
-    sum.J_add[4] = 0;
-    sum.J_add[5] = 0;
-    sum.J_add_err[0] = 0;
-    sum.J_add_err[1] = 0;
-    sum.J_add_err[2] = 0;
-    sum.J_add_err[3] = 0;
-    sum.J_add_err[4] = 0;
-    sum.J_add_err[5] = 0;
-    sum.C_add = 0;
-    sum.C_add_err = 0;
+    sum.M_add = REAL(0);
+    sum.M_add_err = REAL(0);
+    sum.h_add[0] = REAL(0);
+    sum.h_add_err[0] = REAL(0);
+    sum.h_add[1] = REAL(0);
+    sum.h_add_err[1] = REAL(0);
+    sum.h_add[2] = REAL(0);
+    sum.h_add_err[2] = REAL(0);
+    sum.J_add[0] = REAL(0);
+    sum.J_add_err[0] = REAL(0);
+    sum.J_add[1] = REAL(0);
+    sum.J_add_err[1] = REAL(0);
+    sum.J_add[2] = REAL(0);
+    sum.J_add_err[2] = REAL(0);
+    sum.J_add[3] = REAL(0);
+    sum.J_add_err[3] = REAL(0);
+    sum.J_add[4] = REAL(0);
+    sum.J_add_err[4] = REAL(0);
+    sum.J_add[5] = REAL(0);
+    sum.J_add_err[5] = REAL(0);
+    sum.C_add = REAL(0);
+    sum.C_add_err = REAL(0);
     for (i = 0; i < 6; ++i) {
         prepare_leg(robot, &robot->leg[i], &made.leg[i], &found);
         add(&sum.M_add, &sum.M_add_err, found.M_add, found.M_add_err);
@@ -700,14 +752,17 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
         add(&sum.J_add[5], &sum.J_add_err[5], found.J_add[5], found.J_add_err[5]);
         add(&sum.C_add, &sum.C_add_err, found.C_add, found.C_add_err);
         for (j = 0; j < 3; ++j) {
-            squares = squares + robot->leg[i].p[j] * robot->leg[i].p[j];
+            squares = squares + robot->leg[i].p[j]*robot->leg[i].p[j];
         }
     }
     prepare_platform(robot, &sum, &made.platform);
-    made.length = STEWART_SQRT(squares / 6);
+    made.length = STEWART_SQRT(squares/REAL(6));
     made.per_length = per_length_of(size_of(&made));
-    if (!is_finite((const stewart_real *)&made, (int)(sizeof made / sizeof made.length))) {
-        return STEWART_NOT_FINITE;
+    const stewart_real *const numbers = (const stewart_real *)&made;
+    for (i = 0; i < 384; ++i) {
+        if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
     }
     *model = made;
     return STEWART_OK;
@@ -717,8 +772,8 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
 static void shared_of_pose(
     const stewart_exact_bounds_platform *platform, const stewart_motions *at, shared_terms *out)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -728,8 +783,7 @@ static void shared_of_pose(
     const stewart_real h_P_x = platform->h_P[0], h_P_y = platform->h_P[1], h_P_z = platform->h_P[2];
     const stewart_real J_P_xx = platform->J_P[0], J_P_xy = platform->J_P[1], J_P_xz = platform->J_P[2],
         J_P_yy = platform->J_P[3], J_P_yz = platform->J_P[4], J_P_zz = platform->J_P[5];
-    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1],
-        dJ_P_z = platform->dJ_P[2];
+    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1], dJ_P_z = platform->dJ_P[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
@@ -773,24 +827,24 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
-        + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
-        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
-        - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-        - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-        - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-        - B_zy*h_base_y - B_zz*h_base_z;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        - C_P*omega_x - fall_y*h_base_z;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        - C_P*omega_y - fall_z*h_base_x;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        - C_P*omega_z - fall_x*h_base_y;
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
+        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
+        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
+        - B_xz*h_base_z;
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
+        - B_yz*h_base_z;
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
+        - B_zz*h_base_z;
+    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
+        - fall_y*h_base_z;
+    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
+        - fall_z*h_base_x;
+    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
+        - fall_x*h_base_y;
     /* (1) platform point 1 from the reference point, base frame */
     const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
     const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
@@ -822,27 +876,13 @@ static void shared_of_pose(
     out->q_1[2] = q_1_z;
 }
 
-/* The largest of some numbers and `least`. */
-static stewart_real largest(const stewart_real *values, int count, stewart_real least)
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    stewart_real found = least;
-    int i;
-    for (i = 0; i < count; ++i) {
-        found = STEWART_LARGER(values[i], found);
-    }
-    return found;
-}
-
-/* The leg vector is known to within rounding of its largest term, `reach`. */
-static int leg_status(const leg_terms *leg)
-{
-    if (!(leg->L <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    if (!(leg->L > STEWART_ROUNDING * leg->reach)) {
-        return STEWART_SHORT_LEG;
-    }
-    return leg->sine > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
+    int fault = STEWART_OK;
+    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -866,15 +906,14 @@ static void leg_of_pose(
     const stewart_real g_k = leg->g_k;
     const stewart_real g_x_k_x = leg->g_x_k[0], g_x_k_y = leg->g_x_k[1], g_x_k_z = leg->g_x_k[2];
     const stewart_real C_us = leg->C_us;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
@@ -938,10 +977,9 @@ static void leg_of_pose(
     /* (8) accelerations of the joint coordinates */
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-        - theta_dot*(L_share + rho_share);
-    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-        - rho_share*two_phi_dot;
+    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
+        + rho_share);
+    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
     const stewart_real k13 = k1*k3;
     const stewart_real L_h2 = L*h2_x;
     const stewart_real a1 = L_h2 + dJ_zx;
@@ -964,12 +1002,11 @@ static void leg_of_pose(
     const stewart_real w_k = k1*w_x + k3*w_z;
     const stewart_real w_n = k3*w_x - k1*w_z;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-        + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-        - M_phi_theta*phi_dot2;
+    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x
+        + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
     const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+        - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
@@ -978,8 +1015,7 @@ static void leg_of_pose(
     const stewart_real K_y = Q_k*k_y + Q_y*y_y;
     const stewart_real K_z = Q_k*k_z + Q_y*y_z;
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
-        - k3_h*phi_ddot;
+    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot;
     const stewart_real c1 = C_s*phi_dot;
     const stewart_real c2 = C_s*theta_dot;
     const stewart_real H_force_x = s_x;
@@ -1020,15 +1056,22 @@ static void leg_of_pose(
     out->arm_c[0] = arm_c_x;
     out->arm_c[1] = arm_c_y;
     out->arm_c[2] = arm_c_z;
-    const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
-        STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
-        STEWART_FABS(b_z)};
     out->L = L;
-    out->sine = k3;
-    out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+    out->k3 = k3;
     out->arm[0] = arm_x;
     out->arm[1] = arm_y;
     out->arm[2] = arm_z;
+    stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+    reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+    out->reach = reach;
 }
 
 /* One leg in joint coordinates: D, its column of H and its part of c. */
@@ -1052,15 +1095,14 @@ static void leg_of_pose_near_singularity(
     const stewart_real g_k = leg->g_k;
     const stewart_real g_x_k_x = leg->g_x_k[0], g_x_k_y = leg->g_x_k[1], g_x_k_z = leg->g_x_k[2];
     const stewart_real C_us = leg->C_us;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
@@ -1092,8 +1134,8 @@ static void leg_of_pose_near_singularity(
     const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
     const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
     /* (10) leg length, and distance of its tip from the fixed axis */
-    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-        + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z);
     const stewart_real inv_rho = REAL(1)/rho;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -1131,10 +1173,8 @@ static void leg_of_pose_near_singularity(
     /* (8) accelerations of the joint coordinates */
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
     /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-        + S_ddot_z*z_z);
-    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-        - L_share*two_phi_dot;
+    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
     const stewart_real c1 = k1*k3;
     /* (9) accelerations of the joint coordinates */
     const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
@@ -1162,13 +1202,12 @@ static void leg_of_pose_near_singularity(
     const stewart_real w_k = k1*w_x + k3*w_z;
     const stewart_real w_n = k3*w_x - k1*w_z;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-        + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
-        - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-        + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-        - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-        - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
+        + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
+        + omega_y*y_y + omega_z*y_z);
+    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     /* (21) K = Q_y y + Q_z z */
     const stewart_real Q_y = inv_rho*tau_k;
     const stewart_real Q_z = -inv_L*tau_y;
@@ -1218,15 +1257,22 @@ static void leg_of_pose_near_singularity(
     out->arm_c[0] = arm_c_x;
     out->arm_c[1] = arm_c_y;
     out->arm_c[2] = arm_c_z;
-    const stewart_real terms[9] = {STEWART_FABS(q_x), STEWART_FABS(q_y), STEWART_FABS(q_z),
-        STEWART_FABS(t_x), STEWART_FABS(t_y), STEWART_FABS(t_z), STEWART_FABS(b_x), STEWART_FABS(b_y),
-        STEWART_FABS(b_z)};
     out->L = L;
-    out->sine = k3;
-    out->reach = largest(terms, 9, STEWART_SHORTEST / STEWART_ROUNDING);
+    out->k3 = k3;
     out->arm[0] = arm_x;
     out->arm[1] = arm_y;
     out->arm[2] = arm_z;
+    stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+    reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+    reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+    out->reach = reach;
 }
 
 /* Exchanges two rows. */
@@ -1495,80 +1541,91 @@ STEWART_APART static int singular_status(
 }
 #endif
 
-/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8 +
- * ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the symmetric part
- * of R^T times them counts; turning R as a whole is no error. */
+/* Bounds what R does to a force by not being a rotation. R less the nearest one is R (E / 2 - 3 E^2 / 8
+ * + ...) with E = R^T R - 1, which is symmetric, so that of the force's slopes along R only the
+ * symmetric part of R^T times them counts; turning R as a whole is no error. */
 static stewart_real stretch_error(
     const stewart_real R[9], const stewart_real stretch[9], stewart_real R_err, const slopes_of_legs *of)
 {
-    stewart_real total = 0, slopes = 0;
     int i, j, k;
+    stewart_real total = REAL(0);
+    stewart_real slopes = REAL(0);
     for (i = 0; i < 3; ++i) {
         for (j = 0; j < 3; ++j) {
-            stewart_real sum = 0, doubt = 0;
+            stewart_real sum = REAL(0);
+            stewart_real doubt = REAL(0);
             for (k = 0; k < 9; k += 3) {
-                const stewart_real one = R[k + i] * of->R_legs[k + j], other = R[k + j] * of->R_legs[k + i];
+                const stewart_real one = R[k + i]*of->R_legs[k + j];
+                const stewart_real other = R[k + j]*of->R_legs[k + i];
                 sum = sum + (one + other);
-                doubt = doubt + 5 * STEWART_UNIT * (STEWART_FABS(one) + STEWART_FABS(other));
-                doubt = doubt + STEWART_FABS(R[k + i]) * of->R_legs_err[k + j];
-                doubt = doubt + STEWART_FABS(R[k + j]) * of->R_legs_err[k + i];
+                doubt = doubt + REAL(5)*STEWART_UNIT*(STEWART_FABS(one) + STEWART_FABS(other));
+                doubt = doubt + STEWART_FABS(R[k + i])*of->R_legs_err[k + j];
+                doubt = doubt + STEWART_FABS(R[k + j])*of->R_legs_err[k + i];
             }
-            total = total + stretch[3 * i + j] * (STEWART_FABS(sum) + doubt) / 4;
-            slopes = slopes + STEWART_FABS(of->R_legs[3 * i + j]) + of->R_legs_err[3 * i + j];
+            total = total + stretch[3*i + j]*(STEWART_FABS(sum) + doubt)/REAL(4);
+            slopes = slopes + STEWART_FABS(of->R_legs[3*i + j]) + of->R_legs_err[3*i + j];
         }
     }
-    return total + 2 * R_err * R_err * slopes;
+    return total + REAL(2)*R_err*R_err*slopes;
 }
 
-/* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
- * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes,
- *     d <= b + G d,    b = |Y| (|c - H x| + E_H |x| + e_c),    G = |1 - Y H| + |Y| E_H,
- * and where G b <= beta b with beta < 1, H is regular and d <= b / (1 - beta) (Rump, Verification methods,
- * Acta Numerica 19 (2010), 10); what is left is |Y| |c - H x| + G d. Where there is no such beta, it is
- * infinite. Sums of seven terms round seven times at most. */
+/* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it
+ * to `error`. With E_H and e_c bounding these errors, and d the error of x in sizes, d <= b + G d, where
+ * b = |Y| (|c - H x| + E_H |x| + e_c) and G = |1 - Y H| + |Y| E_H, and where G b <= beta b with beta <
+ * 1, H is regular and d <= b / (1 - beta) (Rump, Verification methods, Acta Numerica 19 (2010), 10);
+ * what is left is |Y| |c - H x| + G d. Where there is no such beta, it is infinite. Sums of seven terms
+ * round seven times at most. */
 static void solution_error(
     const platform_equations *of, const stewart_real x[6], stewart_real Y[6][6], stewart_real error[6])
 {
-    stewart_real rest[6], doubt[6], b[6], G[6][6], worst = 0;
     int i, j, k;
+    stewart_real rest[6];
+    stewart_real doubt[6];
+    stewart_real b[6];
+    stewart_real G[6][6];
+    stewart_real worst = REAL(0);
     for (i = 0; i < 6; ++i) {
-        stewart_real sum = of->c[i], sizes = STEWART_FABS(of->c[i]);
+        stewart_real sum = of->c[i];
+        stewart_real sizes = STEWART_FABS(of->c[i]);
         doubt[i] = of->c_err[i];
         for (j = 0; j < 6; ++j) {
-            const stewart_real product = of->H[i][j] * x[j];
+            const stewart_real product = of->H[i][j]*x[j];
             sum = sum - product;
             sizes = sizes + STEWART_FABS(product);
-            doubt[i] = doubt[i] + of->H_err[i][j] * STEWART_FABS(x[j]);
+            doubt[i] = doubt[i] + of->H_err[i][j]*STEWART_FABS(x[j]);
         }
-        rest[i] = STEWART_FABS(sum) + 7 * STEWART_UNIT * sizes + of->c_own[i];
+        rest[i] = STEWART_FABS(sum) + REAL(7)*STEWART_UNIT*sizes + of->c_own[i];
     }
     for (i = 0; i < 6; ++i) {
-        b[i] = 4 / STEWART_MAX; /* so that no entry is zero */
+        /* So that no entry is zero. */
+        b[i] = REAL(4)/STEWART_MAX;
         for (j = 0; j < 6; ++j) {
-            b[i] = b[i] + STEWART_FABS(Y[i][j]) * (rest[j] + doubt[j]);
-            error[i] = error[i] + STEWART_FABS(Y[i][j]) * rest[j];
+            b[i] = b[i] + STEWART_FABS(Y[i][j])*(rest[j] + doubt[j]);
+            error[i] = error[i] + STEWART_FABS(Y[i][j])*rest[j];
         }
     }
     for (i = 0; i < 6; ++i) {
-        stewart_real grown = 0;
+        stewart_real grown = REAL(0);
         for (k = 0; k < 6; ++k) {
-            stewart_real sum = i == k ? 1 : 0, sizes = sum, carried = 0;
+            stewart_real lack = i == k ? REAL(1) : REAL(0);
+            stewart_real around = i == k ? REAL(1) : REAL(0);
+            stewart_real carried = REAL(0);
             for (j = 0; j < 6; ++j) {
-                const stewart_real product = Y[i][j] * of->H[j][k];
-                sum = sum - product;
-                sizes = sizes + STEWART_FABS(product);
-                carried = carried + STEWART_FABS(Y[i][j]) * of->H_err[j][k];
+                const stewart_real term = Y[i][j]*of->H[j][k];
+                lack = lack - term;
+                around = around + STEWART_FABS(term);
+                carried = carried + STEWART_FABS(Y[i][j])*of->H_err[j][k];
             }
-            G[i][k] = STEWART_FABS(sum) + carried + 7 * STEWART_UNIT * sizes;
-            grown = grown + G[i][k] * b[k];
+            G[i][k] = STEWART_FABS(lack) + carried + REAL(7)*STEWART_UNIT*around;
+            grown = grown + G[i][k]*b[k];
         }
-        worst = grown / b[i] <= worst ? worst : grown / b[i];
+        worst = grown/b[i] <= worst ? worst : grown/b[i];
     }
     for (i = 0; i < 6; ++i) {
         for (k = 0; k < 6; ++k) {
-            error[i] = error[i] + G[i][k] * (b[k] / (1 - worst));
+            error[i] = error[i] + G[i][k]*(b[k]/(REAL(1) - worst));
         }
-        if (!(worst <= (stewart_real)0.875)) {
+        if (!(worst <= REAL(0.875))) {
             error[i] = STEWART_INFINITY;
         }
     }
@@ -1577,10 +1634,10 @@ static void solution_error(
 /* Largest sum of a column in sizes. */
 static stewart_real norm(stewart_real A[6][6])
 {
-    stewart_real worst = 0;
     int i, j;
+    stewart_real worst = REAL(0);
     for (j = 0; j < 6; ++j) {
-        stewart_real sum = 0;
+        stewart_real sum = REAL(0);
         for (i = 0; i < 6; ++i) {
             sum = sum + STEWART_FABS(A[i][j]);
         }
@@ -1589,34 +1646,51 @@ static stewart_real norm(stewart_real A[6][6])
     return worst;
 }
 
-/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, measured by `length`. */
+/* 1/(|H| |Y|), moments moved from platform point 1, q away, to the reference point, measured by
+ * `length`. */
 static stewart_real reciprocal_condition(
     stewart_real H[6][6], stewart_real Y[6][6], const stewart_real q[3], stewart_real length)
 {
-    stewart_real A[6][6], B[6][6];
-    int i, j;
-    for (j = 0; j < 3; ++j) {
-        const int next = (j + 1) % 3, last = (j + 2) % 3;
-        for (i = 0; i < 6; ++i) {
-            A[j][i] = H[j][i];
-            A[j + 3][i] = (H[j + 3][i] + (q[next] * H[last][i] - q[last] * H[next][i])) / length;
-            B[i][j] = Y[i][j] - (Y[i][3 + next] * q[last] - Y[i][3 + last] * q[next]);
-            B[i][j + 3] = Y[i][j + 3] * length;
-        }
+    int i;
+    stewart_real A[6][6];
+    stewart_real B[6][6];
+    for (i = 0; i < 6; ++i) {
+        A[0][i] = H[0][i];
+        const stewart_real turned_0 = q[1]*H[2][i] - q[2]*H[1][i];
+        A[3][i] = (H[3][i] + turned_0)/length;
+        const stewart_real back_0 = Y[i][4]*q[2] - Y[i][5]*q[1];
+        B[i][0] = Y[i][0] - back_0;
+        B[i][3] = Y[i][3]*length;
     }
-    return 1 / norm(A) / norm(B);
+    for (i = 0; i < 6; ++i) {
+        A[1][i] = H[1][i];
+        const stewart_real turned_1 = q[2]*H[0][i] - q[0]*H[2][i];
+        A[4][i] = (H[4][i] + turned_1)/length;
+        const stewart_real back_1 = Y[i][5]*q[0] - Y[i][3]*q[2];
+        B[i][1] = Y[i][1] - back_1;
+        B[i][4] = Y[i][4]*length;
+    }
+    for (i = 0; i < 6; ++i) {
+        A[2][i] = H[2][i];
+        const stewart_real turned_2 = q[0]*H[1][i] - q[1]*H[0][i];
+        A[5][i] = (H[5][i] + turned_2)/length;
+        const stewart_real back_2 = Y[i][3]*q[1] - Y[i][4]*q[0];
+        B[i][2] = Y[i][2] - back_2;
+        B[i][5] = Y[i][5]*length;
+    }
+    return REAL(1)/norm(A)/norm(B);
 }
 
-/* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where there are slopes of
- * the legs, adds to the error of each force what these errors do to it, each by the slope of the force along
- * it, at its largest; and adds to the slopes along R. */
+/* What one pose has for all legs, with errors; R_err: how far R is from a rotation. Where `weighed` is
+ * not 0, adds to the error of each force what these errors do to it, each by the slope of the force
+ * along it, at its largest; and adds to the slopes along R. */
 static void shared_errors(
     const stewart_exact_bounds_platform *platform, const stewart_motions *at, stewart_real R_err,
-    const force_row rows[6], slopes_of_legs *slopes, stewart_real error[6], shared_terms *out)
+    const force_rows *rows, int weighed, force_slopes *slopes, stewart_real error[6], shared_terms *out)
 {
     int i;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -1625,47 +1699,55 @@ static void shared_errors(
     const stewart_real M_P = platform->M_P;
     const stewart_real M_P_err = platform->M_P_err;
     const stewart_real h_P_x = platform->h_P[0], h_P_y = platform->h_P[1], h_P_z = platform->h_P[2];
-    const stewart_real h_P_x_err = platform->h_P_err[0], h_P_y_err = platform->h_P_err[1],
-        h_P_z_err = platform->h_P_err[2];
+    const stewart_real h_P_x_err = platform->h_P_err[0], h_P_y_err = platform->h_P_err[1], h_P_z_err = platform->h_P_err[2];
     const stewart_real J_P_xx = platform->J_P[0], J_P_xy = platform->J_P[1], J_P_xz = platform->J_P[2],
         J_P_yy = platform->J_P[3], J_P_yz = platform->J_P[4], J_P_zz = platform->J_P[5];
-    const stewart_real J_P_xx_err = platform->J_P_err[0], J_P_xy_err = platform->J_P_err[1],
-        J_P_xz_err = platform->J_P_err[2], J_P_yy_err = platform->J_P_err[3],
-        J_P_yz_err = platform->J_P_err[4], J_P_zz_err = platform->J_P_err[5];
-    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1],
-        dJ_P_z = platform->dJ_P[2];
-    const stewart_real dJ_P_x_err = platform->dJ_P_err[0], dJ_P_y_err = platform->dJ_P_err[1],
-        dJ_P_z_err = platform->dJ_P_err[2];
+    const stewart_real J_P_xx_err = platform->J_P_err[0], J_P_xy_err = platform->J_P_err[1], J_P_xz_err = platform->J_P_err[2],
+        J_P_yy_err = platform->J_P_err[3], J_P_yz_err = platform->J_P_err[4], J_P_zz_err = platform->J_P_err[5];
+    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1], dJ_P_z = platform->dJ_P[2];
+    const stewart_real dJ_P_x_err = platform->dJ_P_err[0], dJ_P_y_err = platform->dJ_P_err[1], dJ_P_z_err = platform->dJ_P_err[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real C_P_err = platform->C_P_err;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
-    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
-        R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
-        R_yy_max = STEWART_FABS(R_yy) + R_err, R_yz_max = STEWART_FABS(R_yz) + R_err,
-        R_zx_max = STEWART_FABS(R_zx) + R_err, R_zy_max = STEWART_FABS(R_zy) + R_err,
-        R_zz_max = STEWART_FABS(R_zz) + R_err;
-    const stewart_real omega_x_max = STEWART_FABS(omega_x), omega_y_max = STEWART_FABS(omega_y),
-        omega_z_max = STEWART_FABS(omega_z);
-    const stewart_real alpha_x_max = STEWART_FABS(alpha_x), alpha_y_max = STEWART_FABS(alpha_y),
-        alpha_z_max = STEWART_FABS(alpha_z);
-    const stewart_real F_ext_x_max = STEWART_FABS(F_ext_x), F_ext_y_max = STEWART_FABS(F_ext_y),
-        F_ext_z_max = STEWART_FABS(F_ext_z);
-    const stewart_real M_ext_x_max = STEWART_FABS(M_ext_x), M_ext_y_max = STEWART_FABS(M_ext_y),
-        M_ext_z_max = STEWART_FABS(M_ext_z);
+    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err;
+    const stewart_real R_xy_max = STEWART_FABS(R_xy) + R_err;
+    const stewart_real R_xz_max = STEWART_FABS(R_xz) + R_err;
+    const stewart_real R_yx_max = STEWART_FABS(R_yx) + R_err;
+    const stewart_real R_yy_max = STEWART_FABS(R_yy) + R_err;
+    const stewart_real R_yz_max = STEWART_FABS(R_yz) + R_err;
+    const stewart_real R_zx_max = STEWART_FABS(R_zx) + R_err;
+    const stewart_real R_zy_max = STEWART_FABS(R_zy) + R_err;
+    const stewart_real R_zz_max = STEWART_FABS(R_zz) + R_err;
+    const stewart_real omega_x_max = STEWART_FABS(omega_x);
+    const stewart_real omega_y_max = STEWART_FABS(omega_y);
+    const stewart_real omega_z_max = STEWART_FABS(omega_z);
+    const stewart_real alpha_x_max = STEWART_FABS(alpha_x);
+    const stewart_real alpha_y_max = STEWART_FABS(alpha_y);
+    const stewart_real alpha_z_max = STEWART_FABS(alpha_z);
+    const stewart_real F_ext_x_max = STEWART_FABS(F_ext_x);
+    const stewart_real F_ext_y_max = STEWART_FABS(F_ext_y);
+    const stewart_real F_ext_z_max = STEWART_FABS(F_ext_z);
+    const stewart_real M_ext_x_max = STEWART_FABS(M_ext_x);
+    const stewart_real M_ext_y_max = STEWART_FABS(M_ext_y);
+    const stewart_real M_ext_z_max = STEWART_FABS(M_ext_z);
     const stewart_real M_P_max = STEWART_FABS(M_P) + M_P_err;
-    const stewart_real h_P_x_max = STEWART_FABS(h_P_x) + h_P_x_err,
-        h_P_y_max = STEWART_FABS(h_P_y) + h_P_y_err, h_P_z_max = STEWART_FABS(h_P_z) + h_P_z_err;
-    const stewart_real J_P_xx_max = STEWART_FABS(J_P_xx) + J_P_xx_err,
-        J_P_xy_max = STEWART_FABS(J_P_xy) + J_P_xy_err, J_P_xz_max = STEWART_FABS(J_P_xz) + J_P_xz_err,
-        J_P_yy_max = STEWART_FABS(J_P_yy) + J_P_yy_err, J_P_yz_max = STEWART_FABS(J_P_yz) + J_P_yz_err,
-        J_P_zz_max = STEWART_FABS(J_P_zz) + J_P_zz_err;
-    const stewart_real dJ_P_x_max = STEWART_FABS(dJ_P_x) + dJ_P_x_err,
-        dJ_P_y_max = STEWART_FABS(dJ_P_y) + dJ_P_y_err,
-        dJ_P_z_max = STEWART_FABS(dJ_P_z) + dJ_P_z_err;
+    const stewart_real h_P_x_max = STEWART_FABS(h_P_x) + h_P_x_err;
+    const stewart_real h_P_y_max = STEWART_FABS(h_P_y) + h_P_y_err;
+    const stewart_real h_P_z_max = STEWART_FABS(h_P_z) + h_P_z_err;
+    const stewart_real J_P_xx_max = STEWART_FABS(J_P_xx) + J_P_xx_err;
+    const stewart_real J_P_xy_max = STEWART_FABS(J_P_xy) + J_P_xy_err;
+    const stewart_real J_P_xz_max = STEWART_FABS(J_P_xz) + J_P_xz_err;
+    const stewart_real J_P_yy_max = STEWART_FABS(J_P_yy) + J_P_yy_err;
+    const stewart_real J_P_yz_max = STEWART_FABS(J_P_yz) + J_P_yz_err;
+    const stewart_real J_P_zz_max = STEWART_FABS(J_P_zz) + J_P_zz_err;
+    const stewart_real dJ_P_x_max = STEWART_FABS(dJ_P_x) + dJ_P_x_err;
+    const stewart_real dJ_P_y_max = STEWART_FABS(dJ_P_y) + dJ_P_y_err;
+    const stewart_real dJ_P_z_max = STEWART_FABS(dJ_P_z) + dJ_P_z_err;
     const stewart_real C_P_max = STEWART_FABS(C_P) + C_P_err;
-    const stewart_real p_1_x_max = STEWART_FABS(p_1_x), p_1_y_max = STEWART_FABS(p_1_y),
-        p_1_z_max = STEWART_FABS(p_1_z);
+    const stewart_real p_1_x_max = STEWART_FABS(p_1_x);
+    const stewart_real p_1_y_max = STEWART_FABS(p_1_y);
+    const stewart_real p_1_z_max = STEWART_FABS(p_1_z);
     /* products of omega */
     const stewart_real omega_xx = omega_x*omega_x;
     const stewart_real omega_xx_own = STEWART_UNIT*STEWART_FABS(omega_xx);
@@ -1726,20 +1808,20 @@ static void shared_errors(
     const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
     const stewart_real h_base_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*h_P_x_max + REAL(2)*R_xy_max*h_P_y_max
         + R_xz_max*h_P_z_max + STEWART_FABS(h_base_x));
-    const stewart_real h_base_x_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_xx_max*h_P_x_err
-        + R_xy_max*h_P_y_err + R_xz_max*h_P_z_err + h_base_x_own;
+    const stewart_real h_base_x_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_xx_max*h_P_x_err + R_xy_max*h_P_y_err
+        + R_xz_max*h_P_z_err + h_base_x_own;
     const stewart_real h_base_x_max = STEWART_FABS(h_base_x) + h_base_x_err;
     const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
     const stewart_real h_base_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*h_P_x_max + REAL(2)*R_yy_max*h_P_y_max
         + R_yz_max*h_P_z_max + STEWART_FABS(h_base_y));
-    const stewart_real h_base_y_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_yx_max*h_P_x_err
-        + R_yy_max*h_P_y_err + R_yz_max*h_P_z_err + h_base_y_own;
+    const stewart_real h_base_y_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_yx_max*h_P_x_err + R_yy_max*h_P_y_err
+        + R_yz_max*h_P_z_err + h_base_y_own;
     const stewart_real h_base_y_max = STEWART_FABS(h_base_y) + h_base_y_err;
     const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
     const stewart_real h_base_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*h_P_x_max + REAL(2)*R_zy_max*h_P_y_max
         + R_zz_max*h_P_z_max + STEWART_FABS(h_base_z));
-    const stewart_real h_base_z_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_zx_max*h_P_x_err
-        + R_zy_max*h_P_y_err + R_zz_max*h_P_z_err + h_base_z_own;
+    const stewart_real h_base_z_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_zx_max*h_P_x_err + R_zy_max*h_P_y_err
+        + R_zz_max*h_P_z_err + h_base_z_own;
     const stewart_real h_base_z_max = STEWART_FABS(h_base_z) + h_base_z_err;
     /* (33) g - a */
     const stewart_real fall_x = g_x - a_x;
@@ -1756,34 +1838,34 @@ static void shared_errors(
     const stewart_real fall_z_max = STEWART_FABS(fall_z) + fall_z_err;
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*omega_x_max
-        + REAL(2)*R_yx_max*omega_y_max + R_zx_max*omega_z_max + STEWART_FABS(omega_P_x));
+    const stewart_real omega_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*omega_x_max + REAL(2)*R_yx_max*omega_y_max
+        + R_zx_max*omega_z_max + STEWART_FABS(omega_P_x));
     const stewart_real omega_P_x_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_x_own;
     const stewart_real omega_P_x_max = STEWART_FABS(omega_P_x) + omega_P_x_err;
     const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*omega_x_max
-        + REAL(2)*R_yy_max*omega_y_max + R_zy_max*omega_z_max + STEWART_FABS(omega_P_y));
+    const stewart_real omega_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*omega_x_max + REAL(2)*R_yy_max*omega_y_max
+        + R_zy_max*omega_z_max + STEWART_FABS(omega_P_y));
     const stewart_real omega_P_y_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_y_own;
     const stewart_real omega_P_y_max = STEWART_FABS(omega_P_y) + omega_P_y_err;
     const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
-    const stewart_real omega_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*omega_x_max
-        + REAL(2)*R_yz_max*omega_y_max + R_zz_max*omega_z_max + STEWART_FABS(omega_P_z));
+    const stewart_real omega_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*omega_x_max + REAL(2)*R_yz_max*omega_y_max
+        + R_zz_max*omega_z_max + STEWART_FABS(omega_P_z));
     const stewart_real omega_P_z_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_z_own;
     const stewart_real omega_P_z_max = STEWART_FABS(omega_P_z) + omega_P_z_err;
     /* angular acceleration, platform frame */
     const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*alpha_x_max
-        + REAL(2)*R_yx_max*alpha_y_max + R_zx_max*alpha_z_max + STEWART_FABS(alpha_P_x));
+    const stewart_real alpha_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*alpha_x_max + REAL(2)*R_yx_max*alpha_y_max
+        + R_zx_max*alpha_z_max + STEWART_FABS(alpha_P_x));
     const stewart_real alpha_P_x_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_x_own;
     const stewart_real alpha_P_x_max = STEWART_FABS(alpha_P_x) + alpha_P_x_err;
     const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*alpha_x_max
-        + REAL(2)*R_yy_max*alpha_y_max + R_zy_max*alpha_z_max + STEWART_FABS(alpha_P_y));
+    const stewart_real alpha_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*alpha_x_max + REAL(2)*R_yy_max*alpha_y_max
+        + R_zy_max*alpha_z_max + STEWART_FABS(alpha_P_y));
     const stewart_real alpha_P_y_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_y_own;
     const stewart_real alpha_P_y_max = STEWART_FABS(alpha_P_y) + alpha_P_y_err;
     const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
-    const stewart_real alpha_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*alpha_x_max
-        + REAL(2)*R_yz_max*alpha_y_max + R_zz_max*alpha_z_max + STEWART_FABS(alpha_P_z));
+    const stewart_real alpha_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*alpha_x_max + REAL(2)*R_yz_max*alpha_y_max
+        + R_zz_max*alpha_z_max + STEWART_FABS(alpha_P_z));
     const stewart_real alpha_P_z_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_z_own;
     const stewart_real alpha_P_z_max = STEWART_FABS(alpha_P_z) + alpha_P_z_err;
     const stewart_real P_xy = omega_P_x*omega_P_y;
@@ -1811,137 +1893,122 @@ static void shared_errors(
     const stewart_real P_zz_err = REAL(2)*omega_P_z_err*omega_P_z_max + P_zz_own;
     const stewart_real P_zz_max = STEWART_FABS(P_zz) + P_zz_err;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
-        + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_P_xx_max*alpha_P_x_max
-        + REAL(6)*J_P_xy_max*(P_xz_max + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max)
-        + REAL(3)*J_P_yz_max*(P_yy_max + P_zz_max) + REAL(4)*M_ext_x_max + P_yz_max*dJ_P_x_max
-        + STEWART_FABS(M_P_load_x));
-    const stewart_real M_P_load_x_err = J_P_xx_err*alpha_P_x_max + J_P_xx_max*alpha_P_x_err
-        + J_P_xy_err*(P_xz_max + alpha_P_y_max) + J_P_xy_max*P_xz_err + J_P_xy_max*alpha_P_y_err
-        + J_P_xz_err*(P_xy_max + alpha_P_z_max) + J_P_xz_max*P_xy_err + J_P_xz_max*alpha_P_z_err
-        + J_P_yz_err*(P_yy_max + P_zz_max) + J_P_yz_max*P_yy_err + J_P_yz_max*P_zz_err + P_yz_err*dJ_P_x_max
-        + P_yz_max*dJ_P_x_err + M_P_load_x_own;
+    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
+        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
+    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_P_xx_max*alpha_P_x_max + REAL(6)*J_P_xy_max*(P_xz_max
+        + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max) + REAL(3)*J_P_yz_max*(P_yy_max + P_zz_max)
+        + REAL(4)*M_ext_x_max + P_yz_max*dJ_P_x_max + STEWART_FABS(M_P_load_x));
+    const stewart_real M_P_load_x_err = J_P_xx_err*alpha_P_x_max + J_P_xx_max*alpha_P_x_err + J_P_xy_err*(P_xz_max
+        + alpha_P_y_max) + J_P_xy_max*P_xz_err + J_P_xy_max*alpha_P_y_err + J_P_xz_err*(P_xy_max + alpha_P_z_max)
+        + J_P_xz_max*P_xy_err + J_P_xz_max*alpha_P_z_err + J_P_yz_err*(P_yy_max + P_zz_max) + J_P_yz_max*P_yy_err
+        + J_P_yz_max*P_zz_err + P_yz_err*dJ_P_x_max + P_yz_max*dJ_P_x_err + M_P_load_x_own;
     const stewart_real M_P_load_x_max = STEWART_FABS(M_P_load_x) + M_P_load_x_err;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x)
-        - J_P_xz*(P_zz - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_yz_max + alpha_P_x_max)
-        + REAL(4)*J_P_xz_max*(P_xx_max + P_zz_max) + REAL(2)*J_P_yy_max*alpha_P_y_max
-        + REAL(6)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max + P_xz_max*dJ_P_y_max
-        + STEWART_FABS(M_P_load_y));
-    const stewart_real M_P_load_y_err = J_P_xy_err*(P_yz_max + alpha_P_x_max) + J_P_xy_max*P_yz_err
-        + J_P_xy_max*alpha_P_x_err + J_P_xz_err*(P_xx_max + P_zz_max) + J_P_xz_max*P_xx_err
-        + J_P_xz_max*P_zz_err + J_P_yy_err*alpha_P_y_max + J_P_yy_max*alpha_P_y_err + J_P_yz_err*(P_xy_max
-        + alpha_P_z_max) + J_P_yz_max*P_xy_err + J_P_yz_max*alpha_P_z_err + P_xz_err*dJ_P_y_max
-        + P_xz_max*dJ_P_y_err + M_P_load_y_own;
+    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
+        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
+    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_xz_max*(P_xx_max
+        + P_zz_max) + REAL(2)*J_P_yy_max*alpha_P_y_max + REAL(6)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max
+        + P_xz_max*dJ_P_y_max + STEWART_FABS(M_P_load_y));
+    const stewart_real M_P_load_y_err = J_P_xy_err*(P_yz_max + alpha_P_x_max) + J_P_xy_max*P_yz_err + J_P_xy_max*alpha_P_x_err
+        + J_P_xz_err*(P_xx_max + P_zz_max) + J_P_xz_max*P_xx_err + J_P_xz_max*P_zz_err + J_P_yy_err*alpha_P_y_max
+        + J_P_yy_max*alpha_P_y_err + J_P_yz_err*(P_xy_max + alpha_P_z_max) + J_P_yz_max*P_xy_err + J_P_yz_max*alpha_P_z_err
+        + P_xz_err*dJ_P_y_max + P_xz_max*dJ_P_y_err + M_P_load_y_own;
     const stewart_real M_P_load_y_max = STEWART_FABS(M_P_load_y) + M_P_load_y_err;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy)
-        - J_P_yz*(P_xz + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_xx_max + P_yy_max)
-        + REAL(6)*J_P_xz_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max)
-        + REAL(2)*J_P_zz_max*alpha_P_z_max + REAL(4)*M_ext_z_max + P_xy_max*dJ_P_z_max
-        + STEWART_FABS(M_P_load_z));
-    const stewart_real M_P_load_z_err = J_P_xy_err*(P_xx_max + P_yy_max) + J_P_xy_max*P_xx_err
-        + J_P_xy_max*P_yy_err + J_P_xz_err*(P_yz_max + alpha_P_x_max) + J_P_xz_max*P_yz_err
-        + J_P_xz_max*alpha_P_x_err + J_P_yz_err*(P_xz_max + alpha_P_y_max) + J_P_yz_max*P_xz_err
-        + J_P_yz_max*alpha_P_y_err + J_P_zz_err*alpha_P_z_max + J_P_zz_max*alpha_P_z_err
+    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
+        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_xx_max + P_yy_max) + REAL(6)*J_P_xz_max*(P_yz_max
+        + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max) + REAL(2)*J_P_zz_max*alpha_P_z_max
+        + REAL(4)*M_ext_z_max + P_xy_max*dJ_P_z_max + STEWART_FABS(M_P_load_z));
+    const stewart_real M_P_load_z_err = J_P_xy_err*(P_xx_max + P_yy_max) + J_P_xy_max*P_xx_err + J_P_xy_max*P_yy_err
+        + J_P_xz_err*(P_yz_max + alpha_P_x_max) + J_P_xz_max*P_yz_err + J_P_xz_max*alpha_P_x_err + J_P_yz_err*(P_xz_max
+        + alpha_P_y_max) + J_P_yz_max*P_xz_err + J_P_yz_max*alpha_P_y_err + J_P_zz_err*alpha_P_z_max + J_P_zz_max*alpha_P_z_err
         + P_xy_err*dJ_P_z_max + P_xy_max*dJ_P_z_err + M_P_load_z_own;
     const stewart_real M_P_load_z_max = STEWART_FABS(M_P_load_z) + M_P_load_z_err;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x
-        - B_xy*h_base_y - B_xz*h_base_z;
-    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max
-        + REAL(2)*B_xy_max*h_base_y_max + B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max
-        + REAL(6)*F_ext_y_max*R_xy_max + REAL(5)*F_ext_z_max*R_xz_max + REAL(4)*M_P_max*fall_x_max
-        + STEWART_FABS(c_force_x));
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
+        - B_xz*h_base_z;
+    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max + REAL(2)*B_xy_max*h_base_y_max
+        + B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max + REAL(6)*F_ext_y_max*R_xy_max + REAL(5)*F_ext_z_max*R_xz_max
+        + REAL(4)*M_P_max*fall_x_max + STEWART_FABS(c_force_x));
     const stewart_real c_force_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
-        + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max
-        + M_P_max*fall_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
+        + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max + M_P_max*fall_x_err
+        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
     const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x
-        - B_yy*h_base_y - B_yz*h_base_z;
-    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max
-        + REAL(2)*B_yy_max*h_base_y_max + B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max
-        + REAL(6)*F_ext_y_max*R_yy_max + REAL(5)*F_ext_z_max*R_yz_max + REAL(4)*M_P_max*fall_y_max
-        + STEWART_FABS(c_force_y));
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
+        - B_yz*h_base_z;
+    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max + REAL(2)*B_yy_max*h_base_y_max
+        + B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max + REAL(6)*F_ext_y_max*R_yy_max + REAL(5)*F_ext_z_max*R_yz_max
+        + REAL(4)*M_P_max*fall_y_max + STEWART_FABS(c_force_y));
     const stewart_real c_force_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
-        + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max
-        + M_P_max*fall_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
+        + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max + M_P_max*fall_y_err
+        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
     const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x
-        - B_zy*h_base_y - B_zz*h_base_z;
-    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max
-        + REAL(2)*B_zy_max*h_base_y_max + B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max
-        + REAL(6)*F_ext_y_max*R_zy_max + REAL(5)*F_ext_z_max*R_zz_max + REAL(4)*M_P_max*fall_z_max
-        + STEWART_FABS(c_force_z));
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
+        - B_zz*h_base_z;
+    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max + REAL(2)*B_zy_max*h_base_y_max
+        + B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max + REAL(6)*F_ext_y_max*R_zy_max + REAL(5)*F_ext_z_max*R_zz_max
+        + REAL(4)*M_P_max*fall_z_max + STEWART_FABS(c_force_z));
     const stewart_real c_force_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
-        + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max
-        + M_P_max*fall_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
+        + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max + M_P_max*fall_z_err
+        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
     const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y
-        - C_P*omega_x - fall_y*h_base_z;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_x_max
-        + REAL(5)*M_P_load_x_max*R_xx_max + REAL(5)*M_P_load_y_max*R_xy_max
-        + REAL(4)*M_P_load_z_max*R_xz_max + fall_y_max*h_base_z_max + REAL(3)*fall_z_max*h_base_y_max
+    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
+        - fall_y*h_base_z;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_x_max + REAL(5)*M_P_load_x_max*R_xx_max
+        + REAL(5)*M_P_load_y_max*R_xy_max + REAL(4)*M_P_load_z_max*R_xz_max + fall_y_max*h_base_z_max + REAL(3)*fall_z_max*h_base_y_max
         + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max
-        + M_P_load_y_err*R_xy_max + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max
-        + M_P_load_z_max) + fall_y_err*h_base_z_max + fall_y_max*h_base_z_err + fall_z_err*h_base_y_max
-        + fall_z_max*h_base_y_err + c_moment_x_own;
+    const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max + M_P_load_y_err*R_xy_max
+        + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_y_err*h_base_z_max
+        + fall_y_max*h_base_z_err + fall_z_err*h_base_y_max + fall_z_max*h_base_y_err + c_moment_x_own;
     const stewart_real c_moment_x_max = STEWART_FABS(c_moment_x) + c_moment_x_err;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z
-        - C_P*omega_y - fall_z*h_base_x;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_y_max
-        + REAL(5)*M_P_load_x_max*R_yx_max + REAL(5)*M_P_load_y_max*R_yy_max
-        + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*fall_x_max*h_base_z_max + fall_z_max*h_base_x_max
-        + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max
-        + M_P_load_y_err*R_yy_max + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max
-        + M_P_load_z_max) + fall_x_err*h_base_z_max + fall_x_max*h_base_z_err + fall_z_err*h_base_x_max
-        + fall_z_max*h_base_x_err + c_moment_y_own;
+    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
+        - fall_z*h_base_x;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_y_max + REAL(5)*M_P_load_x_max*R_yx_max
+        + REAL(5)*M_P_load_y_max*R_yy_max + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*fall_x_max*h_base_z_max
+        + fall_z_max*h_base_x_max + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max + M_P_load_y_err*R_yy_max
+        + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_x_err*h_base_z_max
+        + fall_x_max*h_base_z_err + fall_z_err*h_base_x_max + fall_z_max*h_base_x_err + c_moment_y_own;
     const stewart_real c_moment_y_max = STEWART_FABS(c_moment_y) + c_moment_y_err;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x
-        - C_P*omega_z - fall_x*h_base_y;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_z_max
-        + REAL(5)*M_P_load_x_max*R_zx_max + REAL(5)*M_P_load_y_max*R_zy_max
-        + REAL(4)*M_P_load_z_max*R_zz_max + fall_x_max*h_base_y_max + REAL(3)*fall_y_max*h_base_x_max
+    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
+        - fall_x*h_base_y;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_z_max + REAL(5)*M_P_load_x_max*R_zx_max
+        + REAL(5)*M_P_load_y_max*R_zy_max + REAL(4)*M_P_load_z_max*R_zz_max + fall_x_max*h_base_y_max + REAL(3)*fall_y_max*h_base_x_max
         + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max
-        + M_P_load_y_err*R_zy_max + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max
-        + M_P_load_z_max) + fall_x_err*h_base_y_max + fall_x_max*h_base_y_err + fall_y_err*h_base_x_max
-        + fall_y_max*h_base_x_err + c_moment_z_own;
+    const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max + M_P_load_y_err*R_zy_max
+        + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_x_err*h_base_y_max
+        + fall_x_max*h_base_y_err + fall_y_err*h_base_x_max + fall_y_max*h_base_x_err + c_moment_z_own;
     const stewart_real c_moment_z_max = STEWART_FABS(c_moment_z) + c_moment_z_err;
     /* (1) platform point 1 from the reference point, base frame */
     const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
-    const stewart_real q_1_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max
-        + R_xz_max*p_1_z_max + STEWART_FABS(q_1_x));
+    const stewart_real q_1_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max + R_xz_max*p_1_z_max
+        + STEWART_FABS(q_1_x));
     const stewart_real q_1_x_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_x_own;
     const stewart_real q_1_x_max = STEWART_FABS(q_1_x) + q_1_x_err;
     const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
-    const stewart_real q_1_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max
-        + R_yz_max*p_1_z_max + STEWART_FABS(q_1_y));
+    const stewart_real q_1_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max + R_yz_max*p_1_z_max
+        + STEWART_FABS(q_1_y));
     const stewart_real q_1_y_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_y_own;
     const stewart_real q_1_y_max = STEWART_FABS(q_1_y) + q_1_y_err;
     const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
-    const stewart_real q_1_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max
-        + R_zz_max*p_1_z_max + STEWART_FABS(q_1_z));
+    const stewart_real q_1_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max + R_zz_max*p_1_z_max
+        + STEWART_FABS(q_1_z));
     const stewart_real q_1_z_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_z_own;
     const stewart_real q_1_z_max = STEWART_FABS(q_1_z) + q_1_z_err;
     /* the platform's part of c, moment rows, about platform point 1 */
     const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
     const stewart_real c_tip_x_own = STEWART_UNIT*(REAL(2)*c_force_y_max*q_1_z_max + c_force_z_max*q_1_y_max
         + c_moment_x_max + STEWART_FABS(c_tip_x));
-    const stewart_real c_tip_x_err = c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err
-        + c_force_z_err*q_1_y_max + c_force_z_max*q_1_y_err + c_moment_x_err + c_tip_x_own;
+    const stewart_real c_tip_x_err = c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err + c_force_z_err*q_1_y_max
+        + c_force_z_max*q_1_y_err + c_moment_x_err + c_tip_x_own;
     const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
     const stewart_real c_tip_y_own = STEWART_UNIT*(c_force_x_max*q_1_z_max + REAL(2)*c_force_z_max*q_1_x_max
         + c_moment_y_max + STEWART_FABS(c_tip_y));
-    const stewart_real c_tip_y_err = c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err
-        + c_force_z_err*q_1_x_max + c_force_z_max*q_1_x_err + c_moment_y_err + c_tip_y_own;
+    const stewart_real c_tip_y_err = c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err + c_force_z_err*q_1_x_max
+        + c_force_z_max*q_1_x_err + c_moment_y_err + c_tip_y_own;
     const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
     const stewart_real c_tip_z_own = STEWART_UNIT*(REAL(2)*c_force_x_max*q_1_y_max + c_force_y_max*q_1_x_max
         + c_moment_z_max + STEWART_FABS(c_tip_z));
-    const stewart_real c_tip_z_err = c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err
-        + c_force_y_err*q_1_x_max + c_force_y_max*q_1_x_err + c_moment_z_err + c_tip_z_own;
+    const stewart_real c_tip_z_err = c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err + c_force_y_err*q_1_x_max
+        + c_force_y_max*q_1_x_err + c_moment_z_err + c_tip_z_own;
     out->B[0] = B_xx;
     out->B_err[0] = B_xx_err;
     out->B[1] = B_xy;
@@ -1984,502 +2051,452 @@ static void shared_errors(
     out->q_1_err[1] = q_1_y_err;
     out->q_1[2] = q_1_z;
     out->q_1_err[2] = q_1_z_err;
-    for (i = 0; slopes && i < 6; ++i) {
-        const force_row *row = &rows[i];
-        const slopes_of_legs *of_legs = &slopes[i];
-        const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
-            Y_force_z = row->Y_force[2];
-        const stewart_real Y_moment_x = row->Y_moment[0], Y_moment_y = row->Y_moment[1],
-            Y_moment_z = row->Y_moment[2];
-        const stewart_real R_legs_xx = of_legs->R_legs[0], R_legs_xy = of_legs->R_legs[1],
-            R_legs_xz = of_legs->R_legs[2], R_legs_yx = of_legs->R_legs[3], R_legs_yy = of_legs->R_legs[4],
-            R_legs_yz = of_legs->R_legs[5], R_legs_zx = of_legs->R_legs[6], R_legs_zy = of_legs->R_legs[7],
-            R_legs_zz = of_legs->R_legs[8];
-        const stewart_real R_legs_xx_err = of_legs->R_legs_err[0], R_legs_xy_err = of_legs->R_legs_err[1],
-            R_legs_xz_err = of_legs->R_legs_err[2], R_legs_yx_err = of_legs->R_legs_err[3],
-            R_legs_yy_err = of_legs->R_legs_err[4], R_legs_yz_err = of_legs->R_legs_err[5],
-            R_legs_zx_err = of_legs->R_legs_err[6], R_legs_zy_err = of_legs->R_legs_err[7],
-            R_legs_zz_err = of_legs->R_legs_err[8];
-        const stewart_real B_legs_xx = of_legs->B_legs[0], B_legs_xy = of_legs->B_legs[1],
-            B_legs_xz = of_legs->B_legs[2], B_legs_yx = of_legs->B_legs[3], B_legs_yy = of_legs->B_legs[4],
-            B_legs_yz = of_legs->B_legs[5], B_legs_zx = of_legs->B_legs[6], B_legs_zy = of_legs->B_legs[7],
-            B_legs_zz = of_legs->B_legs[8];
-        const stewart_real B_legs_xx_err = of_legs->B_legs_err[0], B_legs_xy_err = of_legs->B_legs_err[1],
-            B_legs_xz_err = of_legs->B_legs_err[2], B_legs_yx_err = of_legs->B_legs_err[3],
-            B_legs_yy_err = of_legs->B_legs_err[4], B_legs_yz_err = of_legs->B_legs_err[5],
-            B_legs_zx_err = of_legs->B_legs_err[6], B_legs_zy_err = of_legs->B_legs_err[7],
-            B_legs_zz_err = of_legs->B_legs_err[8];
-        const stewart_real q_1_legs_x = of_legs->q_1_legs[0], q_1_legs_y = of_legs->q_1_legs[1],
-            q_1_legs_z = of_legs->q_1_legs[2];
-        const stewart_real q_1_legs_x_err = of_legs->q_1_legs_err[0],
-            q_1_legs_y_err = of_legs->q_1_legs_err[1], q_1_legs_z_err = of_legs->q_1_legs_err[2];
-        const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x),
-            Y_force_y_max = STEWART_FABS(Y_force_y), Y_force_z_max = STEWART_FABS(Y_force_z);
-        const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
-            Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
-        const stewart_real R_legs_xx_max = STEWART_FABS(R_legs_xx) + R_legs_xx_err,
-            R_legs_xy_max = STEWART_FABS(R_legs_xy) + R_legs_xy_err,
-            R_legs_xz_max = STEWART_FABS(R_legs_xz) + R_legs_xz_err,
-            R_legs_yx_max = STEWART_FABS(R_legs_yx) + R_legs_yx_err,
-            R_legs_yy_max = STEWART_FABS(R_legs_yy) + R_legs_yy_err,
-            R_legs_yz_max = STEWART_FABS(R_legs_yz) + R_legs_yz_err,
-            R_legs_zx_max = STEWART_FABS(R_legs_zx) + R_legs_zx_err,
-            R_legs_zy_max = STEWART_FABS(R_legs_zy) + R_legs_zy_err,
-            R_legs_zz_max = STEWART_FABS(R_legs_zz) + R_legs_zz_err;
-        const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err,
-            q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err,
-            q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
-        const stewart_real q_1_z_bar = Y_moment_y*c_force_x + q_1_legs_z - Y_moment_x*c_force_y;
-        const stewart_real q_1_z_bar_err = Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err
-            + q_1_legs_z_err + STEWART_UNIT*(Y_moment_x_max*c_force_y_max + REAL(2)*Y_moment_y_max*c_force_x_max
-            + q_1_legs_z_max + STEWART_FABS(q_1_z_bar));
-        const stewart_real q_1_z_bar_max = STEWART_FABS(q_1_z_bar) + q_1_z_bar_err;
-        const stewart_real q_1_y_bar = Y_moment_x*c_force_z + q_1_legs_y - Y_moment_z*c_force_x;
-        const stewart_real q_1_y_bar_err = Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err
-            + q_1_legs_y_err + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_z_max + Y_moment_z_max*c_force_x_max
-            + q_1_legs_y_max + STEWART_FABS(q_1_y_bar));
-        const stewart_real q_1_y_bar_max = STEWART_FABS(q_1_y_bar) + q_1_y_bar_err;
-        const stewart_real q_1_x_bar = Y_moment_z*c_force_y + q_1_legs_x - Y_moment_y*c_force_z;
-        const stewart_real q_1_x_bar_err = Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err
-            + q_1_legs_x_err + STEWART_UNIT*(Y_moment_y_max*c_force_z_max + REAL(2)*Y_moment_z_max*c_force_y_max
-            + q_1_legs_x_max + STEWART_FABS(q_1_x_bar));
-        const stewart_real q_1_x_bar_max = STEWART_FABS(q_1_x_bar) + q_1_x_bar_err;
-        const stewart_real c_force_z_bar = Y_moment_x*q_1_y - Y_force_z - Y_moment_y*q_1_x;
-        const stewart_real c_force_z_bar_err = Y_moment_x_max*q_1_y_err + Y_moment_y_max*q_1_x_err
-            + STEWART_UNIT*(Y_force_z_max + REAL(2)*Y_moment_x_max*q_1_y_max + Y_moment_y_max*q_1_x_max
-            + STEWART_FABS(c_force_z_bar));
-        const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
-        const stewart_real c_force_y_bar = Y_moment_z*q_1_x - Y_force_y - Y_moment_x*q_1_z;
-        const stewart_real c_force_y_bar_err = Y_moment_x_max*q_1_z_err + Y_moment_z_max*q_1_x_err
-            + STEWART_UNIT*(Y_force_y_max + Y_moment_x_max*q_1_z_max + REAL(2)*Y_moment_z_max*q_1_x_max
-            + STEWART_FABS(c_force_y_bar));
-        const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
-        const stewart_real c_force_x_bar = Y_moment_y*q_1_z - Y_force_x - Y_moment_z*q_1_y;
-        const stewart_real c_force_x_bar_err = Y_moment_y_max*q_1_z_err + Y_moment_z_max*q_1_y_err
-            + STEWART_UNIT*(Y_force_x_max + REAL(2)*Y_moment_y_max*q_1_z_max + Y_moment_z_max*q_1_y_max
-            + STEWART_FABS(c_force_x_bar));
-        const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
-        const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
-        const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-            + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max
-            + R_zz_max*Y_moment_z_max + STEWART_FABS(M_P_load_z_bar));
-        const stewart_real M_P_load_z_bar_max = STEWART_FABS(M_P_load_z_bar) + M_P_load_z_bar_err;
-        const stewart_real M_P_load_y_bar = -R_xy*Y_moment_x - R_yy*Y_moment_y - R_zy*Y_moment_z;
-        const stewart_real M_P_load_y_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-            + STEWART_UNIT*(REAL(2)*R_xy_max*Y_moment_x_max + REAL(2)*R_yy_max*Y_moment_y_max
-            + R_zy_max*Y_moment_z_max + STEWART_FABS(M_P_load_y_bar));
-        const stewart_real M_P_load_y_bar_max = STEWART_FABS(M_P_load_y_bar) + M_P_load_y_bar_err;
-        const stewart_real M_P_load_x_bar = -R_xx*Y_moment_x - R_yx*Y_moment_y - R_zx*Y_moment_z;
-        const stewart_real M_P_load_x_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-            + STEWART_UNIT*(REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max
-            + R_zx_max*Y_moment_z_max + STEWART_FABS(M_P_load_x_bar));
-        const stewart_real M_P_load_x_bar_max = STEWART_FABS(M_P_load_x_bar) + M_P_load_x_bar_err;
-        const stewart_real c1 = J_P_xz*M_P_load_y_bar;
-        const stewart_real c1_err = J_P_xz_err*M_P_load_y_bar_max + J_P_xz_max*M_P_load_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(c1);
-        const stewart_real c2 = -J_P_yz*M_P_load_x_bar;
-        const stewart_real c2_err = J_P_yz_err*M_P_load_x_bar_max + J_P_yz_max*M_P_load_x_bar_err
-            + STEWART_UNIT*STEWART_FABS(c2);
-        const stewart_real P_zz_bar = -c1 - c2;
-        const stewart_real P_zz_bar_err = c1_err + c2_err + STEWART_UNIT*STEWART_FABS(P_zz_bar);
-        const stewart_real P_zz_bar_max = STEWART_FABS(P_zz_bar) + P_zz_bar_err;
-        const stewart_real c3 = J_P_xy*M_P_load_z_bar;
-        const stewart_real c3_err = J_P_xy_err*M_P_load_z_bar_max + J_P_xy_max*M_P_load_z_bar_err
-            + STEWART_UNIT*STEWART_FABS(c3);
-        const stewart_real P_yy_bar = c2 + c3;
-        const stewart_real P_yy_bar_err = c2_err + c3_err + STEWART_UNIT*STEWART_FABS(P_yy_bar);
-        const stewart_real P_yy_bar_max = STEWART_FABS(P_yy_bar) + P_yy_bar_err;
-        const stewart_real P_xx_bar = c1 - c3;
-        const stewart_real P_xx_bar_err = c1_err + c3_err + STEWART_UNIT*STEWART_FABS(P_xx_bar);
-        const stewart_real P_xx_bar_max = STEWART_FABS(P_xx_bar) + P_xx_bar_err;
-        const stewart_real c4 = J_P_xy*M_P_load_y_bar;
-        const stewart_real c4_err = J_P_xy_err*M_P_load_y_bar_max + J_P_xy_max*M_P_load_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(c4);
-        const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
-        const stewart_real c5 = J_P_xz*M_P_load_z_bar;
-        const stewart_real c5_err = J_P_xz_err*M_P_load_z_bar_max + J_P_xz_max*M_P_load_z_bar_err
-            + STEWART_UNIT*STEWART_FABS(c5);
-        const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-        const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_P_x - c4;
-        const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_P_x_max + M_P_load_x_bar_max*dJ_P_x_err + c4_err
-            + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_P_x_max + c5_max + STEWART_FABS(P_yz_bar));
-        const stewart_real P_yz_bar_max = STEWART_FABS(P_yz_bar) + P_yz_bar_err;
-        const stewart_real c6 = J_P_yz*M_P_load_z_bar;
-        const stewart_real c6_err = J_P_yz_err*M_P_load_z_bar_max + J_P_yz_max*M_P_load_z_bar_err
-            + STEWART_UNIT*STEWART_FABS(c6);
-        const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
-        const stewart_real c7 = J_P_xy*M_P_load_x_bar;
-        const stewart_real c7_err = J_P_xy_err*M_P_load_x_bar_max + J_P_xy_max*M_P_load_x_bar_err
-            + STEWART_UNIT*STEWART_FABS(c7);
-        const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-        const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_P_y - c6;
-        const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_P_y_max + M_P_load_y_bar_max*dJ_P_y_err + c6_err
-            + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_P_y_max + c7_max + STEWART_FABS(P_xz_bar));
-        const stewart_real P_xz_bar_max = STEWART_FABS(P_xz_bar) + P_xz_bar_err;
-        const stewart_real c8 = J_P_xz*M_P_load_x_bar;
-        const stewart_real c8_err = J_P_xz_err*M_P_load_x_bar_max + J_P_xz_max*M_P_load_x_bar_err
-            + STEWART_UNIT*STEWART_FABS(c8);
-        const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
-        const stewart_real c9 = J_P_yz*M_P_load_y_bar;
-        const stewart_real c9_err = J_P_yz_err*M_P_load_y_bar_max + J_P_yz_max*M_P_load_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(c9);
-        const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-        const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_P_z - c8;
-        const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_P_z_max + M_P_load_z_bar_max*dJ_P_z_err + c8_err
-            + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_P_z_max + c9_max + STEWART_FABS(P_xy_bar));
-        const stewart_real P_xy_bar_max = STEWART_FABS(P_xy_bar) + P_xy_bar_err;
-        const stewart_real alpha_P_z_bar = -J_P_zz*M_P_load_z_bar - c8 - c9;
-        const stewart_real alpha_P_z_bar_err = J_P_zz_err*M_P_load_z_bar_max + J_P_zz_max*M_P_load_z_bar_err
-            + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_P_zz_max*M_P_load_z_bar_max + c8_max
-            + STEWART_FABS(alpha_P_z_bar));
-        const stewart_real alpha_P_z_bar_max = STEWART_FABS(alpha_P_z_bar) + alpha_P_z_bar_err;
-        const stewart_real alpha_P_y_bar = -J_P_yy*M_P_load_y_bar - c6 - c7;
-        const stewart_real alpha_P_y_bar_err = J_P_yy_err*M_P_load_y_bar_max + J_P_yy_max*M_P_load_y_bar_err
-            + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_P_yy_max*M_P_load_y_bar_max + c6_max
-            + STEWART_FABS(alpha_P_y_bar));
-        const stewart_real alpha_P_y_bar_max = STEWART_FABS(alpha_P_y_bar) + alpha_P_y_bar_err;
-        const stewart_real alpha_P_x_bar = -J_P_xx*M_P_load_x_bar - c4 - c5;
-        const stewart_real alpha_P_x_bar_err = J_P_xx_err*M_P_load_x_bar_max + J_P_xx_max*M_P_load_x_bar_err
-            + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_P_xx_max*M_P_load_x_bar_max + c4_max
-            + STEWART_FABS(alpha_P_x_bar));
-        const stewart_real alpha_P_x_bar_max = STEWART_FABS(alpha_P_x_bar) + alpha_P_x_bar_err;
-        const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
-        const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err
-            + P_yz_bar_err*omega_P_y_max + P_yz_bar_max*omega_P_y_err + REAL(2)*P_zz_bar_err*omega_P_z_max
-            + REAL(2)*P_zz_bar_max*omega_P_z_err + STEWART_UNIT*(REAL(2)*P_xz_bar_max*omega_P_x_max
-            + REAL(2)*P_yz_bar_max*omega_P_y_max + REAL(2)*P_zz_bar_max*omega_P_z_max
-            + STEWART_FABS(omega_P_z_bar));
-        const stewart_real omega_P_z_bar_max = STEWART_FABS(omega_P_z_bar) + omega_P_z_bar_err;
-        const stewart_real omega_P_y_bar = P_xy_bar*omega_P_x + REAL(2)*P_yy_bar*omega_P_y + P_yz_bar*omega_P_z;
-        const stewart_real omega_P_y_bar_err = P_xy_bar_err*omega_P_x_max + P_xy_bar_max*omega_P_x_err
-            + REAL(2)*P_yy_bar_err*omega_P_y_max + REAL(2)*P_yy_bar_max*omega_P_y_err
-            + P_yz_bar_err*omega_P_z_max + P_yz_bar_max*omega_P_z_err
-            + STEWART_UNIT*(REAL(2)*P_xy_bar_max*omega_P_x_max + REAL(4)*P_yy_bar_max*omega_P_y_max
-            + P_yz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_y_bar));
-        const stewart_real omega_P_y_bar_max = STEWART_FABS(omega_P_y_bar) + omega_P_y_bar_err;
-        const stewart_real omega_P_x_bar = REAL(2)*P_xx_bar*omega_P_x + P_xy_bar*omega_P_y + P_xz_bar*omega_P_z;
-        const stewart_real omega_P_x_bar_err = REAL(2)*P_xx_bar_err*omega_P_x_max
-            + REAL(2)*P_xx_bar_max*omega_P_x_err + P_xy_bar_err*omega_P_y_max + P_xy_bar_max*omega_P_y_err
-            + P_xz_bar_err*omega_P_z_max + P_xz_bar_max*omega_P_z_err
-            + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max
-            + P_xz_bar_max*omega_P_z_max + STEWART_FABS(omega_P_x_bar));
-        const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
-        const stewart_real fall_z_bar = M_P*c_force_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
-        const stewart_real fall_z_bar_err = M_P_err*c_force_z_bar_max + M_P_max*c_force_z_bar_err
-            + Y_moment_x_max*h_base_y_err + Y_moment_y_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_z_bar_max + Y_moment_x_max*h_base_y_max
-            + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
-        const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
-        const stewart_real fall_y_bar = M_P*c_force_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
-        const stewart_real fall_y_bar_err = M_P_err*c_force_y_bar_max + M_P_max*c_force_y_bar_err
-            + Y_moment_x_max*h_base_z_err + Y_moment_z_max*h_base_x_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
-            + Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
-        const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
-        const stewart_real fall_x_bar = M_P*c_force_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
-        const stewart_real fall_x_bar_err = M_P_err*c_force_x_bar_max + M_P_max*c_force_x_bar_err
-            + Y_moment_y_max*h_base_z_err + Y_moment_z_max*h_base_y_err
-            + STEWART_UNIT*(REAL(2)*M_P_max*c_force_x_bar_max + Y_moment_y_max*h_base_z_max
-            + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
-        const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
-        const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*c_force_x_bar - B_yz*c_force_y_bar
-            - B_zz*c_force_z_bar - Y_moment_y*fall_x;
-        const stewart_real h_base_z_bar_err = B_xz_err*c_force_x_bar_max + B_xz_max*c_force_x_bar_err
-            + B_yz_err*c_force_y_bar_max + B_yz_max*c_force_y_bar_err + B_zz_err*c_force_z_bar_max
-            + B_zz_max*c_force_z_bar_err + Y_moment_x_max*fall_y_err + Y_moment_y_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xz_max*c_force_x_bar_max + REAL(3)*B_yz_max*c_force_y_bar_max
-            + REAL(2)*B_zz_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
-            + STEWART_FABS(h_base_z_bar));
-        const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
-        const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*c_force_x_bar - B_yy*c_force_y_bar
-            - B_zy*c_force_z_bar - Y_moment_x*fall_z;
-        const stewart_real h_base_y_bar_err = B_xy_err*c_force_x_bar_max + B_xy_max*c_force_x_bar_err
-            + B_yy_err*c_force_y_bar_max + B_yy_max*c_force_y_bar_err + B_zy_err*c_force_z_bar_max
-            + B_zy_max*c_force_z_bar_err + Y_moment_x_max*fall_z_err + Y_moment_z_max*fall_x_err
-            + STEWART_UNIT*(REAL(4)*B_xy_max*c_force_x_bar_max + REAL(3)*B_yy_max*c_force_y_bar_max
-            + REAL(2)*B_zy_max*c_force_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
-            + STEWART_FABS(h_base_y_bar));
-        const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
-        const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*c_force_x_bar - B_yx*c_force_y_bar
-            - B_zx*c_force_z_bar - Y_moment_z*fall_y;
-        const stewart_real h_base_x_bar_err = B_xx_err*c_force_x_bar_max + B_xx_max*c_force_x_bar_err
-            + B_yx_err*c_force_y_bar_max + B_yx_max*c_force_y_bar_err + B_zx_err*c_force_z_bar_max
-            + B_zx_max*c_force_z_bar_err + Y_moment_y_max*fall_z_err + Y_moment_z_max*fall_y_err
-            + STEWART_UNIT*(REAL(4)*B_xx_max*c_force_x_bar_max + REAL(3)*B_yx_max*c_force_y_bar_max
-            + REAL(2)*B_zx_max*c_force_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
-            + STEWART_FABS(h_base_x_bar));
-        const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
-        const stewart_real B_zz_bar = B_legs_zz - c_force_z_bar*h_base_z;
-        const stewart_real B_zz_bar_err = B_legs_zz_err + c_force_z_bar_err*h_base_z_max
-            + c_force_z_bar_max*h_base_z_err + STEWART_UNIT*(c_force_z_bar_max*h_base_z_max
-            + STEWART_FABS(B_zz_bar));
-        const stewart_real B_zz_bar_max = STEWART_FABS(B_zz_bar) + B_zz_bar_err;
-        const stewart_real B_zy_bar = B_legs_zy - c_force_z_bar*h_base_y;
-        const stewart_real B_zy_bar_err = B_legs_zy_err + c_force_z_bar_err*h_base_y_max
-            + c_force_z_bar_max*h_base_y_err + STEWART_UNIT*(c_force_z_bar_max*h_base_y_max
-            + STEWART_FABS(B_zy_bar));
-        const stewart_real B_zy_bar_max = STEWART_FABS(B_zy_bar) + B_zy_bar_err;
-        const stewart_real B_zx_bar = B_legs_zx - c_force_z_bar*h_base_x;
-        const stewart_real B_zx_bar_err = B_legs_zx_err + c_force_z_bar_err*h_base_x_max
-            + c_force_z_bar_max*h_base_x_err + STEWART_UNIT*(c_force_z_bar_max*h_base_x_max
-            + STEWART_FABS(B_zx_bar));
-        const stewart_real B_zx_bar_max = STEWART_FABS(B_zx_bar) + B_zx_bar_err;
-        const stewart_real B_yz_bar = B_legs_yz - c_force_y_bar*h_base_z;
-        const stewart_real B_yz_bar_err = B_legs_yz_err + c_force_y_bar_err*h_base_z_max
-            + c_force_y_bar_max*h_base_z_err + STEWART_UNIT*(c_force_y_bar_max*h_base_z_max
-            + STEWART_FABS(B_yz_bar));
-        const stewart_real B_yz_bar_max = STEWART_FABS(B_yz_bar) + B_yz_bar_err;
-        const stewart_real B_yy_bar = B_legs_yy - c_force_y_bar*h_base_y;
-        const stewart_real B_yy_bar_err = B_legs_yy_err + c_force_y_bar_err*h_base_y_max
-            + c_force_y_bar_max*h_base_y_err + STEWART_UNIT*(c_force_y_bar_max*h_base_y_max
-            + STEWART_FABS(B_yy_bar));
-        const stewart_real B_yy_bar_max = STEWART_FABS(B_yy_bar) + B_yy_bar_err;
-        const stewart_real B_yx_bar = B_legs_yx - c_force_y_bar*h_base_x;
-        const stewart_real B_yx_bar_err = B_legs_yx_err + c_force_y_bar_err*h_base_x_max
-            + c_force_y_bar_max*h_base_x_err + STEWART_UNIT*(c_force_y_bar_max*h_base_x_max
-            + STEWART_FABS(B_yx_bar));
-        const stewart_real B_yx_bar_max = STEWART_FABS(B_yx_bar) + B_yx_bar_err;
-        const stewart_real B_xz_bar = B_legs_xz - c_force_x_bar*h_base_z;
-        const stewart_real B_xz_bar_err = B_legs_xz_err + c_force_x_bar_err*h_base_z_max
-            + c_force_x_bar_max*h_base_z_err + STEWART_UNIT*(c_force_x_bar_max*h_base_z_max
-            + STEWART_FABS(B_xz_bar));
-        const stewart_real B_xz_bar_max = STEWART_FABS(B_xz_bar) + B_xz_bar_err;
-        const stewart_real B_xy_bar = B_legs_xy - c_force_x_bar*h_base_y;
-        const stewart_real B_xy_bar_err = B_legs_xy_err + c_force_x_bar_err*h_base_y_max
-            + c_force_x_bar_max*h_base_y_err + STEWART_UNIT*(c_force_x_bar_max*h_base_y_max
-            + STEWART_FABS(B_xy_bar));
-        const stewart_real B_xy_bar_max = STEWART_FABS(B_xy_bar) + B_xy_bar_err;
-        const stewart_real B_xx_bar = B_legs_xx - c_force_x_bar*h_base_x;
-        const stewart_real B_xx_bar_err = B_legs_xx_err + c_force_x_bar_err*h_base_x_max
-            + c_force_x_bar_max*h_base_x_err + STEWART_UNIT*(c_force_x_bar_max*h_base_x_max
-            + STEWART_FABS(B_xx_bar));
-        const stewart_real B_xx_bar_max = STEWART_FABS(B_xx_bar) + B_xx_bar_err;
-        const stewart_real omega_zz_bar = -B_xx_bar - B_yy_bar;
-        const stewart_real omega_zz_bar_err = B_xx_bar_err + B_yy_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_zz_bar);
-        const stewart_real omega_zz_bar_max = STEWART_FABS(omega_zz_bar) + omega_zz_bar_err;
-        const stewart_real omega_yz_bar = B_yz_bar + B_zy_bar;
-        const stewart_real omega_yz_bar_err = B_yz_bar_err + B_zy_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_yz_bar);
-        const stewart_real omega_yz_bar_max = STEWART_FABS(omega_yz_bar) + omega_yz_bar_err;
-        const stewart_real omega_yy_bar = -B_xx_bar - B_zz_bar;
-        const stewart_real omega_yy_bar_err = B_xx_bar_err + B_zz_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_yy_bar);
-        const stewart_real omega_yy_bar_max = STEWART_FABS(omega_yy_bar) + omega_yy_bar_err;
-        const stewart_real omega_xz_bar = B_xz_bar + B_zx_bar;
-        const stewart_real omega_xz_bar_err = B_xz_bar_err + B_zx_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_xz_bar);
-        const stewart_real omega_xz_bar_max = STEWART_FABS(omega_xz_bar) + omega_xz_bar_err;
-        const stewart_real omega_xy_bar = B_xy_bar + B_yx_bar;
-        const stewart_real omega_xy_bar_err = B_xy_bar_err + B_yx_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_xy_bar);
-        const stewart_real omega_xy_bar_max = STEWART_FABS(omega_xy_bar) + omega_xy_bar_err;
-        const stewart_real omega_xx_bar = -B_yy_bar - B_zz_bar;
-        const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err
-            + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
-        const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
-        const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x
-            + h_P_x*h_base_x_bar + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
-        const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
-            + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max
-            + h_P_x_max*h_base_x_bar_err + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max + M_P_load_x_max*Y_moment_x_max
-            + REAL(5)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max + REAL(4)*h_P_x_max*h_base_x_bar_max
-            + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
-        const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x
-            + h_P_y*h_base_x_bar + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
-        const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
-            + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max
-            + h_P_y_max*h_base_x_bar_err + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max + M_P_load_y_max*Y_moment_x_max
-            + REAL(5)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max + REAL(4)*h_P_y_max*h_base_x_bar_max
-            + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
-        const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x
-            + h_P_z*h_base_x_bar + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
-        const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
-            + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max
-            + h_P_z_max*h_base_x_bar_err + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max + M_P_load_z_max*Y_moment_x_max
-            + REAL(5)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max + REAL(4)*h_P_z_max*h_base_x_bar_max
-            + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
-        const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y
-            + h_P_x*h_base_y_bar + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
-        const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
-            + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max
-            + h_P_x_max*h_base_y_bar_err + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max + M_P_load_x_max*Y_moment_y_max
-            + REAL(5)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max + REAL(4)*h_P_x_max*h_base_y_bar_max
-            + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
-        const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y
-            + h_P_y*h_base_y_bar + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
-        const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
-            + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max
-            + h_P_y_max*h_base_y_bar_err + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max + M_P_load_y_max*Y_moment_y_max
-            + REAL(5)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max + REAL(4)*h_P_y_max*h_base_y_bar_max
-            + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
-        const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y
-            + h_P_z*h_base_y_bar + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
-        const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
-            + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max
-            + h_P_z_max*h_base_y_bar_err + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max + M_P_load_z_max*Y_moment_y_max
-            + REAL(5)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max + REAL(4)*h_P_z_max*h_base_y_bar_max
-            + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
-        const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z
-            + h_P_x*h_base_z_bar + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
-        const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
-            + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max
-            + h_P_x_max*h_base_z_bar_err + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max + M_P_load_x_max*Y_moment_z_max
-            + REAL(5)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max + REAL(4)*h_P_x_max*h_base_z_bar_max
-            + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
-        const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z
-            + h_P_y*h_base_z_bar + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
-        const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
-            + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max
-            + h_P_y_max*h_base_z_bar_err + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max + M_P_load_y_max*Y_moment_z_max
-            + REAL(5)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max + REAL(4)*h_P_y_max*h_base_z_bar_max
-            + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
-        const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z
-            + h_P_z*h_base_z_bar + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
-        const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
-            + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max
-            + h_P_z_max*h_base_z_bar_err + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err
-            + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max + M_P_load_z_max*Y_moment_z_max
-            + REAL(5)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max + REAL(4)*h_P_z_max*h_base_z_bar_max
-            + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
-        const stewart_real M_P_bar = c_force_x_bar*fall_x + c_force_y_bar*fall_y + c_force_z_bar*fall_z;
-        const stewart_real M_P_bar_err = c_force_x_bar_err*fall_x_max + c_force_x_bar_max*fall_x_err
-            + c_force_y_bar_err*fall_y_max + c_force_y_bar_max*fall_y_err + c_force_z_bar_err*fall_z_max
-            + c_force_z_bar_max*fall_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*fall_x_max
-            + REAL(2)*c_force_y_bar_max*fall_y_max + c_force_z_bar_max*fall_z_max + STEWART_FABS(M_P_bar));
-        const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
-        const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
-        const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-            + R_xx_max*h_base_x_bar_err + R_yx_max*h_base_y_bar_err + R_zx_max*h_base_z_bar_err
-            + STEWART_UNIT*(REAL(2)*R_xx_max*h_base_x_bar_max + REAL(2)*R_yx_max*h_base_y_bar_max
-            + R_zx_max*h_base_z_bar_max + STEWART_FABS(h_P_x_bar));
-        const stewart_real h_P_x_bar_max = STEWART_FABS(h_P_x_bar) + h_P_x_bar_err;
-        const stewart_real h_P_y_bar = R_xy*h_base_x_bar + R_yy*h_base_y_bar + R_zy*h_base_z_bar;
-        const stewart_real h_P_y_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-            + R_xy_max*h_base_x_bar_err + R_yy_max*h_base_y_bar_err + R_zy_max*h_base_z_bar_err
-            + STEWART_UNIT*(REAL(2)*R_xy_max*h_base_x_bar_max + REAL(2)*R_yy_max*h_base_y_bar_max
-            + R_zy_max*h_base_z_bar_max + STEWART_FABS(h_P_y_bar));
-        const stewart_real h_P_y_bar_max = STEWART_FABS(h_P_y_bar) + h_P_y_bar_err;
-        const stewart_real h_P_z_bar = R_xz*h_base_x_bar + R_yz*h_base_y_bar + R_zz*h_base_z_bar;
-        const stewart_real h_P_z_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-            + R_xz_max*h_base_x_bar_err + R_yz_max*h_base_y_bar_err + R_zz_max*h_base_z_bar_err
-            + STEWART_UNIT*(REAL(2)*R_xz_max*h_base_x_bar_max + REAL(2)*R_yz_max*h_base_y_bar_max
-            + R_zz_max*h_base_z_bar_max + STEWART_FABS(h_P_z_bar));
-        const stewart_real h_P_z_bar_max = STEWART_FABS(h_P_z_bar) + h_P_z_bar_err;
-        const stewart_real J_P_xx_bar = -M_P_load_x_bar*alpha_P_x;
-        const stewart_real J_P_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
-            + STEWART_UNIT*STEWART_FABS(J_P_xx_bar);
-        const stewart_real J_P_xx_bar_max = STEWART_FABS(J_P_xx_bar) + J_P_xx_bar_err;
-        const stewart_real J_P_xy_bar = M_P_load_x_bar*(P_xz - alpha_P_y) + M_P_load_y_bar*(-P_yz - alpha_P_x)
-            + M_P_load_z_bar*(P_yy - P_xx);
-        const stewart_real J_P_xy_bar_err = M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max)
-            + M_P_load_x_bar_max*P_xz_err + M_P_load_x_bar_max*alpha_P_y_err + M_P_load_y_bar_err*(P_yz_max
-            + alpha_P_x_max) + M_P_load_y_bar_max*P_yz_err + M_P_load_y_bar_max*alpha_P_x_err
-            + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + M_P_load_z_bar_max*P_xx_err
-            + M_P_load_z_bar_max*P_yy_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max + alpha_P_y_max)
-            + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
-            + P_yy_max) + STEWART_FABS(J_P_xy_bar));
-        const stewart_real J_P_xy_bar_max = STEWART_FABS(J_P_xy_bar) + J_P_xy_bar_err;
-        const stewart_real J_P_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
-            + M_P_load_z_bar*(P_yz - alpha_P_x);
-        const stewart_real J_P_xz_bar_err = M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max)
-            + M_P_load_x_bar_max*P_xy_err + M_P_load_x_bar_max*alpha_P_z_err + M_P_load_y_bar_err*(P_xx_max
-            + P_zz_max) + M_P_load_y_bar_max*P_xx_err + M_P_load_y_bar_max*P_zz_err
-            + M_P_load_z_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_z_bar_max*P_yz_err
-            + M_P_load_z_bar_max*alpha_P_x_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max
-            + alpha_P_z_max) + REAL(3)*M_P_load_y_bar_max*(P_xx_max + P_zz_max)
-            + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max) + STEWART_FABS(J_P_xz_bar));
-        const stewart_real J_P_xz_bar_max = STEWART_FABS(J_P_xz_bar) + J_P_xz_bar_err;
-        const stewart_real J_P_yy_bar = -M_P_load_y_bar*alpha_P_y;
-        const stewart_real J_P_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
-            + STEWART_UNIT*STEWART_FABS(J_P_yy_bar);
-        const stewart_real J_P_yy_bar_max = STEWART_FABS(J_P_yy_bar) + J_P_yy_bar_err;
-        const stewart_real J_P_yz_bar = M_P_load_x_bar*(P_zz - P_yy) + M_P_load_y_bar*(P_xy - alpha_P_z)
-            + M_P_load_z_bar*(-P_xz - alpha_P_y);
-        const stewart_real J_P_yz_bar_err = M_P_load_x_bar_err*(P_yy_max + P_zz_max)
-            + M_P_load_x_bar_max*P_yy_err + M_P_load_x_bar_max*P_zz_err + M_P_load_y_bar_err*(P_xy_max
-            + alpha_P_z_max) + M_P_load_y_bar_max*P_xy_err + M_P_load_y_bar_max*alpha_P_z_err
-            + M_P_load_z_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_bar_max*P_xz_err
-            + M_P_load_z_bar_max*alpha_P_y_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max)
-            + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max
-            + alpha_P_y_max) + STEWART_FABS(J_P_yz_bar));
-        const stewart_real J_P_yz_bar_max = STEWART_FABS(J_P_yz_bar) + J_P_yz_bar_err;
-        const stewart_real J_P_zz_bar = -M_P_load_z_bar*alpha_P_z;
-        const stewart_real J_P_zz_bar_err = M_P_load_z_bar_err*alpha_P_z_max + M_P_load_z_bar_max*alpha_P_z_err
-            + STEWART_UNIT*STEWART_FABS(J_P_zz_bar);
-        const stewart_real J_P_zz_bar_max = STEWART_FABS(J_P_zz_bar) + J_P_zz_bar_err;
-        const stewart_real dJ_P_x_bar = -M_P_load_x_bar*P_yz;
-        const stewart_real dJ_P_x_bar_err = M_P_load_x_bar_err*P_yz_max + M_P_load_x_bar_max*P_yz_err
-            + STEWART_UNIT*STEWART_FABS(dJ_P_x_bar);
-        const stewart_real dJ_P_x_bar_max = STEWART_FABS(dJ_P_x_bar) + dJ_P_x_bar_err;
-        const stewart_real dJ_P_y_bar = -M_P_load_y_bar*P_xz;
-        const stewart_real dJ_P_y_bar_err = M_P_load_y_bar_err*P_xz_max + M_P_load_y_bar_max*P_xz_err
-            + STEWART_UNIT*STEWART_FABS(dJ_P_y_bar);
-        const stewart_real dJ_P_y_bar_max = STEWART_FABS(dJ_P_y_bar) + dJ_P_y_bar_err;
-        const stewart_real dJ_P_z_bar = -M_P_load_z_bar*P_xy;
-        const stewart_real dJ_P_z_bar_err = M_P_load_z_bar_err*P_xy_max + M_P_load_z_bar_max*P_xy_err
-            + STEWART_UNIT*STEWART_FABS(dJ_P_z_bar);
-        const stewart_real dJ_P_z_bar_max = STEWART_FABS(dJ_P_z_bar) + dJ_P_z_bar_err;
-        const stewart_real C_P_bar = Y_moment_x*omega_x + Y_moment_y*omega_y + Y_moment_z*omega_z;
-        const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max
-            + REAL(2)*Y_moment_y_max*omega_y_max + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
-        const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
-        error[i] = error[i] + M_P_bar_max*M_P_err + h_P_x_bar_max*h_P_x_err + h_P_y_bar_max*h_P_y_err
-            + h_P_z_bar_max*h_P_z_err + J_P_xx_bar_max*J_P_xx_err + J_P_xy_bar_max*J_P_xy_err
-            + J_P_xz_bar_max*J_P_xz_err + J_P_yy_bar_max*J_P_yy_err + J_P_yz_bar_max*J_P_yz_err
-            + J_P_zz_bar_max*J_P_zz_err + dJ_P_x_bar_max*dJ_P_x_err + dJ_P_y_bar_max*dJ_P_y_err
-            + dJ_P_z_bar_max*dJ_P_z_err + C_P_bar_max*C_P_err + omega_xx_bar_max*omega_xx_own
-            + omega_xy_bar_max*omega_xy_own + omega_xz_bar_max*omega_xz_own + omega_yy_bar_max*omega_yy_own
-            + omega_yz_bar_max*omega_yz_own + omega_zz_bar_max*omega_zz_own + B_xx_bar_max*B_xx_own
-            + B_xy_bar_max*B_xy_own + B_xz_bar_max*B_xz_own + B_yx_bar_max*B_yx_own + B_yy_bar_max*B_yy_own
-            + B_yz_bar_max*B_yz_own + B_zx_bar_max*B_zx_own + B_zy_bar_max*B_zy_own + B_zz_bar_max*B_zz_own
-            + h_base_x_bar_max*h_base_x_own + h_base_y_bar_max*h_base_y_own + h_base_z_bar_max*h_base_z_own
-            + fall_x_bar_max*fall_x_own + fall_y_bar_max*fall_y_own + fall_z_bar_max*fall_z_own
-            + omega_P_x_bar_max*omega_P_x_own + omega_P_y_bar_max*omega_P_y_own
-            + omega_P_z_bar_max*omega_P_z_own + alpha_P_x_bar_max*alpha_P_x_own
-            + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own + P_xy_bar_max*P_xy_own
-            + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own + P_yy_bar_max*P_yy_own
-            + P_zz_bar_max*P_zz_own + M_P_load_x_bar_max*M_P_load_x_own + M_P_load_y_bar_max*M_P_load_y_own
-            + M_P_load_z_bar_max*M_P_load_z_own + c_force_x_bar_max*c_force_x_own
-            + c_force_y_bar_max*c_force_y_own + c_force_z_bar_max*c_force_z_own
-            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
-            + q_1_x_bar_max*q_1_x_own + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own
-            + Y_moment_x_max*c_tip_x_own + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
-        slopes[i].R_legs[0] = R_xx_bar;
-        slopes[i].R_legs_err[0] = R_xx_bar_err;
-        slopes[i].R_legs[1] = R_xy_bar;
-        slopes[i].R_legs_err[1] = R_xy_bar_err;
-        slopes[i].R_legs[2] = R_xz_bar;
-        slopes[i].R_legs_err[2] = R_xz_bar_err;
-        slopes[i].R_legs[3] = R_yx_bar;
-        slopes[i].R_legs_err[3] = R_yx_bar_err;
-        slopes[i].R_legs[4] = R_yy_bar;
-        slopes[i].R_legs_err[4] = R_yy_bar_err;
-        slopes[i].R_legs[5] = R_yz_bar;
-        slopes[i].R_legs_err[5] = R_yz_bar_err;
-        slopes[i].R_legs[6] = R_zx_bar;
-        slopes[i].R_legs_err[6] = R_zx_bar_err;
-        slopes[i].R_legs[7] = R_zy_bar;
-        slopes[i].R_legs_err[7] = R_zy_bar_err;
-        slopes[i].R_legs[8] = R_zz_bar;
-        slopes[i].R_legs_err[8] = R_zz_bar_err;
+    if (weighed != 0) {
+        for (i = 0; i < 6; ++i) {
+            const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
+                Y_force_z = rows->force[i].Y_force[2];
+            const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
+                Y_moment_z = rows->force[i].Y_moment[2];
+            const stewart_real R_legs_xx = slopes->force[i].R_legs[0], R_legs_xy = slopes->force[i].R_legs[1],
+                R_legs_xz = slopes->force[i].R_legs[2], R_legs_yx = slopes->force[i].R_legs[3], R_legs_yy = slopes->force[i].R_legs[4],
+                R_legs_yz = slopes->force[i].R_legs[5], R_legs_zx = slopes->force[i].R_legs[6], R_legs_zy = slopes->force[i].R_legs[7],
+                R_legs_zz = slopes->force[i].R_legs[8];
+            const stewart_real R_legs_xx_err = slopes->force[i].R_legs_err[0], R_legs_xy_err = slopes->force[i].R_legs_err[1],
+                R_legs_xz_err = slopes->force[i].R_legs_err[2], R_legs_yx_err = slopes->force[i].R_legs_err[3],
+                R_legs_yy_err = slopes->force[i].R_legs_err[4], R_legs_yz_err = slopes->force[i].R_legs_err[5],
+                R_legs_zx_err = slopes->force[i].R_legs_err[6], R_legs_zy_err = slopes->force[i].R_legs_err[7],
+                R_legs_zz_err = slopes->force[i].R_legs_err[8];
+            const stewart_real B_legs_xx = slopes->force[i].B_legs[0], B_legs_xy = slopes->force[i].B_legs[1],
+                B_legs_xz = slopes->force[i].B_legs[2], B_legs_yx = slopes->force[i].B_legs[3], B_legs_yy = slopes->force[i].B_legs[4],
+                B_legs_yz = slopes->force[i].B_legs[5], B_legs_zx = slopes->force[i].B_legs[6], B_legs_zy = slopes->force[i].B_legs[7],
+                B_legs_zz = slopes->force[i].B_legs[8];
+            const stewart_real B_legs_xx_err = slopes->force[i].B_legs_err[0], B_legs_xy_err = slopes->force[i].B_legs_err[1],
+                B_legs_xz_err = slopes->force[i].B_legs_err[2], B_legs_yx_err = slopes->force[i].B_legs_err[3],
+                B_legs_yy_err = slopes->force[i].B_legs_err[4], B_legs_yz_err = slopes->force[i].B_legs_err[5],
+                B_legs_zx_err = slopes->force[i].B_legs_err[6], B_legs_zy_err = slopes->force[i].B_legs_err[7],
+                B_legs_zz_err = slopes->force[i].B_legs_err[8];
+            const stewart_real q_1_legs_x = slopes->force[i].q_1_legs[0], q_1_legs_y = slopes->force[i].q_1_legs[1],
+                q_1_legs_z = slopes->force[i].q_1_legs[2];
+            const stewart_real q_1_legs_x_err = slopes->force[i].q_1_legs_err[0], q_1_legs_y_err = slopes->force[i].q_1_legs_err[1],
+                q_1_legs_z_err = slopes->force[i].q_1_legs_err[2];
+            const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
+            const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
+            const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
+            const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x);
+            const stewart_real Y_moment_y_max = STEWART_FABS(Y_moment_y);
+            const stewart_real Y_moment_z_max = STEWART_FABS(Y_moment_z);
+            const stewart_real R_legs_xx_max = STEWART_FABS(R_legs_xx) + R_legs_xx_err;
+            const stewart_real R_legs_xy_max = STEWART_FABS(R_legs_xy) + R_legs_xy_err;
+            const stewart_real R_legs_xz_max = STEWART_FABS(R_legs_xz) + R_legs_xz_err;
+            const stewart_real R_legs_yx_max = STEWART_FABS(R_legs_yx) + R_legs_yx_err;
+            const stewart_real R_legs_yy_max = STEWART_FABS(R_legs_yy) + R_legs_yy_err;
+            const stewart_real R_legs_yz_max = STEWART_FABS(R_legs_yz) + R_legs_yz_err;
+            const stewart_real R_legs_zx_max = STEWART_FABS(R_legs_zx) + R_legs_zx_err;
+            const stewart_real R_legs_zy_max = STEWART_FABS(R_legs_zy) + R_legs_zy_err;
+            const stewart_real R_legs_zz_max = STEWART_FABS(R_legs_zz) + R_legs_zz_err;
+            const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err;
+            const stewart_real q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err;
+            const stewart_real q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
+            const stewart_real q_1_z_bar = Y_moment_y*c_force_x + q_1_legs_z - Y_moment_x*c_force_y;
+            const stewart_real q_1_z_bar_err = Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err + q_1_legs_z_err
+                + STEWART_UNIT*(Y_moment_x_max*c_force_y_max + REAL(2)*Y_moment_y_max*c_force_x_max + q_1_legs_z_max
+                + STEWART_FABS(q_1_z_bar));
+            const stewart_real q_1_z_bar_max = STEWART_FABS(q_1_z_bar) + q_1_z_bar_err;
+            const stewart_real q_1_y_bar = Y_moment_x*c_force_z + q_1_legs_y - Y_moment_z*c_force_x;
+            const stewart_real q_1_y_bar_err = Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err + q_1_legs_y_err
+                + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_z_max + Y_moment_z_max*c_force_x_max + q_1_legs_y_max
+                + STEWART_FABS(q_1_y_bar));
+            const stewart_real q_1_y_bar_max = STEWART_FABS(q_1_y_bar) + q_1_y_bar_err;
+            const stewart_real q_1_x_bar = Y_moment_z*c_force_y + q_1_legs_x - Y_moment_y*c_force_z;
+            const stewart_real q_1_x_bar_err = Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err + q_1_legs_x_err
+                + STEWART_UNIT*(Y_moment_y_max*c_force_z_max + REAL(2)*Y_moment_z_max*c_force_y_max + q_1_legs_x_max
+                + STEWART_FABS(q_1_x_bar));
+            const stewart_real q_1_x_bar_max = STEWART_FABS(q_1_x_bar) + q_1_x_bar_err;
+            const stewart_real c_force_z_bar = Y_moment_x*q_1_y - Y_force_z - Y_moment_y*q_1_x;
+            const stewart_real c_force_z_bar_err = Y_moment_x_max*q_1_y_err + Y_moment_y_max*q_1_x_err + STEWART_UNIT*(Y_force_z_max
+                + REAL(2)*Y_moment_x_max*q_1_y_max + Y_moment_y_max*q_1_x_max + STEWART_FABS(c_force_z_bar));
+            const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
+            const stewart_real c_force_y_bar = Y_moment_z*q_1_x - Y_force_y - Y_moment_x*q_1_z;
+            const stewart_real c_force_y_bar_err = Y_moment_x_max*q_1_z_err + Y_moment_z_max*q_1_x_err + STEWART_UNIT*(Y_force_y_max
+                + Y_moment_x_max*q_1_z_max + REAL(2)*Y_moment_z_max*q_1_x_max + STEWART_FABS(c_force_y_bar));
+            const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
+            const stewart_real c_force_x_bar = Y_moment_y*q_1_z - Y_force_x - Y_moment_z*q_1_y;
+            const stewart_real c_force_x_bar_err = Y_moment_y_max*q_1_z_err + Y_moment_z_max*q_1_y_err + STEWART_UNIT*(Y_force_x_max
+                + REAL(2)*Y_moment_y_max*q_1_z_max + Y_moment_z_max*q_1_y_max + STEWART_FABS(c_force_x_bar));
+            const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
+            const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
+            const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
+                + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max + R_zz_max*Y_moment_z_max
+                + STEWART_FABS(M_P_load_z_bar));
+            const stewart_real M_P_load_z_bar_max = STEWART_FABS(M_P_load_z_bar) + M_P_load_z_bar_err;
+            const stewart_real M_P_load_y_bar = -R_xy*Y_moment_x - R_yy*Y_moment_y - R_zy*Y_moment_z;
+            const stewart_real M_P_load_y_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
+                + STEWART_UNIT*(REAL(2)*R_xy_max*Y_moment_x_max + REAL(2)*R_yy_max*Y_moment_y_max + R_zy_max*Y_moment_z_max
+                + STEWART_FABS(M_P_load_y_bar));
+            const stewart_real M_P_load_y_bar_max = STEWART_FABS(M_P_load_y_bar) + M_P_load_y_bar_err;
+            const stewart_real M_P_load_x_bar = -R_xx*Y_moment_x - R_yx*Y_moment_y - R_zx*Y_moment_z;
+            const stewart_real M_P_load_x_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
+                + STEWART_UNIT*(REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max + R_zx_max*Y_moment_z_max
+                + STEWART_FABS(M_P_load_x_bar));
+            const stewart_real M_P_load_x_bar_max = STEWART_FABS(M_P_load_x_bar) + M_P_load_x_bar_err;
+            const stewart_real c1 = J_P_xz*M_P_load_y_bar;
+            const stewart_real c1_err = J_P_xz_err*M_P_load_y_bar_max + J_P_xz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c1);
+            const stewart_real c2 = -J_P_yz*M_P_load_x_bar;
+            const stewart_real c2_err = J_P_yz_err*M_P_load_x_bar_max + J_P_yz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c2);
+            const stewart_real P_zz_bar = -c1 - c2;
+            const stewart_real P_zz_bar_err = c1_err + c2_err + STEWART_UNIT*STEWART_FABS(P_zz_bar);
+            const stewart_real P_zz_bar_max = STEWART_FABS(P_zz_bar) + P_zz_bar_err;
+            const stewart_real c3 = J_P_xy*M_P_load_z_bar;
+            const stewart_real c3_err = J_P_xy_err*M_P_load_z_bar_max + J_P_xy_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c3);
+            const stewart_real P_yy_bar = c2 + c3;
+            const stewart_real P_yy_bar_err = c2_err + c3_err + STEWART_UNIT*STEWART_FABS(P_yy_bar);
+            const stewart_real P_yy_bar_max = STEWART_FABS(P_yy_bar) + P_yy_bar_err;
+            const stewart_real P_xx_bar = c1 - c3;
+            const stewart_real P_xx_bar_err = c1_err + c3_err + STEWART_UNIT*STEWART_FABS(P_xx_bar);
+            const stewart_real P_xx_bar_max = STEWART_FABS(P_xx_bar) + P_xx_bar_err;
+            const stewart_real c4 = J_P_xy*M_P_load_y_bar;
+            const stewart_real c4_err = J_P_xy_err*M_P_load_y_bar_max + J_P_xy_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c4);
+            const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
+            const stewart_real c5 = J_P_xz*M_P_load_z_bar;
+            const stewart_real c5_err = J_P_xz_err*M_P_load_z_bar_max + J_P_xz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c5);
+            const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
+            const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_P_x - c4;
+            const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_P_x_max + M_P_load_x_bar_max*dJ_P_x_err
+                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_P_x_max + c5_max + STEWART_FABS(P_yz_bar));
+            const stewart_real P_yz_bar_max = STEWART_FABS(P_yz_bar) + P_yz_bar_err;
+            const stewart_real c6 = J_P_yz*M_P_load_z_bar;
+            const stewart_real c6_err = J_P_yz_err*M_P_load_z_bar_max + J_P_yz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c6);
+            const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
+            const stewart_real c7 = J_P_xy*M_P_load_x_bar;
+            const stewart_real c7_err = J_P_xy_err*M_P_load_x_bar_max + J_P_xy_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c7);
+            const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
+            const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_P_y - c6;
+            const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_P_y_max + M_P_load_y_bar_max*dJ_P_y_err
+                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_P_y_max + c7_max + STEWART_FABS(P_xz_bar));
+            const stewart_real P_xz_bar_max = STEWART_FABS(P_xz_bar) + P_xz_bar_err;
+            const stewart_real c8 = J_P_xz*M_P_load_x_bar;
+            const stewart_real c8_err = J_P_xz_err*M_P_load_x_bar_max + J_P_xz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c8);
+            const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
+            const stewart_real c9 = J_P_yz*M_P_load_y_bar;
+            const stewart_real c9_err = J_P_yz_err*M_P_load_y_bar_max + J_P_yz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c9);
+            const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
+            const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_P_z - c8;
+            const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_P_z_max + M_P_load_z_bar_max*dJ_P_z_err
+                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_P_z_max + c9_max + STEWART_FABS(P_xy_bar));
+            const stewart_real P_xy_bar_max = STEWART_FABS(P_xy_bar) + P_xy_bar_err;
+            const stewart_real alpha_P_z_bar = -J_P_zz*M_P_load_z_bar - c8 - c9;
+            const stewart_real alpha_P_z_bar_err = J_P_zz_err*M_P_load_z_bar_max + J_P_zz_max*M_P_load_z_bar_err
+                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_P_zz_max*M_P_load_z_bar_max + c8_max + STEWART_FABS(alpha_P_z_bar));
+            const stewart_real alpha_P_z_bar_max = STEWART_FABS(alpha_P_z_bar) + alpha_P_z_bar_err;
+            const stewart_real alpha_P_y_bar = -J_P_yy*M_P_load_y_bar - c6 - c7;
+            const stewart_real alpha_P_y_bar_err = J_P_yy_err*M_P_load_y_bar_max + J_P_yy_max*M_P_load_y_bar_err
+                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_P_yy_max*M_P_load_y_bar_max + c6_max + STEWART_FABS(alpha_P_y_bar));
+            const stewart_real alpha_P_y_bar_max = STEWART_FABS(alpha_P_y_bar) + alpha_P_y_bar_err;
+            const stewart_real alpha_P_x_bar = -J_P_xx*M_P_load_x_bar - c4 - c5;
+            const stewart_real alpha_P_x_bar_err = J_P_xx_err*M_P_load_x_bar_max + J_P_xx_max*M_P_load_x_bar_err
+                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_P_xx_max*M_P_load_x_bar_max + c4_max + STEWART_FABS(alpha_P_x_bar));
+            const stewart_real alpha_P_x_bar_max = STEWART_FABS(alpha_P_x_bar) + alpha_P_x_bar_err;
+            const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
+            const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err + P_yz_bar_err*omega_P_y_max
+                + P_yz_bar_max*omega_P_y_err + REAL(2)*P_zz_bar_err*omega_P_z_max + REAL(2)*P_zz_bar_max*omega_P_z_err
+                + STEWART_UNIT*(REAL(2)*P_xz_bar_max*omega_P_x_max + REAL(2)*P_yz_bar_max*omega_P_y_max + REAL(2)*P_zz_bar_max*omega_P_z_max
+                + STEWART_FABS(omega_P_z_bar));
+            const stewart_real omega_P_z_bar_max = STEWART_FABS(omega_P_z_bar) + omega_P_z_bar_err;
+            const stewart_real omega_P_y_bar = P_xy_bar*omega_P_x + REAL(2)*P_yy_bar*omega_P_y + P_yz_bar*omega_P_z;
+            const stewart_real omega_P_y_bar_err = P_xy_bar_err*omega_P_x_max + P_xy_bar_max*omega_P_x_err + REAL(2)*P_yy_bar_err*omega_P_y_max
+                + REAL(2)*P_yy_bar_max*omega_P_y_err + P_yz_bar_err*omega_P_z_max + P_yz_bar_max*omega_P_z_err
+                + STEWART_UNIT*(REAL(2)*P_xy_bar_max*omega_P_x_max + REAL(4)*P_yy_bar_max*omega_P_y_max + P_yz_bar_max*omega_P_z_max
+                + STEWART_FABS(omega_P_y_bar));
+            const stewart_real omega_P_y_bar_max = STEWART_FABS(omega_P_y_bar) + omega_P_y_bar_err;
+            const stewart_real omega_P_x_bar = REAL(2)*P_xx_bar*omega_P_x + P_xy_bar*omega_P_y + P_xz_bar*omega_P_z;
+            const stewart_real omega_P_x_bar_err = REAL(2)*P_xx_bar_err*omega_P_x_max + REAL(2)*P_xx_bar_max*omega_P_x_err
+                + P_xy_bar_err*omega_P_y_max + P_xy_bar_max*omega_P_y_err + P_xz_bar_err*omega_P_z_max + P_xz_bar_max*omega_P_z_err
+                + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max + P_xz_bar_max*omega_P_z_max
+                + STEWART_FABS(omega_P_x_bar));
+            const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
+            const stewart_real fall_z_bar = M_P*c_force_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
+            const stewart_real fall_z_bar_err = M_P_err*c_force_z_bar_max + M_P_max*c_force_z_bar_err + Y_moment_x_max*h_base_y_err
+                + Y_moment_y_max*h_base_x_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_z_bar_max + Y_moment_x_max*h_base_y_max
+                + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
+            const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
+            const stewart_real fall_y_bar = M_P*c_force_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
+            const stewart_real fall_y_bar_err = M_P_err*c_force_y_bar_max + M_P_max*c_force_y_bar_err + Y_moment_x_max*h_base_z_err
+                + Y_moment_z_max*h_base_x_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
+                + Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
+            const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
+            const stewart_real fall_x_bar = M_P*c_force_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
+            const stewart_real fall_x_bar_err = M_P_err*c_force_x_bar_max + M_P_max*c_force_x_bar_err + Y_moment_y_max*h_base_z_err
+                + Y_moment_z_max*h_base_y_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_x_bar_max + Y_moment_y_max*h_base_z_max
+                + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
+            const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
+            const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*c_force_x_bar - B_yz*c_force_y_bar - B_zz*c_force_z_bar
+                - Y_moment_y*fall_x;
+            const stewart_real h_base_z_bar_err = B_xz_err*c_force_x_bar_max + B_xz_max*c_force_x_bar_err + B_yz_err*c_force_y_bar_max
+                + B_yz_max*c_force_y_bar_err + B_zz_err*c_force_z_bar_max + B_zz_max*c_force_z_bar_err + Y_moment_x_max*fall_y_err
+                + Y_moment_y_max*fall_x_err + STEWART_UNIT*(REAL(4)*B_xz_max*c_force_x_bar_max + REAL(3)*B_yz_max*c_force_y_bar_max
+                + REAL(2)*B_zz_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
+                + STEWART_FABS(h_base_z_bar));
+            const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
+            const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*c_force_x_bar - B_yy*c_force_y_bar - B_zy*c_force_z_bar
+                - Y_moment_x*fall_z;
+            const stewart_real h_base_y_bar_err = B_xy_err*c_force_x_bar_max + B_xy_max*c_force_x_bar_err + B_yy_err*c_force_y_bar_max
+                + B_yy_max*c_force_y_bar_err + B_zy_err*c_force_z_bar_max + B_zy_max*c_force_z_bar_err + Y_moment_x_max*fall_z_err
+                + Y_moment_z_max*fall_x_err + STEWART_UNIT*(REAL(4)*B_xy_max*c_force_x_bar_max + REAL(3)*B_yy_max*c_force_y_bar_max
+                + REAL(2)*B_zy_max*c_force_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
+                + STEWART_FABS(h_base_y_bar));
+            const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
+            const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*c_force_x_bar - B_yx*c_force_y_bar - B_zx*c_force_z_bar
+                - Y_moment_z*fall_y;
+            const stewart_real h_base_x_bar_err = B_xx_err*c_force_x_bar_max + B_xx_max*c_force_x_bar_err + B_yx_err*c_force_y_bar_max
+                + B_yx_max*c_force_y_bar_err + B_zx_err*c_force_z_bar_max + B_zx_max*c_force_z_bar_err + Y_moment_y_max*fall_z_err
+                + Y_moment_z_max*fall_y_err + STEWART_UNIT*(REAL(4)*B_xx_max*c_force_x_bar_max + REAL(3)*B_yx_max*c_force_y_bar_max
+                + REAL(2)*B_zx_max*c_force_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
+                + STEWART_FABS(h_base_x_bar));
+            const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
+            const stewart_real B_zz_bar = B_legs_zz - c_force_z_bar*h_base_z;
+            const stewart_real B_zz_bar_err = B_legs_zz_err + c_force_z_bar_err*h_base_z_max + c_force_z_bar_max*h_base_z_err
+                + STEWART_UNIT*(c_force_z_bar_max*h_base_z_max + STEWART_FABS(B_zz_bar));
+            const stewart_real B_zz_bar_max = STEWART_FABS(B_zz_bar) + B_zz_bar_err;
+            const stewart_real B_zy_bar = B_legs_zy - c_force_z_bar*h_base_y;
+            const stewart_real B_zy_bar_err = B_legs_zy_err + c_force_z_bar_err*h_base_y_max + c_force_z_bar_max*h_base_y_err
+                + STEWART_UNIT*(c_force_z_bar_max*h_base_y_max + STEWART_FABS(B_zy_bar));
+            const stewart_real B_zy_bar_max = STEWART_FABS(B_zy_bar) + B_zy_bar_err;
+            const stewart_real B_zx_bar = B_legs_zx - c_force_z_bar*h_base_x;
+            const stewart_real B_zx_bar_err = B_legs_zx_err + c_force_z_bar_err*h_base_x_max + c_force_z_bar_max*h_base_x_err
+                + STEWART_UNIT*(c_force_z_bar_max*h_base_x_max + STEWART_FABS(B_zx_bar));
+            const stewart_real B_zx_bar_max = STEWART_FABS(B_zx_bar) + B_zx_bar_err;
+            const stewart_real B_yz_bar = B_legs_yz - c_force_y_bar*h_base_z;
+            const stewart_real B_yz_bar_err = B_legs_yz_err + c_force_y_bar_err*h_base_z_max + c_force_y_bar_max*h_base_z_err
+                + STEWART_UNIT*(c_force_y_bar_max*h_base_z_max + STEWART_FABS(B_yz_bar));
+            const stewart_real B_yz_bar_max = STEWART_FABS(B_yz_bar) + B_yz_bar_err;
+            const stewart_real B_yy_bar = B_legs_yy - c_force_y_bar*h_base_y;
+            const stewart_real B_yy_bar_err = B_legs_yy_err + c_force_y_bar_err*h_base_y_max + c_force_y_bar_max*h_base_y_err
+                + STEWART_UNIT*(c_force_y_bar_max*h_base_y_max + STEWART_FABS(B_yy_bar));
+            const stewart_real B_yy_bar_max = STEWART_FABS(B_yy_bar) + B_yy_bar_err;
+            const stewart_real B_yx_bar = B_legs_yx - c_force_y_bar*h_base_x;
+            const stewart_real B_yx_bar_err = B_legs_yx_err + c_force_y_bar_err*h_base_x_max + c_force_y_bar_max*h_base_x_err
+                + STEWART_UNIT*(c_force_y_bar_max*h_base_x_max + STEWART_FABS(B_yx_bar));
+            const stewart_real B_yx_bar_max = STEWART_FABS(B_yx_bar) + B_yx_bar_err;
+            const stewart_real B_xz_bar = B_legs_xz - c_force_x_bar*h_base_z;
+            const stewart_real B_xz_bar_err = B_legs_xz_err + c_force_x_bar_err*h_base_z_max + c_force_x_bar_max*h_base_z_err
+                + STEWART_UNIT*(c_force_x_bar_max*h_base_z_max + STEWART_FABS(B_xz_bar));
+            const stewart_real B_xz_bar_max = STEWART_FABS(B_xz_bar) + B_xz_bar_err;
+            const stewart_real B_xy_bar = B_legs_xy - c_force_x_bar*h_base_y;
+            const stewart_real B_xy_bar_err = B_legs_xy_err + c_force_x_bar_err*h_base_y_max + c_force_x_bar_max*h_base_y_err
+                + STEWART_UNIT*(c_force_x_bar_max*h_base_y_max + STEWART_FABS(B_xy_bar));
+            const stewart_real B_xy_bar_max = STEWART_FABS(B_xy_bar) + B_xy_bar_err;
+            const stewart_real B_xx_bar = B_legs_xx - c_force_x_bar*h_base_x;
+            const stewart_real B_xx_bar_err = B_legs_xx_err + c_force_x_bar_err*h_base_x_max + c_force_x_bar_max*h_base_x_err
+                + STEWART_UNIT*(c_force_x_bar_max*h_base_x_max + STEWART_FABS(B_xx_bar));
+            const stewart_real B_xx_bar_max = STEWART_FABS(B_xx_bar) + B_xx_bar_err;
+            const stewart_real omega_zz_bar = -B_xx_bar - B_yy_bar;
+            const stewart_real omega_zz_bar_err = B_xx_bar_err + B_yy_bar_err + STEWART_UNIT*STEWART_FABS(omega_zz_bar);
+            const stewart_real omega_zz_bar_max = STEWART_FABS(omega_zz_bar) + omega_zz_bar_err;
+            const stewart_real omega_yz_bar = B_yz_bar + B_zy_bar;
+            const stewart_real omega_yz_bar_err = B_yz_bar_err + B_zy_bar_err + STEWART_UNIT*STEWART_FABS(omega_yz_bar);
+            const stewart_real omega_yz_bar_max = STEWART_FABS(omega_yz_bar) + omega_yz_bar_err;
+            const stewart_real omega_yy_bar = -B_xx_bar - B_zz_bar;
+            const stewart_real omega_yy_bar_err = B_xx_bar_err + B_zz_bar_err + STEWART_UNIT*STEWART_FABS(omega_yy_bar);
+            const stewart_real omega_yy_bar_max = STEWART_FABS(omega_yy_bar) + omega_yy_bar_err;
+            const stewart_real omega_xz_bar = B_xz_bar + B_zx_bar;
+            const stewart_real omega_xz_bar_err = B_xz_bar_err + B_zx_bar_err + STEWART_UNIT*STEWART_FABS(omega_xz_bar);
+            const stewart_real omega_xz_bar_max = STEWART_FABS(omega_xz_bar) + omega_xz_bar_err;
+            const stewart_real omega_xy_bar = B_xy_bar + B_yx_bar;
+            const stewart_real omega_xy_bar_err = B_xy_bar_err + B_yx_bar_err + STEWART_UNIT*STEWART_FABS(omega_xy_bar);
+            const stewart_real omega_xy_bar_max = STEWART_FABS(omega_xy_bar) + omega_xy_bar_err;
+            const stewart_real omega_xx_bar = -B_yy_bar - B_zz_bar;
+            const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
+            const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
+            const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x + h_P_x*h_base_x_bar
+                + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
+            const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
+                + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max + h_P_x_max*h_base_x_bar_err
+                + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max
+                + M_P_load_x_max*Y_moment_x_max + REAL(5)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max
+                + REAL(4)*h_P_x_max*h_base_x_bar_max + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max
+                + STEWART_FABS(R_xx_bar));
+            const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x + h_P_y*h_base_x_bar
+                + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
+            const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
+                + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max + h_P_y_max*h_base_x_bar_err
+                + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max
+                + M_P_load_y_max*Y_moment_x_max + REAL(5)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max
+                + REAL(4)*h_P_y_max*h_base_x_bar_max + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max
+                + STEWART_FABS(R_xy_bar));
+            const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x + h_P_z*h_base_x_bar
+                + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
+            const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
+                + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max + h_P_z_max*h_base_x_bar_err
+                + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max
+                + M_P_load_z_max*Y_moment_x_max + REAL(5)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max
+                + REAL(4)*h_P_z_max*h_base_x_bar_max + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max
+                + STEWART_FABS(R_xz_bar));
+            const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y + h_P_x*h_base_y_bar
+                + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
+            const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
+                + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max + h_P_x_max*h_base_y_bar_err
+                + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max
+                + M_P_load_x_max*Y_moment_y_max + REAL(5)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max
+                + REAL(4)*h_P_x_max*h_base_y_bar_max + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max
+                + STEWART_FABS(R_yx_bar));
+            const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y + h_P_y*h_base_y_bar
+                + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
+            const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
+                + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max + h_P_y_max*h_base_y_bar_err
+                + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max
+                + M_P_load_y_max*Y_moment_y_max + REAL(5)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max
+                + REAL(4)*h_P_y_max*h_base_y_bar_max + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max
+                + STEWART_FABS(R_yy_bar));
+            const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y + h_P_z*h_base_y_bar
+                + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
+            const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
+                + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max + h_P_z_max*h_base_y_bar_err
+                + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max
+                + M_P_load_z_max*Y_moment_y_max + REAL(5)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max
+                + REAL(4)*h_P_z_max*h_base_y_bar_max + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max
+                + STEWART_FABS(R_yz_bar));
+            const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z + h_P_x*h_base_z_bar
+                + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
+            const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
+                + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max + h_P_x_max*h_base_z_bar_err
+                + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max
+                + M_P_load_x_max*Y_moment_z_max + REAL(5)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max
+                + REAL(4)*h_P_x_max*h_base_z_bar_max + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max
+                + STEWART_FABS(R_zx_bar));
+            const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z + h_P_y*h_base_z_bar
+                + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
+            const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
+                + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max + h_P_y_max*h_base_z_bar_err
+                + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max
+                + M_P_load_y_max*Y_moment_z_max + REAL(5)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max
+                + REAL(4)*h_P_y_max*h_base_z_bar_max + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max
+                + STEWART_FABS(R_zy_bar));
+            const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z + h_P_z*h_base_z_bar
+                + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
+            const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
+                + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max + h_P_z_max*h_base_z_bar_err
+                + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max
+                + M_P_load_z_max*Y_moment_z_max + REAL(5)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max
+                + REAL(4)*h_P_z_max*h_base_z_bar_max + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max
+                + STEWART_FABS(R_zz_bar));
+            const stewart_real M_P_bar = c_force_x_bar*fall_x + c_force_y_bar*fall_y + c_force_z_bar*fall_z;
+            const stewart_real M_P_bar_err = c_force_x_bar_err*fall_x_max + c_force_x_bar_max*fall_x_err + c_force_y_bar_err*fall_y_max
+                + c_force_y_bar_max*fall_y_err + c_force_z_bar_err*fall_z_max + c_force_z_bar_max*fall_z_err
+                + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*fall_x_max + REAL(2)*c_force_y_bar_max*fall_y_max
+                + c_force_z_bar_max*fall_z_max + STEWART_FABS(M_P_bar));
+            const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
+            const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
+            const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
+                + R_xx_max*h_base_x_bar_err + R_yx_max*h_base_y_bar_err + R_zx_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xx_max*h_base_x_bar_max
+                + REAL(2)*R_yx_max*h_base_y_bar_max + R_zx_max*h_base_z_bar_max + STEWART_FABS(h_P_x_bar));
+            const stewart_real h_P_x_bar_max = STEWART_FABS(h_P_x_bar) + h_P_x_bar_err;
+            const stewart_real h_P_y_bar = R_xy*h_base_x_bar + R_yy*h_base_y_bar + R_zy*h_base_z_bar;
+            const stewart_real h_P_y_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
+                + R_xy_max*h_base_x_bar_err + R_yy_max*h_base_y_bar_err + R_zy_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xy_max*h_base_x_bar_max
+                + REAL(2)*R_yy_max*h_base_y_bar_max + R_zy_max*h_base_z_bar_max + STEWART_FABS(h_P_y_bar));
+            const stewart_real h_P_y_bar_max = STEWART_FABS(h_P_y_bar) + h_P_y_bar_err;
+            const stewart_real h_P_z_bar = R_xz*h_base_x_bar + R_yz*h_base_y_bar + R_zz*h_base_z_bar;
+            const stewart_real h_P_z_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
+                + R_xz_max*h_base_x_bar_err + R_yz_max*h_base_y_bar_err + R_zz_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xz_max*h_base_x_bar_max
+                + REAL(2)*R_yz_max*h_base_y_bar_max + R_zz_max*h_base_z_bar_max + STEWART_FABS(h_P_z_bar));
+            const stewart_real h_P_z_bar_max = STEWART_FABS(h_P_z_bar) + h_P_z_bar_err;
+            const stewart_real J_P_xx_bar = -M_P_load_x_bar*alpha_P_x;
+            const stewart_real J_P_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
+                + STEWART_UNIT*STEWART_FABS(J_P_xx_bar);
+            const stewart_real J_P_xx_bar_max = STEWART_FABS(J_P_xx_bar) + J_P_xx_bar_err;
+            const stewart_real J_P_xy_bar = M_P_load_x_bar*(P_xz - alpha_P_y) + M_P_load_y_bar*(-P_yz - alpha_P_x)
+                + M_P_load_z_bar*(P_yy - P_xx);
+            const stewart_real J_P_xy_bar_err = M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_x_bar_max*P_xz_err
+                + M_P_load_x_bar_max*alpha_P_y_err + M_P_load_y_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_y_bar_max*P_yz_err
+                + M_P_load_y_bar_max*alpha_P_x_err + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + M_P_load_z_bar_max*P_xx_err
+                + M_P_load_z_bar_max*P_yy_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max + alpha_P_y_max)
+                + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
+                + P_yy_max) + STEWART_FABS(J_P_xy_bar));
+            const stewart_real J_P_xy_bar_max = STEWART_FABS(J_P_xy_bar) + J_P_xy_bar_err;
+            const stewart_real J_P_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
+                + M_P_load_z_bar*(P_yz - alpha_P_x);
+            const stewart_real J_P_xz_bar_err = M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_x_bar_max*P_xy_err
+                + M_P_load_x_bar_max*alpha_P_z_err + M_P_load_y_bar_err*(P_xx_max + P_zz_max) + M_P_load_y_bar_max*P_xx_err
+                + M_P_load_y_bar_max*P_zz_err + M_P_load_z_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_z_bar_max*P_yz_err
+                + M_P_load_z_bar_max*alpha_P_x_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max + alpha_P_z_max)
+                + REAL(3)*M_P_load_y_bar_max*(P_xx_max + P_zz_max) + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max)
+                + STEWART_FABS(J_P_xz_bar));
+            const stewart_real J_P_xz_bar_max = STEWART_FABS(J_P_xz_bar) + J_P_xz_bar_err;
+            const stewart_real J_P_yy_bar = -M_P_load_y_bar*alpha_P_y;
+            const stewart_real J_P_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
+                + STEWART_UNIT*STEWART_FABS(J_P_yy_bar);
+            const stewart_real J_P_yy_bar_max = STEWART_FABS(J_P_yy_bar) + J_P_yy_bar_err;
+            const stewart_real J_P_yz_bar = M_P_load_x_bar*(P_zz - P_yy) + M_P_load_y_bar*(P_xy - alpha_P_z)
+                + M_P_load_z_bar*(-P_xz - alpha_P_y);
+            const stewart_real J_P_yz_bar_err = M_P_load_x_bar_err*(P_yy_max + P_zz_max) + M_P_load_x_bar_max*P_yy_err
+                + M_P_load_x_bar_max*P_zz_err + M_P_load_y_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_y_bar_max*P_xy_err
+                + M_P_load_y_bar_max*alpha_P_z_err + M_P_load_z_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_bar_max*P_xz_err
+                + M_P_load_z_bar_max*alpha_P_y_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max)
+                + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max
+                + alpha_P_y_max) + STEWART_FABS(J_P_yz_bar));
+            const stewart_real J_P_yz_bar_max = STEWART_FABS(J_P_yz_bar) + J_P_yz_bar_err;
+            const stewart_real J_P_zz_bar = -M_P_load_z_bar*alpha_P_z;
+            const stewart_real J_P_zz_bar_err = M_P_load_z_bar_err*alpha_P_z_max + M_P_load_z_bar_max*alpha_P_z_err
+                + STEWART_UNIT*STEWART_FABS(J_P_zz_bar);
+            const stewart_real J_P_zz_bar_max = STEWART_FABS(J_P_zz_bar) + J_P_zz_bar_err;
+            const stewart_real dJ_P_x_bar = -M_P_load_x_bar*P_yz;
+            const stewart_real dJ_P_x_bar_err = M_P_load_x_bar_err*P_yz_max + M_P_load_x_bar_max*P_yz_err + STEWART_UNIT*STEWART_FABS(dJ_P_x_bar);
+            const stewart_real dJ_P_x_bar_max = STEWART_FABS(dJ_P_x_bar) + dJ_P_x_bar_err;
+            const stewart_real dJ_P_y_bar = -M_P_load_y_bar*P_xz;
+            const stewart_real dJ_P_y_bar_err = M_P_load_y_bar_err*P_xz_max + M_P_load_y_bar_max*P_xz_err + STEWART_UNIT*STEWART_FABS(dJ_P_y_bar);
+            const stewart_real dJ_P_y_bar_max = STEWART_FABS(dJ_P_y_bar) + dJ_P_y_bar_err;
+            const stewart_real dJ_P_z_bar = -M_P_load_z_bar*P_xy;
+            const stewart_real dJ_P_z_bar_err = M_P_load_z_bar_err*P_xy_max + M_P_load_z_bar_max*P_xy_err + STEWART_UNIT*STEWART_FABS(dJ_P_z_bar);
+            const stewart_real dJ_P_z_bar_max = STEWART_FABS(dJ_P_z_bar) + dJ_P_z_bar_err;
+            const stewart_real C_P_bar = Y_moment_x*omega_x + Y_moment_y*omega_y + Y_moment_z*omega_z;
+            const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max + REAL(2)*Y_moment_y_max*omega_y_max
+                + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
+            const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
+            error[i] = error[i] + M_P_bar_max*M_P_err + h_P_x_bar_max*h_P_x_err + h_P_y_bar_max*h_P_y_err + h_P_z_bar_max*h_P_z_err
+                + J_P_xx_bar_max*J_P_xx_err + J_P_xy_bar_max*J_P_xy_err + J_P_xz_bar_max*J_P_xz_err + J_P_yy_bar_max*J_P_yy_err
+                + J_P_yz_bar_max*J_P_yz_err + J_P_zz_bar_max*J_P_zz_err + dJ_P_x_bar_max*dJ_P_x_err + dJ_P_y_bar_max*dJ_P_y_err
+                + dJ_P_z_bar_max*dJ_P_z_err + C_P_bar_max*C_P_err + omega_xx_bar_max*omega_xx_own + omega_xy_bar_max*omega_xy_own
+                + omega_xz_bar_max*omega_xz_own + omega_yy_bar_max*omega_yy_own + omega_yz_bar_max*omega_yz_own
+                + omega_zz_bar_max*omega_zz_own + B_xx_bar_max*B_xx_own + B_xy_bar_max*B_xy_own + B_xz_bar_max*B_xz_own
+                + B_yx_bar_max*B_yx_own + B_yy_bar_max*B_yy_own + B_yz_bar_max*B_yz_own + B_zx_bar_max*B_zx_own
+                + B_zy_bar_max*B_zy_own + B_zz_bar_max*B_zz_own + h_base_x_bar_max*h_base_x_own + h_base_y_bar_max*h_base_y_own
+                + h_base_z_bar_max*h_base_z_own + fall_x_bar_max*fall_x_own + fall_y_bar_max*fall_y_own + fall_z_bar_max*fall_z_own
+                + omega_P_x_bar_max*omega_P_x_own + omega_P_y_bar_max*omega_P_y_own + omega_P_z_bar_max*omega_P_z_own
+                + alpha_P_x_bar_max*alpha_P_x_own + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own
+                + P_xy_bar_max*P_xy_own + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own
+                + P_yy_bar_max*P_yy_own + P_zz_bar_max*P_zz_own + M_P_load_x_bar_max*M_P_load_x_own + M_P_load_y_bar_max*M_P_load_y_own
+                + M_P_load_z_bar_max*M_P_load_z_own + c_force_x_bar_max*c_force_x_own + c_force_y_bar_max*c_force_y_own
+                + c_force_z_bar_max*c_force_z_own + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own
+                + Y_moment_z_max*c_moment_z_own + q_1_x_bar_max*q_1_x_own + q_1_y_bar_max*q_1_y_own + q_1_z_bar_max*q_1_z_own
+                + Y_moment_x_max*c_tip_x_own + Y_moment_y_max*c_tip_y_own + Y_moment_z_max*c_tip_z_own;
+            slopes->force[i].R_legs[0] = R_xx_bar;
+            slopes->force[i].R_legs_err[0] = R_xx_bar_err;
+            slopes->force[i].R_legs[1] = R_xy_bar;
+            slopes->force[i].R_legs_err[1] = R_xy_bar_err;
+            slopes->force[i].R_legs[2] = R_xz_bar;
+            slopes->force[i].R_legs_err[2] = R_xz_bar_err;
+            slopes->force[i].R_legs[3] = R_yx_bar;
+            slopes->force[i].R_legs_err[3] = R_yx_bar_err;
+            slopes->force[i].R_legs[4] = R_yy_bar;
+            slopes->force[i].R_legs_err[4] = R_yy_bar_err;
+            slopes->force[i].R_legs[5] = R_yz_bar;
+            slopes->force[i].R_legs_err[5] = R_yz_bar_err;
+            slopes->force[i].R_legs[6] = R_zx_bar;
+            slopes->force[i].R_legs_err[6] = R_zx_bar_err;
+            slopes->force[i].R_legs[7] = R_zy_bar;
+            slopes->force[i].R_legs_err[7] = R_zy_bar_err;
+            slopes->force[i].R_legs[8] = R_zz_bar;
+            slopes->force[i].R_legs_err[8] = R_zz_bar_err;
+        }
     }
 }
 
-/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along what
- * the pose has for all legs. */
+/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
+ * what the pose has for all legs. */
 static void leg_errors(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
-    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_row rows[6],
-    slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
+    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_rows *rows,
+    force_slopes *slopes, stewart_real error[6], leg_terms *out)
 {
     int i;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
@@ -2508,77 +2525,88 @@ static void leg_errors(
     const stewart_real g_k = leg->g_k;
     const stewart_real g_k_err = leg->g_k_err;
     const stewart_real g_x_k_x = leg->g_x_k[0], g_x_k_y = leg->g_x_k[1], g_x_k_z = leg->g_x_k[2];
-    const stewart_real g_x_k_x_err = leg->g_x_k_err[0], g_x_k_y_err = leg->g_x_k_err[1],
-        g_x_k_z_err = leg->g_x_k_err[2];
+    const stewart_real g_x_k_x_err = leg->g_x_k_err[0], g_x_k_y_err = leg->g_x_k_err[1], g_x_k_z_err = leg->g_x_k_err[2];
     const stewart_real C_us = leg->C_us;
     const stewart_real C_us_err = leg->C_us_err;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
-    const stewart_real B_xx_err = shared->B_err[0], B_xy_err = shared->B_err[1],
-        B_xz_err = shared->B_err[2], B_yx_err = shared->B_err[3], B_yy_err = shared->B_err[4],
-        B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6], B_zy_err = shared->B_err[7],
-        B_zz_err = shared->B_err[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx_err = shared->B_err[0], B_xy_err = shared->B_err[1], B_xz_err = shared->B_err[2],
+        B_yx_err = shared->B_err[3], B_yy_err = shared->B_err[4], B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6],
+        B_zy_err = shared->B_err[7], B_zz_err = shared->B_err[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
-    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
-        q_1_z_err = shared->q_1_err[2];
-    const stewart_real p_x_max = STEWART_FABS(p_x), p_y_max = STEWART_FABS(p_y),
-        p_z_max = STEWART_FABS(p_z);
-    const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err, k_y_max = STEWART_FABS(k_y) + k_y_err,
-        k_z_max = STEWART_FABS(k_z) + k_z_err;
+    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1], q_1_z_err = shared->q_1_err[2];
+    const stewart_real p_x_max = STEWART_FABS(p_x);
+    const stewart_real p_y_max = STEWART_FABS(p_y);
+    const stewart_real p_z_max = STEWART_FABS(p_z);
+    const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err;
+    const stewart_real k_y_max = STEWART_FABS(k_y) + k_y_err;
+    const stewart_real k_z_max = STEWART_FABS(k_z) + k_z_err;
     const stewart_real C_p_max = STEWART_FABS(C_p);
     const stewart_real C_s_max = STEWART_FABS(C_s);
-    const stewart_real h_x_max = STEWART_FABS(h_x) + h_x_err, h_y_max = STEWART_FABS(h_y) + h_y_err,
-        h_z_max = STEWART_FABS(h_z) + h_z_err;
+    const stewart_real h_x_max = STEWART_FABS(h_x) + h_x_err;
+    const stewart_real h_y_max = STEWART_FABS(h_y) + h_y_err;
+    const stewart_real h_z_max = STEWART_FABS(h_z) + h_z_err;
     const stewart_real h2_x_max = STEWART_FABS(h2_x) + h2_x_err;
     const stewart_real h2_y_max = STEWART_FABS(h2_y) + h2_y_err;
     const stewart_real h2_z_max = STEWART_FABS(h2_z) + h2_z_err;
-    const stewart_real w_x_max = STEWART_FABS(w_x) + w_x_err, w_y_max = STEWART_FABS(w_y) + w_y_err,
-        w_z_max = STEWART_FABS(w_z) + w_z_err;
-    const stewart_real J_xx_max = STEWART_FABS(J_xx) + J_xx_err,
-        J_yz_max = STEWART_FABS(J_yz) + J_yz_err;
+    const stewart_real w_x_max = STEWART_FABS(w_x) + w_x_err;
+    const stewart_real w_y_max = STEWART_FABS(w_y) + w_y_err;
+    const stewart_real w_z_max = STEWART_FABS(w_z) + w_z_err;
+    const stewart_real J_xx_max = STEWART_FABS(J_xx) + J_xx_err;
+    const stewart_real J_yz_max = STEWART_FABS(J_yz) + J_yz_err;
     const stewart_real g_k_max = STEWART_FABS(g_k) + g_k_err;
-    const stewart_real g_x_k_x_max = STEWART_FABS(g_x_k_x) + g_x_k_x_err,
-        g_x_k_y_max = STEWART_FABS(g_x_k_y) + g_x_k_y_err,
-        g_x_k_z_max = STEWART_FABS(g_x_k_z) + g_x_k_z_err;
+    const stewart_real g_x_k_x_max = STEWART_FABS(g_x_k_x) + g_x_k_x_err;
+    const stewart_real g_x_k_y_max = STEWART_FABS(g_x_k_y) + g_x_k_y_err;
+    const stewart_real g_x_k_z_max = STEWART_FABS(g_x_k_z) + g_x_k_z_err;
     const stewart_real C_us_max = STEWART_FABS(C_us) + C_us_err;
-    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
-        R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
-        R_yy_max = STEWART_FABS(R_yy) + R_err, R_yz_max = STEWART_FABS(R_yz) + R_err,
-        R_zx_max = STEWART_FABS(R_zx) + R_err, R_zy_max = STEWART_FABS(R_zy) + R_err,
-        R_zz_max = STEWART_FABS(R_zz) + R_err;
-    const stewart_real omega_x_max = STEWART_FABS(omega_x), omega_y_max = STEWART_FABS(omega_y),
-        omega_z_max = STEWART_FABS(omega_z);
-    const stewart_real v_x_max = STEWART_FABS(v_x), v_y_max = STEWART_FABS(v_y),
-        v_z_max = STEWART_FABS(v_z);
-    const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err,
-        B_xy_max = STEWART_FABS(B_xy) + B_xy_err, B_xz_max = STEWART_FABS(B_xz) + B_xz_err,
-        B_yx_max = STEWART_FABS(B_yx) + B_yx_err, B_yy_max = STEWART_FABS(B_yy) + B_yy_err,
-        B_yz_max = STEWART_FABS(B_yz) + B_yz_err, B_zx_max = STEWART_FABS(B_zx) + B_zx_err,
-        B_zy_max = STEWART_FABS(B_zy) + B_zy_err, B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
-    const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
-        g_z_max = STEWART_FABS(g_z);
+    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err;
+    const stewart_real R_xy_max = STEWART_FABS(R_xy) + R_err;
+    const stewart_real R_xz_max = STEWART_FABS(R_xz) + R_err;
+    const stewart_real R_yx_max = STEWART_FABS(R_yx) + R_err;
+    const stewart_real R_yy_max = STEWART_FABS(R_yy) + R_err;
+    const stewart_real R_yz_max = STEWART_FABS(R_yz) + R_err;
+    const stewart_real R_zx_max = STEWART_FABS(R_zx) + R_err;
+    const stewart_real R_zy_max = STEWART_FABS(R_zy) + R_err;
+    const stewart_real R_zz_max = STEWART_FABS(R_zz) + R_err;
+    const stewart_real omega_x_max = STEWART_FABS(omega_x);
+    const stewart_real omega_y_max = STEWART_FABS(omega_y);
+    const stewart_real omega_z_max = STEWART_FABS(omega_z);
+    const stewart_real v_x_max = STEWART_FABS(v_x);
+    const stewart_real v_y_max = STEWART_FABS(v_y);
+    const stewart_real v_z_max = STEWART_FABS(v_z);
+    const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err;
+    const stewart_real B_xy_max = STEWART_FABS(B_xy) + B_xy_err;
+    const stewart_real B_xz_max = STEWART_FABS(B_xz) + B_xz_err;
+    const stewart_real B_yx_max = STEWART_FABS(B_yx) + B_yx_err;
+    const stewart_real B_yy_max = STEWART_FABS(B_yy) + B_yy_err;
+    const stewart_real B_yz_max = STEWART_FABS(B_yz) + B_yz_err;
+    const stewart_real B_zx_max = STEWART_FABS(B_zx) + B_zx_err;
+    const stewart_real B_zy_max = STEWART_FABS(B_zy) + B_zy_err;
+    const stewart_real B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
+    const stewart_real g_x_max = STEWART_FABS(g_x);
+    const stewart_real g_y_max = STEWART_FABS(g_y);
+    const stewart_real g_z_max = STEWART_FABS(g_z);
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
-        + R_xz_max*p_z_max + STEWART_FABS(q_x));
+    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max + R_xz_max*p_z_max
+        + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
-        + R_yz_max*p_z_max + STEWART_FABS(q_y));
+    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max + R_yz_max*p_z_max
+        + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
-        + R_zz_max*p_z_max + STEWART_FABS(q_z));
+    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max + R_zz_max*p_z_max
+        + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
     /* (1) reference point from base point, base frame */
@@ -2606,43 +2634,39 @@ static void leg_errors(
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
-        + S_z_max*k_z_max + STEWART_FABS(zeta));
-    const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err
-        + S_z_err*k_z_max + S_z_max*k_z_err + zeta_own;
+    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max + S_z_max*k_z_max
+        + STEWART_FABS(zeta));
+    const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err + S_z_err*k_z_max
+        + S_z_max*k_z_err + zeta_own;
     const stewart_real zeta_max = STEWART_FABS(zeta) + zeta_err;
     const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_x_own = STEWART_UNIT*(S_y_max*k_z_max + S_z_max*k_y_max
-        + STEWART_FABS(k_cross_S_x));
-    const stewart_real k_cross_S_x_err = S_y_err*k_z_max + S_y_max*k_z_err + S_z_err*k_y_max
-        + S_z_max*k_y_err + k_cross_S_x_own;
+    const stewart_real k_cross_S_x_own = STEWART_UNIT*(S_y_max*k_z_max + S_z_max*k_y_max + STEWART_FABS(k_cross_S_x));
+    const stewart_real k_cross_S_x_err = S_y_err*k_z_max + S_y_max*k_z_err + S_z_err*k_y_max + S_z_max*k_y_err
+        + k_cross_S_x_own;
     const stewart_real k_cross_S_x_max = STEWART_FABS(k_cross_S_x) + k_cross_S_x_err;
     const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_y_own = STEWART_UNIT*(S_x_max*k_z_max + S_z_max*k_x_max
-        + STEWART_FABS(k_cross_S_y));
-    const stewart_real k_cross_S_y_err = S_x_err*k_z_max + S_x_max*k_z_err + S_z_err*k_x_max
-        + S_z_max*k_x_err + k_cross_S_y_own;
+    const stewart_real k_cross_S_y_own = STEWART_UNIT*(S_x_max*k_z_max + S_z_max*k_x_max + STEWART_FABS(k_cross_S_y));
+    const stewart_real k_cross_S_y_err = S_x_err*k_z_max + S_x_max*k_z_err + S_z_err*k_x_max + S_z_max*k_x_err
+        + k_cross_S_y_own;
     const stewart_real k_cross_S_y_max = STEWART_FABS(k_cross_S_y) + k_cross_S_y_err;
     const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-    const stewart_real k_cross_S_z_own = STEWART_UNIT*(S_x_max*k_y_max + S_y_max*k_x_max
-        + STEWART_FABS(k_cross_S_z));
-    const stewart_real k_cross_S_z_err = S_x_err*k_y_max + S_x_max*k_y_err + S_y_err*k_x_max
-        + S_y_max*k_x_err + k_cross_S_z_own;
+    const stewart_real k_cross_S_z_own = STEWART_UNIT*(S_x_max*k_y_max + S_y_max*k_x_max + STEWART_FABS(k_cross_S_z));
+    const stewart_real k_cross_S_z_err = S_x_err*k_y_max + S_x_max*k_y_err + S_y_err*k_x_max + S_y_max*k_x_err
+        + k_cross_S_z_own;
     const stewart_real k_cross_S_z_max = STEWART_FABS(k_cross_S_z) + k_cross_S_z_err;
     const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
-    const stewart_real rho2_own = STEWART_UNIT*(REAL(2)*k_cross_S_x_max*k_cross_S_x_max
-        + REAL(2)*k_cross_S_y_max*k_cross_S_y_max + k_cross_S_z_max*k_cross_S_z_max + STEWART_FABS(rho2));
-    const stewart_real rho2_err = REAL(2)*k_cross_S_x_err*k_cross_S_x_max
-        + REAL(2)*k_cross_S_y_err*k_cross_S_y_max + REAL(2)*k_cross_S_z_err*k_cross_S_z_max + rho2_own;
+    const stewart_real rho2_own = STEWART_UNIT*(REAL(2)*k_cross_S_x_max*k_cross_S_x_max + REAL(2)*k_cross_S_y_max*k_cross_S_y_max
+        + k_cross_S_z_max*k_cross_S_z_max + STEWART_FABS(rho2));
+    const stewart_real rho2_err = REAL(2)*k_cross_S_x_err*k_cross_S_x_max + REAL(2)*k_cross_S_y_err*k_cross_S_y_max
+        + REAL(2)*k_cross_S_z_err*k_cross_S_z_max + rho2_own;
     const stewart_real rho2_max = STEWART_FABS(rho2) + rho2_err;
     /* (2) leg length, and distance of its tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
-    const stewart_real L_err = root_error(L, rho2_err + REAL(2)*zeta_err*zeta_max + STEWART_UNIT*(rho2_max
-        + REAL(2)*zeta_max*zeta_max));
+    const stewart_real L_err = root_error(L, rho2_err + REAL(2)*zeta_err*zeta_max + STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
     const stewart_real L_max = STEWART_FABS(L) + L_err;
     const stewart_real rho = STEWART_SQRT(rho2);
-    const stewart_real rho_own = root_error(rho, 0);
+    const stewart_real rho_own = root_error(rho, REAL(0));
     const stewart_real rho_err = root_error(rho, rho2_err);
     const stewart_real rho_max = STEWART_FABS(rho) + rho_err;
     const stewart_real inv_L = REAL(1)/L;
@@ -2695,62 +2719,59 @@ static void leg_errors(
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max
-        + v_x_max + STEWART_FABS(S_dot_x));
+    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max + v_x_max
+        + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
     const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
-        + v_y_max + STEWART_FABS(S_dot_y));
+    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max + v_y_max
+        + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
     const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max
-        + v_z_max + STEWART_FABS(S_dot_z));
+    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max + v_z_max
+        + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
     const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max
-        + REAL(2)*B_xz_max*q_z_max + STEWART_FABS(S_ddot_x));
-    const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max
-        + B_xy_max*q_y_err + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
+    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max + REAL(2)*B_xz_max*q_z_max
+        + STEWART_FABS(S_ddot_x));
+    const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max + B_xy_max*q_y_err
+        + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
     const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max
-        + REAL(2)*B_yz_max*q_z_max + STEWART_FABS(S_ddot_y));
-    const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max
-        + B_yy_max*q_y_err + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
+    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max + REAL(2)*B_yz_max*q_z_max
+        + STEWART_FABS(S_ddot_y));
+    const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max + B_yy_max*q_y_err
+        + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
     const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
-    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max
-        + REAL(2)*B_zz_max*q_z_max + STEWART_FABS(S_ddot_z));
-    const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max
-        + B_zy_max*q_y_err + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
+    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max + REAL(2)*B_zz_max*q_z_max
+        + STEWART_FABS(S_ddot_z));
+    const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max + B_zy_max*q_y_err
+        + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
-        + S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
-    const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max
-        + S_dot_y_max*s_y_err + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
+    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max + S_dot_z_max*s_z_max
+        + STEWART_FABS(L_dot));
+    const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max + S_dot_y_max*s_y_err
+        + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
     const stewart_real L_dot_max = STEWART_FABS(L_dot) + L_dot_err;
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max
-        + REAL(3)*S_dot_y_max*y_y_max + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
-    const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err
-        + S_dot_y_err*inv_rho_max*y_y_max + S_dot_y_max*inv_rho_max*y_y_err
-        + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
+    const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
+        + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
+    const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err + S_dot_y_err*inv_rho_max*y_y_max
+        + S_dot_y_max*inv_rho_max*y_y_err + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
         + inv_rho_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + phi_dot_own;
     const stewart_real phi_dot_max = STEWART_FABS(phi_dot) + phi_dot_err;
     const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
-    const stewart_real theta_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(4)*L_dot_max*k1_max
-        + REAL(4)*S_dot_x_max*k_x_max + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max)
-        + STEWART_FABS(theta_dot));
-    const stewart_real theta_dot_err = L_dot_err*inv_rho_max*k1_max + L_dot_max*inv_rho_max*k1_err
-        + S_dot_x_err*inv_rho_max*k_x_max + S_dot_x_max*inv_rho_max*k_x_err
-        + S_dot_y_err*inv_rho_max*k_y_max + S_dot_y_max*inv_rho_max*k_y_err
+    const stewart_real theta_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(4)*L_dot_max*k1_max + REAL(4)*S_dot_x_max*k_x_max
+        + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(theta_dot));
+    const stewart_real theta_dot_err = L_dot_err*inv_rho_max*k1_max + L_dot_max*inv_rho_max*k1_err + S_dot_x_err*inv_rho_max*k_x_max
+        + S_dot_x_max*inv_rho_max*k_x_err + S_dot_y_err*inv_rho_max*k_y_max + S_dot_y_max*inv_rho_max*k_y_err
         + S_dot_z_err*inv_rho_max*k_z_max + S_dot_z_max*inv_rho_max*k_z_err + inv_rho_err*(L_dot_max*k1_max
         + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + theta_dot_own;
     const stewart_real theta_dot_max = STEWART_FABS(theta_dot) + theta_dot_err;
@@ -2784,39 +2805,34 @@ static void leg_errors(
     const stewart_real k33_max = STEWART_FABS(k33) + k33_err;
     /* (8) accelerations of the joint coordinates */
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max)
-        + L_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max
-        + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
-    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max)
-        + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err
-        + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max + S_ddot_y_max*s_y_err
-        + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
+    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*(REAL(2)*k33_max*phi_dot2_max
+        + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max
+        + STEWART_FABS(L_ddot));
+    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*k33_err*phi_dot2_max
+        + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
+        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
     const stewart_real L_ddot_max = STEWART_FABS(L_ddot) + L_ddot_err;
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-        - theta_dot*(L_share + rho_share);
+    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
+        + rho_share);
     const stewart_real theta_ddot_own = STEWART_UNIT*(inv_rho_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
-        + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + inv_rho_max*(REAL(4)*L_ddot_max*k1_max
-        + REAL(4)*S_ddot_x_max*k_x_max + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max)
-        + REAL(2)*theta_dot_max*(L_share_max + rho_share_max) + STEWART_FABS(theta_ddot));
-    const stewart_real theta_ddot_err = L_ddot_err*inv_rho_max*k1_max + L_ddot_max*inv_rho_max*k1_err
-        + L_share_err*theta_dot_max + S_ddot_x_err*inv_rho_max*k_x_max + S_ddot_x_max*inv_rho_max*k_x_err
-        + S_ddot_y_err*inv_rho_max*k_y_max + S_ddot_y_max*inv_rho_max*k_y_err
-        + S_ddot_z_err*inv_rho_max*k_z_max + S_ddot_z_max*inv_rho_max*k_z_err
-        + inv_rho_err*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max
-        + S_ddot_z_max*k_z_max) + rho_share_err*theta_dot_max + theta_dot_err*(L_share_max + rho_share_max)
-        + theta_ddot_own;
+        + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + inv_rho_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
+        + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + REAL(2)*theta_dot_max*(L_share_max
+        + rho_share_max) + STEWART_FABS(theta_ddot));
+    const stewart_real theta_ddot_err = L_ddot_err*inv_rho_max*k1_max + L_ddot_max*inv_rho_max*k1_err + L_share_err*theta_dot_max
+        + S_ddot_x_err*inv_rho_max*k_x_max + S_ddot_x_max*inv_rho_max*k_x_err + S_ddot_y_err*inv_rho_max*k_y_max
+        + S_ddot_y_max*inv_rho_max*k_y_err + S_ddot_z_err*inv_rho_max*k_z_max + S_ddot_z_max*inv_rho_max*k_z_err
+        + inv_rho_err*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max)
+        + rho_share_err*theta_dot_max + theta_dot_err*(L_share_max + rho_share_max) + theta_ddot_own;
     const stewart_real theta_ddot_max = STEWART_FABS(theta_ddot) + theta_ddot_err;
-    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-        - rho_share*two_phi_dot;
+    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
     const stewart_real phi_ddot_own = STEWART_UNIT*(inv_rho_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
-        + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-        + REAL(2)*S_ddot_z_max*y_z_max) + rho_share_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
-    const stewart_real phi_ddot_err = S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err
-        + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
-        + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err
-        + inv_rho_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-        + rho_share_err*two_phi_dot_max + rho_share_max*two_phi_dot_err + phi_ddot_own;
+        + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max + REAL(2)*S_ddot_z_max*y_z_max)
+        + rho_share_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
+    const stewart_real phi_ddot_err = S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err + S_ddot_y_err*inv_rho_max*y_y_max
+        + S_ddot_y_max*inv_rho_max*y_y_err + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err
+        + inv_rho_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + rho_share_err*two_phi_dot_max
+        + rho_share_max*two_phi_dot_err + phi_ddot_own;
     const stewart_real phi_ddot_max = STEWART_FABS(phi_ddot) + phi_ddot_err;
     const stewart_real k13 = k1*k3;
     const stewart_real k13_own = STEWART_UNIT*STEWART_FABS(k13);
@@ -2839,10 +2855,9 @@ static void leg_errors(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max
-        + STEWART_FABS(M_phi));
-    const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max
-        + a2_max*k13_err + M_phi_own;
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max + STEWART_FABS(M_phi));
+    const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max + a2_max*k13_err
+        + M_phi_own;
     const stewart_real M_phi_max = STEWART_FABS(M_phi) + M_phi_err;
     const stewart_real M_theta = J_yy + L_h2;
     const stewart_real M_theta_own = STEWART_UNIT*STEWART_FABS(M_theta);
@@ -2850,8 +2865,7 @@ static void leg_errors(
     const stewart_real M_theta_max = STEWART_FABS(M_theta) + M_theta_err;
     const stewart_real M_mixed = J_yz*k3 + a3*k1;
     const stewart_real M_mixed_own = STEWART_UNIT*(J_yz_max*k3_max + a3_max*k1_max + STEWART_FABS(M_mixed));
-    const stewart_real M_mixed_err = J_yz_err*k3_max + J_yz_max*k3_err + a3_err*k1_max + a3_max*k1_err
-        + M_mixed_own;
+    const stewart_real M_mixed_err = J_yz_err*k3_max + J_yz_max*k3_err + a3_err*k1_max + a3_max*k1_err + M_mixed_own;
     const stewart_real M_mixed_max = STEWART_FABS(M_mixed) + M_mixed_err;
     const stewart_real k3_h = h_y*k3;
     const stewart_real k3_h_own = STEWART_UNIT*STEWART_FABS(k3_h);
@@ -2859,20 +2873,17 @@ static void leg_errors(
     const stewart_real k3_h_max = STEWART_FABS(k3_h) + k3_h_err;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
     const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
-    const stewart_real M_phi_theta_own = STEWART_UNIT*(a1_max*k13_max + REAL(2)*a2_max*(k33_max
-        + STEWART_HALF) + STEWART_FABS(M_phi_theta));
-    const stewart_real M_phi_theta_err = a1_err*k13_max + a1_max*k13_err + a2_err*(k33_max + STEWART_HALF)
-        + a2_max*k33_err + M_phi_theta_own;
+    const stewart_real M_phi_theta_own = STEWART_UNIT*(a1_max*k13_max + REAL(2)*a2_max*(k33_max + STEWART_HALF)
+        + STEWART_FABS(M_phi_theta));
+    const stewart_real M_phi_theta_err = a1_err*k13_max + a1_max*k13_err + a2_err*(k33_max + STEWART_HALF) + a2_max*k33_err
+        + M_phi_theta_own;
     const stewart_real M_phi_theta_max = STEWART_FABS(M_phi_theta) + M_phi_theta_err;
     const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max
-        + STEWART_FABS(M_phi_L));
-    const stewart_real M_phi_L_err = h_x_err*k33_max + h_x_max*k33_err + h_z_err*k13_max + h_z_max*k13_err
-        + M_phi_L_own;
+    const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max + STEWART_FABS(M_phi_L));
+    const stewart_real M_phi_L_err = h_x_err*k33_max + h_x_max*k33_err + h_z_err*k13_max + h_z_max*k13_err + M_phi_L_own;
     const stewart_real M_phi_L_max = STEWART_FABS(M_phi_L) + M_phi_L_err;
     const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
-    const stewart_real M_mixed_theta_own = STEWART_UNIT*(J_yz_max*k1_max + a3_max*k3_max
-        + STEWART_FABS(M_mixed_theta));
+    const stewart_real M_mixed_theta_own = STEWART_UNIT*(J_yz_max*k1_max + a3_max*k3_max + STEWART_FABS(M_mixed_theta));
     const stewart_real M_mixed_theta_err = J_yz_err*k1_max + J_yz_max*k1_err + a3_err*k3_max + a3_max*k3_err
         + M_mixed_theta_own;
     const stewart_real M_mixed_theta_max = STEWART_FABS(M_mixed_theta) + M_mixed_theta_err;
@@ -2884,63 +2895,53 @@ static void leg_errors(
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
         + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
-    const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max
-        + g_x_k_y_max*y_y_err + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
+    const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max + g_x_k_y_max*y_y_err
+        + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
-        + g_z_max*y_z_max + STEWART_FABS(gamma_y));
+    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max + g_z_max*y_z_max
+        + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
     const stewart_real w_k = k1*w_x + k3*w_z;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
-    const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err
-        + w_k_own;
+    const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
     const stewart_real w_k_max = STEWART_FABS(w_k) + w_k_err;
     const stewart_real w_n = k3*w_x - k1*w_z;
     const stewart_real w_n_own = STEWART_UNIT*(k1_max*w_z_max + k3_max*w_x_max + STEWART_FABS(w_n));
-    const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err
-        + w_n_own;
+    const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot
-        + bend*h2_x + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z)
-        - M_phi_theta*phi_dot2;
+    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x
+        + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
     const stewart_real tau_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
-        + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max
-        + REAL(2)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
-        + REAL(7)*M_mixed_max*phi_ddot_max + M_phi_theta_max*phi_dot2_max
-        + REAL(6)*M_theta_max*theta_ddot_max + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max
-        + REAL(3)*gamma_n_max*w_k_max + STEWART_FABS(tau_y));
-    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err
-        + C_s_max*omega_z_max*y_z_err + C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max
-        + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err
-        + M_phi_theta_err*phi_dot2_max + M_phi_theta_max*phi_dot2_err + M_theta_err*theta_ddot_max
-        + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max
-        + g_k_max*w_n_err + gamma_n_err*w_k_max + gamma_n_max*w_k_err + tau_y_own;
+        + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max + REAL(2)*omega_z_max*y_z_max)
+        + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max + REAL(7)*M_mixed_max*phi_ddot_max + M_phi_theta_max*phi_dot2_max
+        + REAL(6)*M_theta_max*theta_ddot_max + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max
+        + STEWART_FABS(tau_y));
+    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err + C_s_max*omega_z_max*y_z_err
+        + C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max
+        + M_mixed_max*phi_ddot_err + M_phi_theta_err*phi_dot2_max + M_phi_theta_max*phi_dot2_err + M_theta_err*theta_ddot_max
+        + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max + g_k_max*w_n_err
+        + gamma_n_err*w_k_max + gamma_n_max*w_k_err + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
     const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y
-        + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
+        - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
-        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
-        + REAL(2)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max
-        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
-        + REAL(7)*M_phi_max*phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max
-        + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max
-        + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max
+        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max)
+        + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
+        + REAL(7)*M_phi_max*phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max + gamma_y_max*w_n_max
+        + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max
         + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(tau_k));
-    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
-        + C_s_max*k_z_err*omega_z_max + C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max
-        + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max
-        + L_dot_max*M_phi_L_err*two_phi_dot_max + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err
-        + M_mixed_theta_err*theta_dot2_max + M_mixed_theta_max*theta_dot2_err + M_phi_err*phi_ddot_max
-        + M_phi_max*phi_ddot_err + M_phi_theta_err*theta_dot_max*two_phi_dot_max
-        + M_phi_theta_max*theta_dot_err*two_phi_dot_max + bend_err*h2_y_max*k1_max
-        + bend_max*h2_y_err*k1_max + bend_max*h2_y_max*k1_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err
-        + gamma_y_err*w_n_max + gamma_y_max*w_n_err + two_phi_dot_err*(L_dot_max*M_phi_L_max
-        + M_phi_theta_max*theta_dot_max) + tau_k_own;
+    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max + C_s_max*k_z_err*omega_z_max
+        + C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max
+        + L_dot_max*M_phi_L_err*two_phi_dot_max + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max
+        + M_mixed_theta_max*theta_dot2_err + M_phi_err*phi_ddot_max + M_phi_max*phi_ddot_err + M_phi_theta_err*theta_dot_max*two_phi_dot_max
+        + M_phi_theta_max*theta_dot_err*two_phi_dot_max + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max
+        + bend_max*h2_y_max*k1_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err + gamma_y_err*w_n_max + gamma_y_max*w_n_err
+        + two_phi_dot_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max) + tau_k_own;
     const stewart_real tau_k_max = STEWART_FABS(tau_k) + tau_k_err;
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
@@ -2954,22 +2955,17 @@ static void leg_errors(
     /* (21) force at the spherical joint, base frame */
     const stewart_real K_x = Q_k*k_x + Q_y*y_x;
     const stewart_real K_x_own = STEWART_UNIT*(Q_k_max*k_x_max + Q_y_max*y_x_max + STEWART_FABS(K_x));
-    const stewart_real K_x_err = Q_k_err*k_x_max + Q_k_max*k_x_err + Q_y_err*y_x_max + Q_y_max*y_x_err
-        + K_x_own;
+    const stewart_real K_x_err = Q_k_err*k_x_max + Q_k_max*k_x_err + Q_y_err*y_x_max + Q_y_max*y_x_err + K_x_own;
     const stewart_real K_y = Q_k*k_y + Q_y*y_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_k_max*k_y_max + Q_y_max*y_y_max + STEWART_FABS(K_y));
-    const stewart_real K_y_err = Q_k_err*k_y_max + Q_k_max*k_y_err + Q_y_err*y_y_max + Q_y_max*y_y_err
-        + K_y_own;
+    const stewart_real K_y_err = Q_k_err*k_y_max + Q_k_max*k_y_err + Q_y_err*y_y_max + Q_y_max*y_y_err + K_y_own;
     const stewart_real K_z = Q_k*k_z + Q_y*y_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_k_max*k_z_max + Q_y_max*y_z_max + STEWART_FABS(K_z));
-    const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err
-        + K_z_own;
+    const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err + K_z_own;
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2
-        - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
-        + REAL(3)*Q_k_max*k1_max + REAL(2)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max
-        + k3_h_max*phi_ddot_max + STEWART_FABS(D));
+    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot;
+    const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max + REAL(3)*Q_k_max*k1_max
+        + REAL(2)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max + STEWART_FABS(D));
     const stewart_real c1 = C_s*phi_dot;
     const stewart_real c1_own = STEWART_UNIT*STEWART_FABS(c1);
     const stewart_real c1_err = C_s_max*phi_dot_err + c1_own;
@@ -3011,52 +3007,40 @@ static void leg_errors(
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* part of c, moment rows, base frame */
     const stewart_real c_moment_x = c1*k_x + c2*y_x;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(c1_max*k_x_max + c2_max*y_x_max
-        + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = c1_err*k_x_max + c1_max*k_x_err + c2_err*y_x_max + c2_max*y_x_err
-        + c_moment_x_own;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(c1_max*k_x_max + c2_max*y_x_max + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_err = c1_err*k_x_max + c1_max*k_x_err + c2_err*y_x_max + c2_max*y_x_err + c_moment_x_own;
     const stewart_real c_moment_y = c1*k_y + c2*y_y;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(c1_max*k_y_max + c2_max*y_y_max
-        + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = c1_err*k_y_max + c1_max*k_y_err + c2_err*y_y_max + c2_max*y_y_err
-        + c_moment_y_own;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(c1_max*k_y_max + c2_max*y_y_max + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = c1_err*k_y_max + c1_max*k_y_err + c2_err*y_y_max + c2_max*y_y_err + c_moment_y_own;
     const stewart_real c_moment_z = c1*k_z + c2*y_z;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(c1_max*k_z_max + c2_max*y_z_max
-        + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = c1_err*k_z_max + c1_max*k_z_err + c2_err*y_z_max + c2_max*y_z_err
-        + c_moment_z_own;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(c1_max*k_z_max + c2_max*y_z_max + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_err = c1_err*k_z_max + c1_max*k_z_err + c2_err*y_z_max + c2_max*y_z_err + c_moment_z_own;
     /* the leg's column of H, moment rows */
     const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max
-        + STEWART_FABS(H_moment_x));
-    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err
-        + H_force_z_err*arm_y_max + H_force_z_max*arm_y_err + H_moment_x_own;
+    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max + STEWART_FABS(H_moment_x));
+    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err + H_force_z_err*arm_y_max
+        + H_force_z_max*arm_y_err + H_moment_x_own;
     const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max
-        + STEWART_FABS(H_moment_y));
-    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err
-        + H_force_z_err*arm_x_max + H_force_z_max*arm_x_err + H_moment_y_own;
+    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max + STEWART_FABS(H_moment_y));
+    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err + H_force_z_err*arm_x_max
+        + H_force_z_max*arm_x_err + H_moment_y_own;
     const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
-    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max
-        + STEWART_FABS(H_moment_z));
-    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err
-        + H_force_y_err*arm_x_max + H_force_y_max*arm_x_err + H_moment_z_own;
+    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max + STEWART_FABS(H_moment_z));
+    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err + H_force_y_err*arm_x_max
+        + H_force_y_max*arm_x_err + H_moment_z_own;
     /* moment of the leg's part of c, force rows, about platform point 1 */
     const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max
-        + STEWART_FABS(arm_c_x));
-    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err
-        + arm_z_err*c_force_y_max + arm_z_max*c_force_y_err + arm_c_x_own;
+    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max + STEWART_FABS(arm_c_x));
+    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err + arm_z_err*c_force_y_max
+        + arm_z_max*c_force_y_err + arm_c_x_own;
     const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max
-        + STEWART_FABS(arm_c_y));
-    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err
-        + arm_z_err*c_force_x_max + arm_z_max*c_force_x_err + arm_c_y_own;
+    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max + STEWART_FABS(arm_c_y));
+    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err + arm_z_err*c_force_x_max
+        + arm_z_max*c_force_x_err + arm_c_y_own;
     const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
-    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max
-        + STEWART_FABS(arm_c_z));
-    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err
-        + arm_y_err*c_force_x_max + arm_y_max*c_force_x_err + arm_c_z_own;
+    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max + STEWART_FABS(arm_c_z));
+    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err + arm_y_err*c_force_x_max
+        + arm_y_max*c_force_x_err + arm_c_z_own;
     out->H_force[0] = H_force_x;
     out->H_force_err[0] = H_force_x_err;
     out->H_force[1] = H_force_y;
@@ -3088,18 +3072,19 @@ static void leg_errors(
     out->arm_c[2] = arm_c_z;
     out->arm_c_err[2] = arm_c_z_err;
     for (i = 0; i < 6; ++i) {
-        const force_row *row = &rows[i];
-        const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
-            Y_force_z = row->Y_force[2];
-        const stewart_real Y_moment_x = row->Y_moment[0], Y_moment_y = row->Y_moment[1],
-            Y_moment_z = row->Y_moment[2];
-        const stewart_real Y_arm_x = row->Y_arm[0], Y_arm_y = row->Y_arm[1], Y_arm_z = row->Y_arm[2];
-        const stewart_real D_weight = row->D_weight;
-        const stewart_real x = row->x;
-        const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
-            Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
-        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x), Y_arm_y_max = STEWART_FABS(Y_arm_y),
-            Y_arm_z_max = STEWART_FABS(Y_arm_z);
+        const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
+            Y_force_z = rows->force[i].Y_force[2];
+        const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
+            Y_moment_z = rows->force[i].Y_moment[2];
+        const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
+        const stewart_real D_weight = rows->force[i].D_weight;
+        const stewart_real x = rows->force[i].x;
+        const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x);
+        const stewart_real Y_moment_y_max = STEWART_FABS(Y_moment_y);
+        const stewart_real Y_moment_z_max = STEWART_FABS(Y_moment_z);
+        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x);
+        const stewart_real Y_arm_y_max = STEWART_FABS(Y_arm_y);
+        const stewart_real Y_arm_z_max = STEWART_FABS(Y_arm_z);
         const stewart_real D_weight_max = STEWART_FABS(D_weight);
         const stewart_real H_force_x_weight = Y_force_x*x;
         const stewart_real H_force_x_weight_err = STEWART_UNIT*STEWART_FABS(H_force_x_weight);
@@ -3119,126 +3104,101 @@ static void leg_errors(
         const stewart_real H_moment_z_weight = Y_arm_z*x;
         const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
         const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
-        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y
-            - H_force_y*H_moment_x_weight - Y_arm_y*c_force_x;
-        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max
-            + H_force_x_max*H_moment_y_weight_err + H_force_y_err*H_moment_x_weight_max
-            + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err + Y_arm_y_max*c_force_x_err
-            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max
-            + REAL(2)*H_force_y_max*H_moment_x_weight_max + REAL(3)*Y_arm_x_max*c_force_y_max
-            + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y - H_force_y*H_moment_x_weight
+            - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max + H_force_x_max*H_moment_y_weight_err
+            + H_force_y_err*H_moment_x_weight_max + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err
+            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max + REAL(2)*H_force_y_max*H_moment_x_weight_max
+            + REAL(3)*Y_arm_x_max*c_force_y_max + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
         const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
-        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x
-            - H_force_x*H_moment_z_weight - Y_arm_x*c_force_z;
-        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max
-            + H_force_x_max*H_moment_z_weight_err + H_force_z_err*H_moment_x_weight_max
-            + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err + Y_arm_z_max*c_force_x_err
-            + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max
-            + REAL(3)*H_force_z_max*H_moment_x_weight_max + Y_arm_x_max*c_force_z_max
-            + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x - H_force_x*H_moment_z_weight
+            - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max + H_force_x_max*H_moment_z_weight_err
+            + H_force_z_err*H_moment_x_weight_max + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err
+            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
+            + Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
         const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
-        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z
-            - H_force_z*H_moment_y_weight - Y_arm_z*c_force_y;
-        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max
-            + H_force_y_max*H_moment_z_weight_err + H_force_z_err*H_moment_y_weight_max
-            + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err + Y_arm_z_max*c_force_y_err
-            + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max
-            + REAL(2)*H_force_z_max*H_moment_y_weight_max + REAL(3)*Y_arm_y_max*c_force_z_max
-            + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z - H_force_z*H_moment_y_weight
+            - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max + H_force_y_max*H_moment_z_weight_err
+            + H_force_z_err*H_moment_y_weight_max + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err
+            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max + REAL(2)*H_force_z_max*H_moment_y_weight_max
+            + REAL(3)*Y_arm_y_max*c_force_z_max + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
         const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
         const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
-        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max
-            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max
+            + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
         const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
         const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
-        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_x_max
-            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max
+            + REAL(2)*Y_arm_z_max*arm_x_max + STEWART_FABS(c_force_y_bar));
         const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
         const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
-        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max
-            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max
+            + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
         const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
-        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max
-            + H_moment_x_weight_max*arm_y_err + H_moment_y_weight_err*arm_x_max
-            + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
-            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max
-            + STEWART_FABS(H_force_z_bar));
+        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max + H_moment_x_weight_max*arm_y_err
+            + H_moment_y_weight_err*arm_x_max + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
         const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
-        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max
-            + H_moment_x_weight_max*arm_z_err + H_moment_z_weight_err*arm_x_max
-            + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
-            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max
-            + STEWART_FABS(H_force_y_bar));
+        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max + H_moment_x_weight_max*arm_z_err
+            + H_moment_z_weight_err*arm_x_max + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
+            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max + STEWART_FABS(H_force_y_bar));
         const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
         const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
-        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max
-            + H_moment_y_weight_max*arm_z_err + H_moment_z_weight_err*arm_y_max
-            + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
-            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max
-            + STEWART_FABS(H_force_x_bar));
+        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max + H_moment_y_weight_max*arm_z_err
+            + H_moment_z_weight_err*arm_y_max + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
+            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max + STEWART_FABS(H_force_x_bar));
         const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
         const stewart_real c2_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
         const stewart_real c2_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
-            + Y_moment_z_max*y_z_max + STEWART_FABS(c2_bar));
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max + Y_moment_z_max*y_z_max
+            + STEWART_FABS(c2_bar));
         const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
         const stewart_real c1_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
         const stewart_real c1_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
-            + Y_moment_z_max*k_z_max + STEWART_FABS(c1_bar));
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max + Y_moment_z_max*k_z_max
+            + STEWART_FABS(c1_bar));
         const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
         const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
-        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err
-            + c_force_y_bar_err*y_y_max + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max
-            + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
+        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err + c_force_y_bar_err*y_y_max
+            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
             + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real Q_k_bar = -D_weight*k1 - c_force_x_bar*k_x - c_force_y_bar*k_y - c_force_z_bar*k_z;
-        const stewart_real Q_k_bar_err = D_weight_max*k1_err + c_force_x_bar_err*k_x_max
-            + c_force_x_bar_max*k_x_err + c_force_y_bar_err*k_y_max + c_force_y_bar_max*k_y_err
-            + c_force_z_bar_err*k_z_max + c_force_z_bar_max*k_z_err + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max
-            + REAL(3)*c_force_x_bar_max*k_x_max + REAL(2)*c_force_y_bar_max*k_y_max + c_force_z_bar_max*k_z_max
-            + STEWART_FABS(Q_k_bar));
+        const stewart_real Q_k_bar_err = D_weight_max*k1_err + c_force_x_bar_err*k_x_max + c_force_x_bar_max*k_x_err
+            + c_force_y_bar_err*k_y_max + c_force_y_bar_max*k_y_err + c_force_z_bar_err*k_z_max + c_force_z_bar_max*k_z_err
+            + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max + REAL(3)*c_force_x_bar_max*k_x_max + REAL(2)*c_force_y_bar_max*k_y_max
+            + c_force_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
         const stewart_real Q_k_bar_max = STEWART_FABS(Q_k_bar) + Q_k_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
-        const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
-            + STEWART_UNIT*STEWART_FABS(tau_k_bar);
+        const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err + STEWART_UNIT*STEWART_FABS(tau_k_bar);
         const stewart_real tau_k_bar_max = STEWART_FABS(tau_k_bar) + tau_k_bar_err;
         const stewart_real tau_y_bar = -Q_k_bar*inv_rho;
-        const stewart_real tau_y_bar_err = Q_k_bar_err*inv_rho_max + Q_k_bar_max*inv_rho_err
-            + STEWART_UNIT*STEWART_FABS(tau_y_bar);
+        const stewart_real tau_y_bar_err = Q_k_bar_err*inv_rho_max + Q_k_bar_max*inv_rho_err + STEWART_UNIT*STEWART_FABS(tau_y_bar);
         const stewart_real tau_y_bar_max = STEWART_FABS(tau_y_bar) + tau_y_bar_err;
         const stewart_real w_n_bar = g_k*tau_y_bar - gamma_y*tau_k_bar;
-        const stewart_real w_n_bar_err = g_k_err*tau_y_bar_max + g_k_max*tau_y_bar_err
-            + gamma_y_err*tau_k_bar_max + gamma_y_max*tau_k_bar_err + STEWART_UNIT*(g_k_max*tau_y_bar_max
-            + gamma_y_max*tau_k_bar_max + STEWART_FABS(w_n_bar));
+        const stewart_real w_n_bar_err = g_k_err*tau_y_bar_max + g_k_max*tau_y_bar_err + gamma_y_err*tau_k_bar_max
+            + gamma_y_max*tau_k_bar_err + STEWART_UNIT*(g_k_max*tau_y_bar_max + gamma_y_max*tau_k_bar_max + STEWART_FABS(w_n_bar));
         const stewart_real w_n_bar_max = STEWART_FABS(w_n_bar) + w_n_bar_err;
         const stewart_real w_k_bar = gamma_n*tau_y_bar;
-        const stewart_real w_k_bar_err = gamma_n_err*tau_y_bar_max + gamma_n_max*tau_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(w_k_bar);
+        const stewart_real w_k_bar_err = gamma_n_err*tau_y_bar_max + gamma_n_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(w_k_bar);
         const stewart_real w_k_bar_max = STEWART_FABS(w_k_bar) + w_k_bar_err;
         const stewart_real gamma_y_bar = -tau_k_bar*w_n;
-        const stewart_real gamma_y_bar_err = tau_k_bar_err*w_n_max + tau_k_bar_max*w_n_err
-            + STEWART_UNIT*STEWART_FABS(gamma_y_bar);
+        const stewart_real gamma_y_bar_err = tau_k_bar_err*w_n_max + tau_k_bar_max*w_n_err + STEWART_UNIT*STEWART_FABS(gamma_y_bar);
         const stewart_real gamma_y_bar_max = STEWART_FABS(gamma_y_bar) + gamma_y_bar_err;
         const stewart_real gamma_n_bar = tau_y_bar*w_k - tau_k_bar*w_y;
-        const stewart_real gamma_n_bar_err = tau_k_bar_err*w_y_max + tau_k_bar_max*w_y_err
-            + tau_y_bar_err*w_k_max + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max
-            + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
+        const stewart_real gamma_n_bar_err = tau_k_bar_err*w_y_max + tau_k_bar_max*w_y_err + tau_y_bar_err*w_k_max
+            + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
         const stewart_real gamma_n_bar_max = STEWART_FABS(gamma_n_bar) + gamma_n_bar_err;
         const stewart_real c3 = h2_y*tau_k_bar;
-        const stewart_real c3_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(c3);
+        const stewart_real c3_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c3);
         const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
         const stewart_real bend_bar = h2_x*tau_y_bar - c3*k1;
-        const stewart_real bend_bar_err = c3_err*k1_max + c3_max*k1_err + h2_x_err*tau_y_bar_max
-            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c3_max*k1_max + h2_x_max*tau_y_bar_max
-            + STEWART_FABS(bend_bar));
+        const stewart_real bend_bar_err = c3_err*k1_max + c3_max*k1_err + h2_x_err*tau_y_bar_max + h2_x_max*tau_y_bar_err
+            + STEWART_UNIT*(c3_max*k1_max + h2_x_max*tau_y_bar_max + STEWART_FABS(bend_bar));
         const stewart_real bend_bar_max = STEWART_FABS(bend_bar) + bend_bar_err;
         const stewart_real M_mixed_theta_bar = tau_k_bar*theta_dot2;
         const stewart_real M_mixed_theta_bar_err = tau_k_bar_err*theta_dot2_max + tau_k_bar_max*theta_dot2_err
@@ -3246,164 +3206,134 @@ static void leg_errors(
         const stewart_real M_mixed_theta_bar_max = STEWART_FABS(M_mixed_theta_bar) + M_mixed_theta_bar_err;
         const stewart_real M_phi_L_bar = L_dot*tau_k_bar*two_phi_dot - D_weight*phi_dot2;
         const stewart_real M_phi_L_bar_err = D_weight_max*phi_dot2_err + L_dot_err*tau_k_bar_max*two_phi_dot_max
-            + L_dot_max*tau_k_bar_err*two_phi_dot_max + L_dot_max*tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*(D_weight_max*phi_dot2_max + REAL(2)*L_dot_max*tau_k_bar_max*two_phi_dot_max
-            + STEWART_FABS(M_phi_L_bar));
+            + L_dot_max*tau_k_bar_err*two_phi_dot_max + L_dot_max*tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*(D_weight_max*phi_dot2_max
+            + REAL(2)*L_dot_max*tau_k_bar_max*two_phi_dot_max + STEWART_FABS(M_phi_L_bar));
         const stewart_real M_phi_L_bar_max = STEWART_FABS(M_phi_L_bar) + M_phi_L_bar_err;
         const stewart_real M_phi_theta_bar = tau_k_bar*theta_dot*two_phi_dot - phi_dot2*tau_y_bar;
-        const stewart_real M_phi_theta_bar_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err
-            + tau_k_bar_err*theta_dot_max*two_phi_dot_max + tau_k_bar_max*theta_dot_err*two_phi_dot_max
-            + tau_k_bar_max*theta_dot_max*two_phi_dot_err + STEWART_UNIT*(phi_dot2_max*tau_y_bar_max
+        const stewart_real M_phi_theta_bar_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err + tau_k_bar_err*theta_dot_max*two_phi_dot_max
+            + tau_k_bar_max*theta_dot_err*two_phi_dot_max + tau_k_bar_max*theta_dot_max*two_phi_dot_err + STEWART_UNIT*(phi_dot2_max*tau_y_bar_max
             + REAL(2)*tau_k_bar_max*theta_dot_max*two_phi_dot_max + STEWART_FABS(M_phi_theta_bar));
         const stewart_real M_phi_theta_bar_max = STEWART_FABS(M_phi_theta_bar) + M_phi_theta_bar_err;
         const stewart_real k3_h_bar = -D_weight*phi_ddot - L_ddot*tau_k_bar;
-        const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max
-            + L_ddot_max*tau_k_bar_err + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max
-            + STEWART_FABS(k3_h_bar));
+        const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max + L_ddot_max*tau_k_bar_err
+            + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max + STEWART_FABS(k3_h_bar));
         const stewart_real k3_h_bar_max = STEWART_FABS(k3_h_bar) + k3_h_bar_err;
         const stewart_real M_mixed_bar = phi_ddot*tau_y_bar + tau_k_bar*theta_ddot;
-        const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err
-            + tau_k_bar_err*theta_ddot_max + tau_k_bar_max*theta_ddot_err
-            + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
+        const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err + tau_k_bar_err*theta_ddot_max
+            + tau_k_bar_max*theta_ddot_err + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
             + STEWART_FABS(M_mixed_bar));
         const stewart_real M_mixed_bar_max = STEWART_FABS(M_mixed_bar) + M_mixed_bar_err;
         const stewart_real M_theta_bar = tau_y_bar*theta_ddot;
-        const stewart_real M_theta_bar_err = tau_y_bar_err*theta_ddot_max + tau_y_bar_max*theta_ddot_err
-            + STEWART_UNIT*STEWART_FABS(M_theta_bar);
+        const stewart_real M_theta_bar_err = tau_y_bar_err*theta_ddot_max + tau_y_bar_max*theta_ddot_err + STEWART_UNIT*STEWART_FABS(M_theta_bar);
         const stewart_real M_theta_bar_max = STEWART_FABS(M_theta_bar) + M_theta_bar_err;
         const stewart_real M_phi_bar = phi_ddot*tau_k_bar;
-        const stewart_real M_phi_bar_err = phi_ddot_err*tau_k_bar_max + phi_ddot_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(M_phi_bar);
+        const stewart_real M_phi_bar_err = phi_ddot_err*tau_k_bar_max + phi_ddot_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(M_phi_bar);
         const stewart_real M_phi_bar_max = STEWART_FABS(M_phi_bar) + M_phi_bar_err;
         const stewart_real a3_bar = M_mixed_bar*k1 - M_mixed_theta_bar*k3;
-        const stewart_real a3_bar_err = M_mixed_bar_err*k1_max + M_mixed_bar_max*k1_err
-            + M_mixed_theta_bar_err*k3_max + M_mixed_theta_bar_max*k3_err + STEWART_UNIT*(M_mixed_bar_max*k1_max
-            + M_mixed_theta_bar_max*k3_max + STEWART_FABS(a3_bar));
+        const stewart_real a3_bar_err = M_mixed_bar_err*k1_max + M_mixed_bar_max*k1_err + M_mixed_theta_bar_err*k3_max
+            + M_mixed_theta_bar_max*k3_err + STEWART_UNIT*(M_mixed_bar_max*k1_max + M_mixed_theta_bar_max*k3_max
+            + STEWART_FABS(a3_bar));
         const stewart_real a3_bar_max = STEWART_FABS(a3_bar) + a3_bar_err;
         const stewart_real a2_bar = M_phi_bar*k13 + M_phi_theta_bar*(STEWART_HALF - k33);
-        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err
-            + M_phi_theta_bar_err*(k33_max + STEWART_HALF) + M_phi_theta_bar_max*k33_err
-            + STEWART_UNIT*(M_phi_bar_max*k13_max + REAL(2)*M_phi_theta_bar_max*(k33_max + STEWART_HALF)
-            + STEWART_FABS(a2_bar));
+        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err + M_phi_theta_bar_err*(k33_max
+            + STEWART_HALF) + M_phi_theta_bar_max*k33_err + STEWART_UNIT*(M_phi_bar_max*k13_max + REAL(2)*M_phi_theta_bar_max*(k33_max
+            + STEWART_HALF) + STEWART_FABS(a2_bar));
         const stewart_real a2_bar_max = STEWART_FABS(a2_bar) + a2_bar_err;
         const stewart_real a1_bar = M_phi_bar*k33 + M_phi_theta_bar*k13;
-        const stewart_real a1_bar_err = M_phi_bar_err*k33_max + M_phi_bar_max*k33_err
-            + M_phi_theta_bar_err*k13_max + M_phi_theta_bar_max*k13_err + STEWART_UNIT*(M_phi_bar_max*k33_max
-            + M_phi_theta_bar_max*k13_max + STEWART_FABS(a1_bar));
+        const stewart_real a1_bar_err = M_phi_bar_err*k33_max + M_phi_bar_max*k33_err + M_phi_theta_bar_err*k13_max
+            + M_phi_theta_bar_max*k13_err + STEWART_UNIT*(M_phi_bar_max*k33_max + M_phi_theta_bar_max*k13_max
+            + STEWART_FABS(a1_bar));
         const stewart_real a1_bar_max = STEWART_FABS(a1_bar) + a1_bar_err;
         const stewart_real L_h2_bar = M_theta_bar + a1_bar;
         const stewart_real L_h2_bar_err = M_theta_bar_err + a1_bar_err + STEWART_UNIT*STEWART_FABS(L_h2_bar);
         const stewart_real L_h2_bar_max = STEWART_FABS(L_h2_bar) + L_h2_bar_err;
         const stewart_real k13_bar = M_phi_bar*a2 + M_phi_theta_bar*a1 - M_phi_L_bar*h_z;
-        const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err
-            + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + M_phi_theta_bar_err*a1_max
-            + M_phi_theta_bar_max*a1_err + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max
-            + REAL(2)*M_phi_theta_bar_max*a1_max + STEWART_FABS(k13_bar));
+        const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err + M_phi_bar_err*a2_max
+            + M_phi_bar_max*a2_err + M_phi_theta_bar_err*a1_max + M_phi_theta_bar_max*a1_err + STEWART_UNIT*(M_phi_L_bar_max*h_z_max
+            + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*M_phi_theta_bar_max*a1_max + STEWART_FABS(k13_bar));
         const stewart_real k13_bar_max = STEWART_FABS(k13_bar) + k13_bar_err;
         const stewart_real phi_ddot_bar = M_mixed*tau_y_bar + M_phi*tau_k_bar - D_weight*k3_h;
-        const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max
-            + M_mixed_max*tau_y_bar_err + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err
-            + STEWART_UNIT*(D_weight_max*k3_h_max + REAL(2)*M_mixed_max*tau_y_bar_max
+        const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max + M_mixed_max*tau_y_bar_err
+            + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err + STEWART_UNIT*(D_weight_max*k3_h_max + REAL(2)*M_mixed_max*tau_y_bar_max
             + REAL(2)*M_phi_max*tau_k_bar_max + STEWART_FABS(phi_ddot_bar));
         const stewart_real phi_ddot_bar_max = STEWART_FABS(phi_ddot_bar) + phi_ddot_bar_err;
         const stewart_real theta_ddot_bar = D_weight*h_z + M_mixed*tau_k_bar + M_theta*tau_y_bar;
-        const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max
-            + M_mixed_max*tau_k_bar_err + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err
-            + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max + REAL(2)*M_mixed_max*tau_k_bar_max
-            + M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
+        const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max + M_mixed_max*tau_k_bar_err
+            + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max
+            + REAL(2)*M_mixed_max*tau_k_bar_max + M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
         const stewart_real c4 = inv_rho*k1;
         const stewart_real c4_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c4);
         const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
         const stewart_real L_ddot_bar = c4*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
-        const stewart_real L_ddot_bar_err = c4_err*theta_ddot_bar_max + c4_max*theta_ddot_bar_err
-            + h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err
-            + STEWART_UNIT*(REAL(2)*c4_max*theta_ddot_bar_max + REAL(2)*h_z_max*tau_y_bar_max
-            + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
+        const stewart_real L_ddot_bar_err = c4_err*theta_ddot_bar_max + c4_max*theta_ddot_bar_err + h_z_err*tau_y_bar_max
+            + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*c4_max*theta_ddot_bar_max
+            + REAL(2)*h_z_max*tau_y_bar_max + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
         const stewart_real c5 = L*L_ddot_bar;
         const stewart_real c5_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c5);
         const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
         const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c5*phi_dot2 - M_phi_theta_bar*a2;
-        const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
-            + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max
-            + M_phi_theta_bar_max*a2_err + c5_err*phi_dot2_max + c5_max*phi_dot2_err
-            + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
+        const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err + M_phi_bar_err*a1_max
+            + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max + M_phi_theta_bar_max*a2_err + c5_err*phi_dot2_max
+            + c5_max*phi_dot2_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
             + M_phi_theta_bar_max*a2_max + REAL(2)*c5_max*phi_dot2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c6 = theta_ddot_bar*theta_dot;
-        const stewart_real c6_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err
-            + STEWART_UNIT*STEWART_FABS(c6);
+        const stewart_real c6_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err + STEWART_UNIT*STEWART_FABS(c6);
         const stewart_real rho_share_bar = -c6 - phi_ddot_bar*two_phi_dot;
-        const stewart_real rho_share_bar_err = c6_err + phi_ddot_bar_err*two_phi_dot_max
-            + phi_ddot_bar_max*two_phi_dot_err + STEWART_UNIT*(phi_ddot_bar_max*two_phi_dot_max
-            + STEWART_FABS(rho_share_bar));
+        const stewart_real rho_share_bar_err = c6_err + phi_ddot_bar_err*two_phi_dot_max + phi_ddot_bar_max*two_phi_dot_err
+            + STEWART_UNIT*(phi_ddot_bar_max*two_phi_dot_max + STEWART_FABS(rho_share_bar));
         const stewart_real rho_share_bar_max = STEWART_FABS(rho_share_bar) + rho_share_bar_err;
-        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L + M_phi_theta*theta_dot)
-            - phi_ddot_bar*rho_share;
-        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max
-            + L_dot_max*M_phi_L_err*tau_k_bar_max + M_phi_theta_err*tau_k_bar_max*theta_dot_max
-            + M_phi_theta_max*tau_k_bar_max*theta_dot_err + phi_ddot_bar_err*rho_share_max
-            + phi_ddot_bar_max*rho_share_err + tau_k_bar_err*(L_dot_max*M_phi_L_max
-            + M_phi_theta_max*theta_dot_max) + STEWART_UNIT*(phi_ddot_bar_max*rho_share_max
-            + tau_k_bar_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
-            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max)
-            + STEWART_FABS(two_phi_dot_bar));
+        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L + M_phi_theta*theta_dot) - phi_ddot_bar*rho_share;
+        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
+            + M_phi_theta_err*tau_k_bar_max*theta_dot_max + M_phi_theta_max*tau_k_bar_max*theta_dot_err + phi_ddot_bar_err*rho_share_max
+            + phi_ddot_bar_max*rho_share_err + tau_k_bar_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
+            + STEWART_UNIT*(phi_ddot_bar_max*rho_share_max + tau_k_bar_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
+            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
         const stewart_real phi_dot2_bar = L*L_ddot_bar*k33 - D_weight*M_phi_L - M_phi_theta*tau_y_bar;
-        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + L_ddot_bar_err*L_max*k33_max
-            + L_ddot_bar_max*L_err*k33_max + L_ddot_bar_max*L_max*k33_err + M_phi_theta_err*tau_y_bar_max
-            + M_phi_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*M_phi_L_max
-            + REAL(3)*L_ddot_bar_max*L_max*k33_max + M_phi_theta_max*tau_y_bar_max
-            + STEWART_FABS(phi_dot2_bar));
+        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + L_ddot_bar_err*L_max*k33_max + L_ddot_bar_max*L_err*k33_max
+            + L_ddot_bar_max*L_max*k33_err + M_phi_theta_err*tau_y_bar_max + M_phi_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*M_phi_L_max
+            + REAL(3)*L_ddot_bar_max*L_max*k33_max + M_phi_theta_max*tau_y_bar_max + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c5 - D_weight*h_x;
-        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c5_err + STEWART_UNIT*(D_weight_max*h_x_max
-            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c5_max + STEWART_FABS(theta_dot2_bar));
+        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max + M_mixed_theta_max*tau_k_bar_err
+            + c5_err + STEWART_UNIT*(D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c5_max
+            + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real L_share_bar = rho_share_bar - c6;
-        const stewart_real L_share_bar_err = c6_err + rho_share_bar_err
-            + STEWART_UNIT*STEWART_FABS(L_share_bar);
+        const stewart_real L_share_bar_err = c6_err + rho_share_bar_err + STEWART_UNIT*STEWART_FABS(L_share_bar);
         const stewart_real L_share_bar_max = STEWART_FABS(L_share_bar) + L_share_bar_err;
         const stewart_real c7 = tau_k_bar*two_phi_dot;
-        const stewart_real c7_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*STEWART_FABS(c7);
+        const stewart_real c7_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*STEWART_FABS(c7);
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c7
-            + kappa*rho_share_bar + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar;
-        const stewart_real theta_dot_bar_err = C_s_max*c2_bar_err + C_us_err*tau_y_bar_max
-            + C_us_max*tau_y_bar_err + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err
-            + L_share_err*theta_ddot_bar_max + M_phi_theta_err*c7_max + M_phi_theta_max*c7_err
-            + kappa_err*rho_share_bar_max + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max
-            + theta_ddot_bar_err*(L_share_max + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max
-            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max
-            + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max + REAL(4)*M_phi_theta_max*c7_max
-            + REAL(3)*kappa_max*rho_share_bar_max + REAL(3)*theta_ddot_bar_max*(L_share_max + rho_share_max)
-            + REAL(2)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c7 + kappa*rho_share_bar
+            + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar;
+        const stewart_real theta_dot_bar_err = C_s_max*c2_bar_err + C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
+            + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*theta_ddot_bar_max + M_phi_theta_err*c7_max
+            + M_phi_theta_max*c7_err + kappa_err*rho_share_bar_max + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max
+            + theta_ddot_bar_err*(L_share_max + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max + REAL(2)*theta_dot2_bar_max*theta_dot_err
+            + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max
+            + REAL(4)*M_phi_theta_max*c7_max + REAL(3)*kappa_max*rho_share_bar_max + REAL(3)*theta_ddot_bar_max*(L_share_max
+            + rho_share_max) + REAL(2)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar
-            + REAL(2)*two_phi_dot_bar;
-        const stewart_real phi_dot_bar_err = C_s_max*c1_bar_err + C_us_err*tau_k_bar_max
-            + C_us_max*tau_k_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max
-            + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
-            + STEWART_UNIT*(REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max
-            + REAL(4)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
+        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar_err = C_s_max*c1_bar_err + C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err
+            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
+            + STEWART_UNIT*(REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max + REAL(4)*phi_dot2_bar_max*phi_dot_max
+            + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c7 + bend_bar*theta_dot
-            + c4*theta_dot_bar;
-        const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
-            + M_phi_L_err*c7_max + M_phi_L_max*c7_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err
-            + c4_err*theta_dot_bar_max + c4_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max
-            + REAL(4)*L_share_bar_max*inv_L_max + REAL(3)*M_phi_L_max*c7_max
-            + REAL(2)*bend_bar_max*theta_dot_max + c4_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
+        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c7 + bend_bar*theta_dot + c4*theta_dot_bar;
+        const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err + M_phi_L_err*c7_max
+            + M_phi_L_max*c7_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err + c4_err*theta_dot_bar_max
+            + c4_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max + REAL(4)*L_share_bar_max*inv_L_max
+            + REAL(3)*M_phi_L_max*c7_max + REAL(2)*bend_bar_max*theta_dot_max + c4_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c8 = inv_rho*phi_ddot_bar;
-        const stewart_real c8_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c8);
+        const stewart_real c8_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c8);
         const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
         const stewart_real c9 = inv_rho*theta_ddot_bar;
-        const stewart_real c9_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c9);
+        const stewart_real c9_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c9);
         const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
         const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c8*y_z - c9*k_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c8_err*y_z_max
@@ -3421,12 +3351,10 @@ static void leg_errors(
             + REAL(2)*c8_max*y_x_max + c9_max*k_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c10 = inv_rho*phi_dot_bar;
-        const stewart_real c10_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c10);
+        const stewart_real c10_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err + STEWART_UNIT*STEWART_FABS(c10);
         const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
         const stewart_real c11 = inv_rho*theta_dot_bar;
-        const stewart_real c11_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c11);
+        const stewart_real c11_err = inv_rho_err*theta_dot_bar_max + inv_rho_max*theta_dot_bar_err + STEWART_UNIT*STEWART_FABS(c11);
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c10*y_z - c11*k_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c10_err*y_z_max
@@ -3447,337 +3375,278 @@ static void leg_errors(
         const stewart_real kappa_bar_err = rho_share_bar_err*theta_dot_max + rho_share_bar_max*theta_dot_err
             + STEWART_UNIT*STEWART_FABS(kappa_bar);
         const stewart_real kappa_bar_max = STEWART_FABS(kappa_bar) + kappa_bar_err;
-        const stewart_real k3_bar = J_yz*M_mixed_bar + h_y*k3_h_bar + k1*k13_bar + REAL(2)*k3*k33_bar
-            + w_k_bar*w_z + w_n_bar*w_x - M_mixed_theta_bar*a3;
-        const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err
-            + M_mixed_theta_bar_err*a3_max + M_mixed_theta_bar_max*a3_err + h_y_err*k3_h_bar_max
-            + h_y_max*k3_h_bar_err + k13_bar_err*k1_max + k13_bar_max*k1_err + REAL(2)*k33_bar_err*k3_max
-            + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max
-            + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
-            + M_mixed_theta_bar_max*a3_max + REAL(6)*h_y_max*k3_h_bar_max + REAL(5)*k13_bar_max*k1_max
-            + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
-            + STEWART_FABS(k3_bar));
+        const stewart_real k3_bar = J_yz*M_mixed_bar + h_y*k3_h_bar + k1*k13_bar + REAL(2)*k3*k33_bar + w_k_bar*w_z
+            + w_n_bar*w_x - M_mixed_theta_bar*a3;
+        const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err + M_mixed_theta_bar_err*a3_max
+            + M_mixed_theta_bar_max*a3_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err + k13_bar_err*k1_max
+            + k13_bar_max*k1_err + REAL(2)*k33_bar_err*k3_max + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max
+            + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
+            + M_mixed_theta_bar_max*a3_max + REAL(6)*h_y_max*k3_h_bar_max + REAL(5)*k13_bar_max*k1_max + REAL(8)*k33_bar_max*k3_max
+            + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
         const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c9 + L_dot*c11 + M_mixed_bar*a3 + k13_bar*k3
             + w_k_bar*w_x - D_weight*Q_k - bend*c3 - w_n_bar*w_z;
-        const stewart_real k1_bar_err = D_weight_max*Q_k_err + J_yz_err*M_mixed_theta_bar_max
-            + J_yz_max*M_mixed_theta_bar_err + L_ddot_err*c9_max + L_ddot_max*c9_err + L_dot_err*c11_max
-            + L_dot_max*c11_err + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c3_max
-            + bend_max*c3_err + k13_bar_err*k3_max + k13_bar_max*k3_err + w_k_bar_err*w_x_max
-            + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err
-            + STEWART_UNIT*(REAL(3)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(8)*L_ddot_max*c9_max + REAL(7)*L_dot_max*c11_max + REAL(6)*M_mixed_bar_max*a3_max
-            + REAL(2)*bend_max*c3_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
+        const stewart_real k1_bar_err = D_weight_max*Q_k_err + J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err
+            + L_ddot_err*c9_max + L_ddot_max*c9_err + L_dot_err*c11_max + L_dot_max*c11_err + M_mixed_bar_err*a3_max
+            + M_mixed_bar_max*a3_err + bend_err*c3_max + bend_max*c3_err + k13_bar_err*k3_max + k13_bar_max*k3_err
+            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(3)*D_weight_max*Q_k_max
+            + REAL(8)*J_yz_max*M_mixed_theta_bar_max + REAL(8)*L_ddot_max*c9_max + REAL(7)*L_dot_max*c11_max
+            + REAL(6)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c3_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
             + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c12 = C_s*tau_y_bar;
         const stewart_real c12_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c12);
         const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real y_z_bar = S_ddot_z*c8 + S_dot_z*c10 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar
-            - Q_y*c_force_z_bar - Y_moment_z*c2 - c12*omega_z;
-        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err
-            + S_ddot_z_err*c8_max + S_ddot_z_max*c8_err + S_dot_z_err*c10_max + S_dot_z_max*c10_err
-            + Y_moment_z_max*c2_err + c12_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
-            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max + REAL(6)*S_ddot_z_max*c8_max
-            + REAL(6)*S_dot_z_max*c10_max + REAL(2)*Y_moment_z_max*c2_max + c12_max*omega_z_max
+        const stewart_real y_z_bar = S_ddot_z*c8 + S_dot_z*c10 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar - Q_y*c_force_z_bar
+            - Y_moment_z*c2 - c12*omega_z;
+        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err + S_ddot_z_err*c8_max
+            + S_ddot_z_max*c8_err + S_dot_z_err*c10_max + S_dot_z_max*c10_err + Y_moment_z_max*c2_err + c12_err*omega_z_max
+            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max
+            + REAL(6)*S_ddot_z_max*c8_max + REAL(6)*S_dot_z_max*c10_max + REAL(2)*Y_moment_z_max*c2_max + c12_max*omega_z_max
             + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = S_ddot_y*c8 + S_dot_y*c10 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar
-            - Q_y*c_force_y_bar - Y_moment_y*c2 - c12*omega_y;
-        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err
-            + S_ddot_y_err*c8_max + S_ddot_y_max*c8_err + S_dot_y_err*c10_max + S_dot_y_max*c10_err
-            + Y_moment_y_max*c2_err + c12_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
-            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max + REAL(6)*S_ddot_y_max*c8_max
-            + REAL(6)*S_dot_y_max*c10_max + REAL(2)*Y_moment_y_max*c2_max + c12_max*omega_y_max
+        const stewart_real y_y_bar = S_ddot_y*c8 + S_dot_y*c10 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar - Q_y*c_force_y_bar
+            - Y_moment_y*c2 - c12*omega_y;
+        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err + S_ddot_y_err*c8_max
+            + S_ddot_y_max*c8_err + S_dot_y_err*c10_max + S_dot_y_max*c10_err + Y_moment_y_max*c2_err + c12_err*omega_y_max
+            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max
+            + REAL(6)*S_ddot_y_max*c8_max + REAL(6)*S_dot_y_max*c10_max + REAL(2)*Y_moment_y_max*c2_max + c12_max*omega_y_max
             + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = S_ddot_x*c8 + S_dot_x*c10 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar
-            - Q_y*c_force_x_bar - Y_moment_x*c2 - c12*omega_x;
-        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err
-            + S_ddot_x_err*c8_max + S_ddot_x_max*c8_err + S_dot_x_err*c10_max + S_dot_x_max*c10_err
-            + Y_moment_x_max*c2_err + c12_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
-            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max + REAL(6)*S_ddot_x_max*c8_max
-            + REAL(6)*S_dot_x_max*c10_max + REAL(2)*Y_moment_x_max*c2_max + c12_max*omega_x_max
+        const stewart_real y_x_bar = S_ddot_x*c8 + S_dot_x*c10 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar - Q_y*c_force_x_bar
+            - Y_moment_x*c2 - c12*omega_x;
+        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err + S_ddot_x_err*c8_max
+            + S_ddot_x_max*c8_err + S_dot_x_err*c10_max + S_dot_x_max*c10_err + Y_moment_x_max*c2_err + c12_err*omega_x_max
+            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max
+            + REAL(6)*S_ddot_x_max*c8_max + REAL(6)*S_dot_x_max*c10_max + REAL(2)*Y_moment_x_max*c2_max + c12_max*omega_x_max
             + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
-        const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar
-            + k_cross_S_z*y_z_bar + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x
-            - S_ddot_y*k_y - S_ddot_z*k_z) + theta_dot_bar*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z)
-            - Q_k_bar*tau_y;
-        const stewart_real inv_rho_bar_err = L_ddot_err*k1_max*theta_ddot_bar_max
-            + L_dot_err*k1_max*theta_dot_bar_max + Q_k_bar_err*tau_y_max + Q_k_bar_max*tau_y_err
-            + Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err + S_ddot_x_err*(k_x_max*theta_ddot_bar_max
-            + phi_ddot_bar_max*y_x_max) + S_ddot_y_err*(k_y_max*theta_ddot_bar_max + phi_ddot_bar_max*y_y_max)
-            + S_ddot_z_err*(k_z_max*theta_ddot_bar_max + phi_ddot_bar_max*y_z_max)
-            + S_dot_x_err*(k_x_max*theta_dot_bar_max + phi_dot_bar_max*y_x_max)
-            + S_dot_y_err*(k_y_max*theta_dot_bar_max + phi_dot_bar_max*y_y_max)
-            + S_dot_z_err*(k_z_max*theta_dot_bar_max + phi_dot_bar_max*y_z_max)
-            + k1_err*(L_ddot_max*theta_ddot_bar_max + L_dot_max*theta_dot_bar_max) + k_cross_S_x_err*y_x_bar_max
-            + k_cross_S_x_max*y_x_bar_err + k_cross_S_y_err*y_y_bar_max + k_cross_S_y_max*y_y_bar_err
-            + k_cross_S_z_err*y_z_bar_max + k_cross_S_z_max*y_z_bar_err
-            + k_x_err*(S_ddot_x_max*theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max)
-            + k_y_err*(S_ddot_y_max*theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max)
+        const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar + k_cross_S_z*y_z_bar
+            + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + phi_dot_bar*(S_dot_x*y_x
+            + S_dot_y*y_y + S_dot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
+            + theta_dot_bar*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z) - Q_k_bar*tau_y;
+        const stewart_real inv_rho_bar_err = L_ddot_err*k1_max*theta_ddot_bar_max + L_dot_err*k1_max*theta_dot_bar_max
+            + Q_k_bar_err*tau_y_max + Q_k_bar_max*tau_y_err + Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err
+            + S_ddot_x_err*(k_x_max*theta_ddot_bar_max + phi_ddot_bar_max*y_x_max) + S_ddot_y_err*(k_y_max*theta_ddot_bar_max
+            + phi_ddot_bar_max*y_y_max) + S_ddot_z_err*(k_z_max*theta_ddot_bar_max + phi_ddot_bar_max*y_z_max)
+            + S_dot_x_err*(k_x_max*theta_dot_bar_max + phi_dot_bar_max*y_x_max) + S_dot_y_err*(k_y_max*theta_dot_bar_max
+            + phi_dot_bar_max*y_y_max) + S_dot_z_err*(k_z_max*theta_dot_bar_max + phi_dot_bar_max*y_z_max) + k1_err*(L_ddot_max*theta_ddot_bar_max
+            + L_dot_max*theta_dot_bar_max) + k_cross_S_x_err*y_x_bar_max + k_cross_S_x_max*y_x_bar_err + k_cross_S_y_err*y_y_bar_max
+            + k_cross_S_y_max*y_y_bar_err + k_cross_S_z_err*y_z_bar_max + k_cross_S_z_max*y_z_bar_err + k_x_err*(S_ddot_x_max*theta_ddot_bar_max
+            + S_dot_x_max*theta_dot_bar_max) + k_y_err*(S_ddot_y_max*theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max)
             + k_z_err*(S_ddot_z_max*theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max) + kappa_bar_err*zeta_max
-            + kappa_bar_max*zeta_err + phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
-            + S_ddot_z_max*y_z_max) + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
-            + S_dot_z_max*y_z_max) + theta_ddot_bar_err*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
-            + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_dot_bar_err*(L_dot_max*k1_max
-            + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max)
-            + y_x_err*(S_ddot_x_max*phi_ddot_bar_max + S_dot_x_max*phi_dot_bar_max)
-            + y_y_err*(S_ddot_y_max*phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
-            + y_z_err*(S_ddot_z_max*phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max)
-            + STEWART_UNIT*(Q_k_bar_max*tau_y_max + REAL(9)*Q_y_bar_max*tau_k_max
-            + REAL(9)*k_cross_S_x_max*y_x_bar_max + REAL(8)*k_cross_S_y_max*y_y_bar_max
-            + REAL(7)*k_cross_S_z_max*y_z_bar_max + REAL(6)*kappa_bar_max*zeta_max
-            + REAL(5)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-            + phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-            + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
-            + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*theta_ddot_bar_max*(L_ddot_max*k1_max
-            + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max)
-            + theta_ddot_bar_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
-            + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max)
-            + REAL(2)*theta_dot_bar_max*(L_dot_max*k1_max + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max
-            + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max + REAL(4)*S_dot_x_max*k_x_max
-            + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
+            + kappa_bar_max*zeta_err + phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + theta_ddot_bar_err*(L_ddot_max*k1_max
+            + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_dot_bar_err*(L_dot_max*k1_max
+            + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + y_x_err*(S_ddot_x_max*phi_ddot_bar_max
+            + S_dot_x_max*phi_dot_bar_max) + y_y_err*(S_ddot_y_max*phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
+            + y_z_err*(S_ddot_z_max*phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max) + STEWART_UNIT*(Q_k_bar_max*tau_y_max
+            + REAL(9)*Q_y_bar_max*tau_k_max + REAL(9)*k_cross_S_x_max*y_x_bar_max + REAL(8)*k_cross_S_y_max*y_y_bar_max
+            + REAL(7)*k_cross_S_z_max*y_z_bar_max + REAL(6)*kappa_bar_max*zeta_max + REAL(5)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max
+            + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max
+            + REAL(3)*S_ddot_y_max*y_y_max + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max
+            + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
+            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*theta_ddot_bar_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
+            + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_ddot_bar_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
+            + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + REAL(2)*theta_dot_bar_max*(L_dot_max*k1_max
+            + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max
+            + REAL(4)*S_dot_x_max*k_x_max + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max
-            + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err
-            + STEWART_UNIT*(H_force_z_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_z_max + L_dot_bar_max*S_dot_z_max
-            + STEWART_FABS(s_z_bar));
+        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err
+            + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(H_force_z_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_z_max
+            + L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
         const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max
-            + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err
-            + STEWART_UNIT*(H_force_y_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_y_max + L_dot_bar_max*S_dot_y_max
-            + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err
+            + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(H_force_y_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_y_max
+            + L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
         const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max
-            + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err
-            + STEWART_UNIT*(H_force_x_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_x_max + L_dot_bar_max*S_dot_x_max
-            + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err
+            + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(H_force_x_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_x_max
+            + L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
             + k3_bar*rho;
-        const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err
-            + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err
-            + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err + k1_bar_err*zeta_max + k1_bar_max*zeta_err
-            + k3_bar_err*rho_max + k3_bar_max*rho_err + STEWART_UNIT*(REAL(5)*L_dot_max*L_share_bar_max
-            + REAL(5)*S_x_max*s_x_bar_max + REAL(4)*S_y_max*s_y_bar_max + REAL(3)*S_z_max*s_z_bar_max
-            + REAL(2)*k1_bar_max*zeta_max + k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
+        const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err + S_x_err*s_x_bar_max
+            + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err
+            + k1_bar_err*zeta_max + k1_bar_max*zeta_err + k3_bar_err*rho_max + k3_bar_max*rho_err + STEWART_UNIT*(REAL(5)*L_dot_max*L_share_bar_max
+            + REAL(5)*S_x_max*s_x_bar_max + REAL(4)*S_y_max*s_y_bar_max + REAL(3)*S_z_max*s_z_bar_max + REAL(2)*k1_bar_max*zeta_max
+            + k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
-        const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err
-            + inv_rho_bar_err*inv_rho_max*inv_rho_max + REAL(2)*inv_rho_bar_max*inv_rho_err*inv_rho_max
-            + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
+        const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err + inv_rho_bar_err*inv_rho_max*inv_rho_max
+            + REAL(2)*inv_rho_bar_max*inv_rho_err*inv_rho_max + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
             + STEWART_FABS(rho_bar));
         const stewart_real rho_bar_max = STEWART_FABS(rho_bar) + rho_bar_err;
-        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x - a2_bar*h2_z
-            - a3_bar*h_y - inv_L_bar*inv_L*inv_L;
-        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max)
-            + L_ddot_bar_max*k33_err*phi_dot2_max + L_ddot_bar_max*k33_max*phi_dot2_err
-            + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
-            + a2_bar_err*h2_z_max + a2_bar_max*h2_z_err + a3_bar_err*h_y_max + a3_bar_max*h_y_err
-            + inv_L_bar_err*inv_L_max*inv_L_max + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max
-            + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max + theta_dot2_max)
-            + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
-            + REAL(3)*a2_bar_max*h2_z_max + REAL(2)*a3_bar_max*h_y_max
-            + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
+        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x - a2_bar*h2_z - a3_bar*h_y
+            - inv_L_bar*inv_L*inv_L;
+        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_ddot_bar_max*k33_err*phi_dot2_max
+            + L_ddot_bar_max*k33_max*phi_dot2_err + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
+            + a2_bar_err*h2_z_max + a2_bar_max*h2_z_err + a3_bar_err*h_y_max + a3_bar_max*h_y_err + inv_L_bar_err*inv_L_max*inv_L_max
+            + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max
+            + theta_dot2_max) + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
+            + REAL(3)*a2_bar_max*h2_z_max + REAL(2)*a3_bar_max*h_y_max + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max
+            + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real c13 = L_bar*inv_L;
         const stewart_real c13_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c13);
         const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
         const stewart_real rho2_bar = STEWART_HALF*c13 + STEWART_HALF*inv_rho*rho_bar;
-        const stewart_real rho2_bar_err = STEWART_HALF*c13_err + STEWART_HALF*inv_rho_err*rho_bar_max
-            + STEWART_HALF*inv_rho_max*rho_bar_err + STEWART_UNIT*(STEWART_HALF*inv_rho_max*rho_bar_max
-            + STEWART_FABS(rho2_bar));
+        const stewart_real rho2_bar_err = STEWART_HALF*c13_err + STEWART_HALF*inv_rho_err*rho_bar_max + STEWART_HALF*inv_rho_max*rho_bar_err
+            + STEWART_UNIT*(STEWART_HALF*inv_rho_max*rho_bar_max + STEWART_FABS(rho2_bar));
         const stewart_real rho2_bar_max = STEWART_FABS(rho2_bar) + rho2_bar_err;
         const stewart_real c14 = REAL(2)*rho2_bar;
         const stewart_real c14_err = REAL(2)*rho2_bar_err;
         const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
         const stewart_real k_cross_S_z_bar = c14*k_cross_S_z + inv_rho*y_z_bar;
-        const stewart_real k_cross_S_z_bar_err = c14_err*k_cross_S_z_max + c14_max*k_cross_S_z_err
-            + inv_rho_err*y_z_bar_max + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c14_max*k_cross_S_z_max
-            + inv_rho_max*y_z_bar_max + STEWART_FABS(k_cross_S_z_bar));
+        const stewart_real k_cross_S_z_bar_err = c14_err*k_cross_S_z_max + c14_max*k_cross_S_z_err + inv_rho_err*y_z_bar_max
+            + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c14_max*k_cross_S_z_max + inv_rho_max*y_z_bar_max + STEWART_FABS(k_cross_S_z_bar));
         const stewart_real k_cross_S_z_bar_max = STEWART_FABS(k_cross_S_z_bar) + k_cross_S_z_bar_err;
         const stewart_real k_cross_S_y_bar = c14*k_cross_S_y + inv_rho*y_y_bar;
-        const stewart_real k_cross_S_y_bar_err = c14_err*k_cross_S_y_max + c14_max*k_cross_S_y_err
-            + inv_rho_err*y_y_bar_max + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c14_max*k_cross_S_y_max
-            + inv_rho_max*y_y_bar_max + STEWART_FABS(k_cross_S_y_bar));
+        const stewart_real k_cross_S_y_bar_err = c14_err*k_cross_S_y_max + c14_max*k_cross_S_y_err + inv_rho_err*y_y_bar_max
+            + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c14_max*k_cross_S_y_max + inv_rho_max*y_y_bar_max + STEWART_FABS(k_cross_S_y_bar));
         const stewart_real k_cross_S_y_bar_max = STEWART_FABS(k_cross_S_y_bar) + k_cross_S_y_bar_err;
         const stewart_real k_cross_S_x_bar = c14*k_cross_S_x + inv_rho*y_x_bar;
-        const stewart_real k_cross_S_x_bar_err = c14_err*k_cross_S_x_max + c14_max*k_cross_S_x_err
-            + inv_rho_err*y_x_bar_max + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c14_max*k_cross_S_x_max
-            + inv_rho_max*y_x_bar_max + STEWART_FABS(k_cross_S_x_bar));
+        const stewart_real k_cross_S_x_bar_err = c14_err*k_cross_S_x_max + c14_max*k_cross_S_x_err + inv_rho_err*y_x_bar_max
+            + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c14_max*k_cross_S_x_max + inv_rho_max*y_x_bar_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
         const stewart_real zeta_bar = c13*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
-        const stewart_real zeta_bar_err = c13_err*zeta_max + c13_max*zeta_err + inv_L_err*k1_bar_max
-            + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err
-            + STEWART_UNIT*(REAL(2)*c13_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max
-            + STEWART_FABS(zeta_bar));
+        const stewart_real zeta_bar_err = c13_err*zeta_max + c13_max*zeta_err + inv_L_err*k1_bar_max + inv_L_max*k1_bar_err
+            + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err + STEWART_UNIT*(REAL(2)*c13_max*zeta_max
+            + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real S_z_bar = inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
-        const stewart_real S_z_bar_err = inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err
-            + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max
-            + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max + k_z_max*zeta_bar_err
-            + STEWART_UNIT*(REAL(3)*inv_L_max*s_z_bar_max + REAL(3)*k_cross_S_x_bar_max*k_y_max
+        const stewart_real S_z_bar_err = inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err + k_cross_S_x_bar_err*k_y_max
+            + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max
+            + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_z_bar_max + REAL(3)*k_cross_S_x_bar_max*k_y_max
             + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
         const stewart_real S_y_bar = inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar - k_cross_S_x_bar*k_z;
-        const stewart_real S_y_bar_err = inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err
-            + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max
-            + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max + k_y_max*zeta_bar_err
-            + STEWART_UNIT*(REAL(3)*inv_L_max*s_y_bar_max + k_cross_S_x_bar_max*k_z_max
+        const stewart_real S_y_bar_err = inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err + k_cross_S_x_bar_err*k_z_max
+            + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max
+            + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_y_bar_max + k_cross_S_x_bar_max*k_z_max
             + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
         const stewart_real S_x_bar = inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar - k_cross_S_z_bar*k_y;
-        const stewart_real S_x_bar_err = inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err
-            + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max
-            + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max + k_x_max*zeta_bar_err
-            + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
+        const stewart_real S_x_bar_err = inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err + k_cross_S_y_bar_err*k_z_max
+            + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max
+            + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
             + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar
-            + S_dot_x_bar*omega_y + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
-        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
-            + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
-            + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max
-            + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
-            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max
-            + REAL(4)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max
-            + arm_z_bar_max + STEWART_FABS(q_z_bar));
+        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
+            + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
+        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err + B_yz_err*S_ddot_y_bar_max
+            + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max
+            + S_dot_y_bar_err*omega_x_max + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
+            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_dot_x_bar_max*omega_y_max
+            + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max + arm_z_bar_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar
-            + S_dot_z_bar*omega_x + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
-        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
-            + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
-            + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max
-            + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
-            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max
-            + S_dot_x_bar_max*omega_z_max + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max
-            + arm_y_bar_max + STEWART_FABS(q_y_bar));
+        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
+            + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
+        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err + B_yy_err*S_ddot_y_bar_max
+            + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max
+            + S_dot_z_bar_err*omega_x_max + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
+            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + S_dot_x_bar_max*omega_z_max
+            + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max + arm_y_bar_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar
-            + S_dot_y_bar*omega_z + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
-        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
-            + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
-            + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max
-            + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
-            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max
-            + REAL(4)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max
-            + arm_x_bar_max + STEWART_FABS(q_x_bar));
+        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
+            + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
+        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err + B_yx_err*S_ddot_y_bar_max
+            + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max
+            + S_dot_z_bar_err*omega_y_max + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
+            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_dot_y_bar_max*omega_z_max
+            + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max + arm_x_bar_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c15 = C_s*tau_k_bar;
         const stewart_real c15_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c15);
         const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
-        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - Q_k*c_force_x_bar - S_ddot_x*c9
-            - S_dot_x*c11 - S_z*k_cross_S_y_bar - Y_moment_x*c1 - c15*omega_x;
-        const stewart_real k_x_bar_err = Q_k_err*c_force_x_bar_max + Q_k_max*c_force_x_bar_err
-            + S_ddot_x_err*c9_max + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err
-            + S_x_err*zeta_bar_max + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max
-            + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err
+        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - Q_k*c_force_x_bar - S_ddot_x*c9 - S_dot_x*c11
+            - S_z*k_cross_S_y_bar - Y_moment_x*c1 - c15*omega_x;
+        const stewart_real k_x_bar_err = Q_k_err*c_force_x_bar_max + Q_k_max*c_force_x_bar_err + S_ddot_x_err*c9_max
+            + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err + S_x_err*zeta_bar_max + S_x_max*zeta_bar_err
+            + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err
             + Y_moment_x_max*c1_err + c15_err*omega_x_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_x_bar_max
-            + REAL(5)*S_ddot_x_max*c9_max + REAL(4)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max
-            + REAL(7)*S_y_max*k_cross_S_z_bar_max + REAL(3)*S_z_max*k_cross_S_y_bar_max
-            + REAL(2)*Y_moment_x_max*c1_max + c15_max*omega_x_max + STEWART_FABS(k_x_bar));
+            + REAL(5)*S_ddot_x_max*c9_max + REAL(4)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max + REAL(7)*S_y_max*k_cross_S_z_bar_max
+            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c1_max + c15_max*omega_x_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - Q_k*c_force_y_bar - S_ddot_y*c9
-            - S_dot_y*c11 - S_x*k_cross_S_z_bar - Y_moment_y*c1 - c15*omega_y;
-        const stewart_real k_y_bar_err = Q_k_err*c_force_y_bar_max + Q_k_max*c_force_y_bar_err
-            + S_ddot_y_err*c9_max + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err
-            + S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max
-            + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err
-            + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_y_bar_max
+        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - Q_k*c_force_y_bar - S_ddot_y*c9 - S_dot_y*c11
+            - S_x*k_cross_S_z_bar - Y_moment_y*c1 - c15*omega_y;
+        const stewart_real k_y_bar_err = Q_k_err*c_force_y_bar_max + Q_k_max*c_force_y_bar_err + S_ddot_y_err*c9_max
+            + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err + S_x_err*k_cross_S_z_bar_max
+            + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max
+            + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_y_bar_max
             + REAL(5)*S_ddot_y_max*c9_max + REAL(4)*S_dot_y_max*c11_max + REAL(3)*S_x_max*k_cross_S_z_bar_max
             + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c1_max
             + c15_max*omega_y_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - Q_k*c_force_z_bar - S_ddot_z*c9
-            - S_dot_z*c11 - S_y*k_cross_S_x_bar - Y_moment_z*c1 - c15*omega_z;
-        const stewart_real k_z_bar_err = Q_k_err*c_force_z_bar_max + Q_k_max*c_force_z_bar_err
-            + S_ddot_z_err*c9_max + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err
-            + S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max
-            + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err
-            + c15_err*omega_z_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_z_bar_max
+        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - Q_k*c_force_z_bar - S_ddot_z*c9 - S_dot_z*c11
+            - S_y*k_cross_S_x_bar - Y_moment_z*c1 - c15*omega_z;
+        const stewart_real k_z_bar_err = Q_k_err*c_force_z_bar_max + Q_k_max*c_force_z_bar_err + S_ddot_z_err*c9_max
+            + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err + S_x_err*k_cross_S_y_bar_max
+            + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max
+            + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err + c15_err*omega_z_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_z_bar_max
             + REAL(5)*S_ddot_z_max*c9_max + REAL(4)*S_dot_z_max*c11_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
             + REAL(3)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c1_max
             + c15_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
-        const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max
-            + M_phi_L_bar_max*k33_err + STEWART_UNIT*(D_weight_max*theta_dot2_max + M_phi_L_bar_max*k33_max
-            + STEWART_FABS(h_x_bar));
+        const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max + M_phi_L_bar_max*k33_err
+            + STEWART_UNIT*(D_weight_max*theta_dot2_max + M_phi_L_bar_max*k33_max + STEWART_FABS(h_x_bar));
         const stewart_real h_x_bar_max = STEWART_FABS(h_x_bar) + h_x_bar_err;
         const stewart_real h_y_bar = k3*k3_h_bar - L*a3_bar;
-        const stewart_real h_y_bar_err = L_err*a3_bar_max + L_max*a3_bar_err + k3_err*k3_h_bar_max
-            + k3_h_bar_err*k3_max + STEWART_UNIT*(L_max*a3_bar_max + k3_h_bar_max*k3_max
-            + STEWART_FABS(h_y_bar));
+        const stewart_real h_y_bar_err = L_err*a3_bar_max + L_max*a3_bar_err + k3_err*k3_h_bar_max + k3_h_bar_err*k3_max
+            + STEWART_UNIT*(L_max*a3_bar_max + k3_h_bar_max*k3_max + STEWART_FABS(h_y_bar));
         const stewart_real h_y_bar_max = STEWART_FABS(h_y_bar) + h_y_bar_err;
         const stewart_real h_z_bar = D_weight*theta_ddot + L_ddot*tau_y_bar - M_phi_L_bar*k13;
-        const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max
-            + L_ddot_max*tau_y_bar_err + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err
-            + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max + REAL(2)*L_ddot_max*tau_y_bar_max
-            + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+        const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max + L_ddot_max*tau_y_bar_err
+            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max
+            + REAL(2)*L_ddot_max*tau_y_bar_max + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
         const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
-        const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max
-            + bend_max*tau_y_bar_err + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max
-            + STEWART_FABS(h2_x_bar));
+        const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max + bend_max*tau_y_bar_err
+            + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max + STEWART_FABS(h2_x_bar));
         const stewart_real h2_x_bar_max = STEWART_FABS(h2_x_bar) + h2_x_bar_err;
         const stewart_real h2_y_bar = -bend*k1*tau_k_bar;
-        const stewart_real h2_y_bar_err = bend_err*k1_max*tau_k_bar_max + bend_max*k1_err*tau_k_bar_max
-            + bend_max*k1_max*tau_k_bar_err + STEWART_UNIT*(bend_max*k1_max*tau_k_bar_max
-            + STEWART_FABS(h2_y_bar));
+        const stewart_real h2_y_bar_err = bend_err*k1_max*tau_k_bar_max + bend_max*k1_err*tau_k_bar_max + bend_max*k1_max*tau_k_bar_err
+            + STEWART_UNIT*(bend_max*k1_max*tau_k_bar_max + STEWART_FABS(h2_y_bar));
         const stewart_real h2_y_bar_max = STEWART_FABS(h2_y_bar) + h2_y_bar_err;
         const stewart_real h2_z_bar = -L*a2_bar;
-        const stewart_real h2_z_bar_err = L_err*a2_bar_max + L_max*a2_bar_err
-            + STEWART_UNIT*STEWART_FABS(h2_z_bar);
+        const stewart_real h2_z_bar_err = L_err*a2_bar_max + L_max*a2_bar_err + STEWART_UNIT*STEWART_FABS(h2_z_bar);
         const stewart_real h2_z_bar_max = STEWART_FABS(h2_z_bar) + h2_z_bar_err;
         const stewart_real w_x_bar = k1*w_k_bar + k3*w_n_bar;
-        const stewart_real w_x_bar_err = k1_err*w_k_bar_max + k1_max*w_k_bar_err + k3_err*w_n_bar_max
-            + k3_max*w_n_bar_err + STEWART_UNIT*(k1_max*w_k_bar_max + k3_max*w_n_bar_max
-            + STEWART_FABS(w_x_bar));
+        const stewart_real w_x_bar_err = k1_err*w_k_bar_max + k1_max*w_k_bar_err + k3_err*w_n_bar_max + k3_max*w_n_bar_err
+            + STEWART_UNIT*(k1_max*w_k_bar_max + k3_max*w_n_bar_max + STEWART_FABS(w_x_bar));
         const stewart_real w_x_bar_max = STEWART_FABS(w_x_bar) + w_x_bar_err;
         const stewart_real w_y_bar = -gamma_n*tau_k_bar;
-        const stewart_real w_y_bar_err = gamma_n_err*tau_k_bar_max + gamma_n_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(w_y_bar);
+        const stewart_real w_y_bar_err = gamma_n_err*tau_k_bar_max + gamma_n_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(w_y_bar);
         const stewart_real w_y_bar_max = STEWART_FABS(w_y_bar) + w_y_bar_err;
         const stewart_real w_z_bar = k3*w_k_bar - k1*w_n_bar;
-        const stewart_real w_z_bar_err = k1_err*w_n_bar_max + k1_max*w_n_bar_err + k3_err*w_k_bar_max
-            + k3_max*w_k_bar_err + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max
-            + STEWART_FABS(w_z_bar));
+        const stewart_real w_z_bar_err = k1_err*w_n_bar_max + k1_max*w_n_bar_err + k3_err*w_k_bar_max + k3_max*w_k_bar_err
+            + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max + STEWART_FABS(w_z_bar));
         const stewart_real w_z_bar_max = STEWART_FABS(w_z_bar) + w_z_bar_err;
         const stewart_real J_yz_bar = M_mixed_bar*k3 + M_mixed_theta_bar*k1;
-        const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err
-            + M_mixed_theta_bar_err*k1_max + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max
-            + M_mixed_theta_bar_max*k1_max + STEWART_FABS(J_yz_bar));
+        const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err + M_mixed_theta_bar_err*k1_max
+            + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max + M_mixed_theta_bar_max*k1_max
+            + STEWART_FABS(J_yz_bar));
         const stewart_real J_yz_bar_max = STEWART_FABS(J_yz_bar) + J_yz_bar_err;
         const stewart_real g_k_bar = tau_y_bar*w_n;
-        const stewart_real g_k_bar_err = tau_y_bar_err*w_n_max + tau_y_bar_max*w_n_err
-            + STEWART_UNIT*STEWART_FABS(g_k_bar);
+        const stewart_real g_k_bar_err = tau_y_bar_err*w_n_max + tau_y_bar_max*w_n_err + STEWART_UNIT*STEWART_FABS(g_k_bar);
         const stewart_real g_k_bar_max = STEWART_FABS(g_k_bar) + g_k_bar_err;
         const stewart_real g_x_k_x_bar = gamma_n_bar*y_x;
-        const stewart_real g_x_k_x_bar_err = gamma_n_bar_err*y_x_max + gamma_n_bar_max*y_x_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_x_bar);
+        const stewart_real g_x_k_x_bar_err = gamma_n_bar_err*y_x_max + gamma_n_bar_max*y_x_err + STEWART_UNIT*STEWART_FABS(g_x_k_x_bar);
         const stewart_real g_x_k_x_bar_max = STEWART_FABS(g_x_k_x_bar) + g_x_k_x_bar_err;
         const stewart_real g_x_k_y_bar = gamma_n_bar*y_y;
-        const stewart_real g_x_k_y_bar_err = gamma_n_bar_err*y_y_max + gamma_n_bar_max*y_y_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_y_bar);
+        const stewart_real g_x_k_y_bar_err = gamma_n_bar_err*y_y_max + gamma_n_bar_max*y_y_err + STEWART_UNIT*STEWART_FABS(g_x_k_y_bar);
         const stewart_real g_x_k_y_bar_max = STEWART_FABS(g_x_k_y_bar) + g_x_k_y_bar_err;
         const stewart_real g_x_k_z_bar = gamma_n_bar*y_z;
-        const stewart_real g_x_k_z_bar_err = gamma_n_bar_err*y_z_max + gamma_n_bar_max*y_z_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_z_bar);
+        const stewart_real g_x_k_z_bar_err = gamma_n_bar_err*y_z_max + gamma_n_bar_max*y_z_err + STEWART_UNIT*STEWART_FABS(g_x_k_z_bar);
         const stewart_real g_x_k_z_bar_max = STEWART_FABS(g_x_k_z_bar) + g_x_k_z_bar_err;
         const stewart_real C_us_bar = phi_dot*tau_k_bar + tau_y_bar*theta_dot;
-        const stewart_real C_us_bar_err = phi_dot_err*tau_k_bar_max + phi_dot_max*tau_k_bar_err
-            + tau_y_bar_err*theta_dot_max + tau_y_bar_max*theta_dot_err
-            + STEWART_UNIT*(phi_dot_max*tau_k_bar_max + tau_y_bar_max*theta_dot_max + STEWART_FABS(C_us_bar));
+        const stewart_real C_us_bar_err = phi_dot_err*tau_k_bar_max + phi_dot_max*tau_k_bar_err + tau_y_bar_err*theta_dot_max
+            + tau_y_bar_max*theta_dot_err + STEWART_UNIT*(phi_dot_max*tau_k_bar_max + tau_y_bar_max*theta_dot_max
+            + STEWART_FABS(C_us_bar));
         const stewart_real C_us_bar_max = STEWART_FABS(C_us_bar) + C_us_bar_err;
         const stewart_real R_xx_bar = p_x*q_x_bar;
         const stewart_real R_xx_bar_err = p_x_max*q_x_bar_err + STEWART_UNIT*STEWART_FABS(R_xx_bar);
@@ -3798,95 +3667,80 @@ static void leg_errors(
         const stewart_real R_zz_bar = p_z*q_z_bar;
         const stewart_real R_zz_bar_err = p_z_max*q_z_bar_err + STEWART_UNIT*STEWART_FABS(R_zz_bar);
         const stewart_real B_xx_bar = S_ddot_x_bar*q_x;
-        const stewart_real B_xx_bar_err = S_ddot_x_bar_err*q_x_max + S_ddot_x_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_xx_bar);
+        const stewart_real B_xx_bar_err = S_ddot_x_bar_err*q_x_max + S_ddot_x_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_xx_bar);
         const stewart_real B_xy_bar = S_ddot_x_bar*q_y;
-        const stewart_real B_xy_bar_err = S_ddot_x_bar_err*q_y_max + S_ddot_x_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_xy_bar);
+        const stewart_real B_xy_bar_err = S_ddot_x_bar_err*q_y_max + S_ddot_x_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_xy_bar);
         const stewart_real B_xz_bar = S_ddot_x_bar*q_z;
-        const stewart_real B_xz_bar_err = S_ddot_x_bar_err*q_z_max + S_ddot_x_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_xz_bar);
+        const stewart_real B_xz_bar_err = S_ddot_x_bar_err*q_z_max + S_ddot_x_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_xz_bar);
         const stewart_real B_yx_bar = S_ddot_y_bar*q_x;
-        const stewart_real B_yx_bar_err = S_ddot_y_bar_err*q_x_max + S_ddot_y_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_yx_bar);
+        const stewart_real B_yx_bar_err = S_ddot_y_bar_err*q_x_max + S_ddot_y_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_yx_bar);
         const stewart_real B_yy_bar = S_ddot_y_bar*q_y;
-        const stewart_real B_yy_bar_err = S_ddot_y_bar_err*q_y_max + S_ddot_y_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_yy_bar);
+        const stewart_real B_yy_bar_err = S_ddot_y_bar_err*q_y_max + S_ddot_y_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_yy_bar);
         const stewart_real B_yz_bar = S_ddot_y_bar*q_z;
-        const stewart_real B_yz_bar_err = S_ddot_y_bar_err*q_z_max + S_ddot_y_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_yz_bar);
+        const stewart_real B_yz_bar_err = S_ddot_y_bar_err*q_z_max + S_ddot_y_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_yz_bar);
         const stewart_real B_zx_bar = S_ddot_z_bar*q_x;
-        const stewart_real B_zx_bar_err = S_ddot_z_bar_err*q_x_max + S_ddot_z_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_zx_bar);
+        const stewart_real B_zx_bar_err = S_ddot_z_bar_err*q_x_max + S_ddot_z_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_zx_bar);
         const stewart_real B_zy_bar = S_ddot_z_bar*q_y;
-        const stewart_real B_zy_bar_err = S_ddot_z_bar_err*q_y_max + S_ddot_z_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_zy_bar);
+        const stewart_real B_zy_bar_err = S_ddot_z_bar_err*q_y_max + S_ddot_z_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_zy_bar);
         const stewart_real B_zz_bar = S_ddot_z_bar*q_z;
-        const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_zz_bar);
-        error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
-            + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
-            + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err
-            + w_z_bar_max*w_z_err + M_phi_bar_max*J_xx_err + a3_bar_max*J_xy_err + M_theta_bar_max*J_yy_err
-            + J_yz_bar_max*J_yz_err + a2_bar_max*J2_xz_err + a1_bar_max*dJ_zx_err + g_k_bar_max*g_k_err
-            + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
-            + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own
-            + S_x_bar_max*t_b_x_own + S_y_bar_max*t_b_y_own + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own
-            + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own + zeta_bar_max*zeta_own
-            + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
-            + k_cross_S_z_bar_max*k_cross_S_z_own + rho2_bar_max*rho2_own + L_bar_max*L_own
-            + rho_bar_max*rho_own + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own
-            + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own
-            + y_z_bar_max*y_z_own + k1_bar_max*k1_own + k3_bar_max*k3_own + kappa_bar_max*kappa_own
-            + S_dot_x_bar_max*S_dot_x_own + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own
+        const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_zz_bar);
+        error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err + h_x_bar_max*h_x_err
+            + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err
+            + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err + w_z_bar_max*w_z_err + M_phi_bar_max*J_xx_err + a3_bar_max*J_xy_err
+            + M_theta_bar_max*J_yy_err + J_yz_bar_max*J_yz_err + a2_bar_max*J2_xz_err + a1_bar_max*dJ_zx_err
+            + g_k_bar_max*g_k_err + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
+            + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*t_b_x_own
+            + S_y_bar_max*t_b_y_own + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own
+            + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
+            + k_cross_S_z_bar_max*k_cross_S_z_own + rho2_bar_max*rho2_own + L_bar_max*L_own + rho_bar_max*rho_own
+            + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + inv_rho_bar_max*inv_rho_own
+            + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own + k3_bar_max*k3_own
+            + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own
             + S_ddot_x_bar_max*S_ddot_x_own + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own
-            + L_dot_bar_max*L_dot_own + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own
-            + L_share_bar_max*L_share_own + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own
-            + phi_dot2_bar_max*phi_dot2_own + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own
-            + L_ddot_bar_max*L_ddot_own + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own
-            + k13_bar_max*k13_own + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + a2_bar_max*a2_own
-            + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own
-            + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own
-            + M_phi_L_bar_max*M_phi_L_own + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own
-            + gamma_n_bar_max*gamma_n_own + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own
-            + w_n_bar_max*w_n_own + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own
-            + Q_y_bar_max*Q_y_own + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own
-            + c_force_z_bar_max*K_z_own + D_weight_max*D_own + c1_bar_max*c1_own + c2_bar_max*c2_own
-            + arm_x_bar_max*arm_x_own + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own
+            + L_dot_bar_max*L_dot_own + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own + L_share_bar_max*L_share_own
+            + rho_share_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own + phi_dot2_bar_max*phi_dot2_own
+            + rho_share_bar_max*rho_share_own + k33_bar_max*k33_own + L_ddot_bar_max*L_ddot_own + theta_ddot_bar_max*theta_ddot_own
+            + phi_ddot_bar_max*phi_ddot_own + k13_bar_max*k13_own + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own
+            + a2_bar_max*a2_own + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own
+            + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_theta_bar_max*M_phi_theta_own + M_phi_L_bar_max*M_phi_L_own
+            + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
+            + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own + tau_y_bar_max*tau_y_own
+            + tau_k_bar_max*tau_k_own + Q_k_bar_max*Q_k_own + Q_y_bar_max*Q_y_own + c_force_x_bar_max*K_x_own
+            + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own + D_weight_max*D_own + c1_bar_max*c1_own
+            + c2_bar_max*c2_own + arm_x_bar_max*arm_x_own + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own
             + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
-            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
-            + H_moment_z_weight_max*H_moment_z_own + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own
-            + Y_arm_z_max*arm_c_z_own;
-        add(&slopes[i].R_legs[0], &slopes[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
-        add(&slopes[i].R_legs[1], &slopes[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
-        add(&slopes[i].R_legs[2], &slopes[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
-        add(&slopes[i].R_legs[3], &slopes[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
-        add(&slopes[i].R_legs[4], &slopes[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
-        add(&slopes[i].R_legs[5], &slopes[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
-        add(&slopes[i].R_legs[6], &slopes[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
-        add(&slopes[i].R_legs[7], &slopes[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
-        add(&slopes[i].R_legs[8], &slopes[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
-        add(&slopes[i].B_legs[0], &slopes[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
-        add(&slopes[i].B_legs[1], &slopes[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
-        add(&slopes[i].B_legs[2], &slopes[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
-        add(&slopes[i].B_legs[3], &slopes[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
-        add(&slopes[i].B_legs[4], &slopes[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
-        add(&slopes[i].B_legs[5], &slopes[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
-        add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
-        add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
-        add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
-        add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
-        add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
+            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own + H_moment_z_weight_max*H_moment_z_own
+            + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own + Y_arm_z_max*arm_c_z_own;
+        add(&slopes->force[i].R_legs[0], &slopes->force[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
+        add(&slopes->force[i].R_legs[1], &slopes->force[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
+        add(&slopes->force[i].R_legs[2], &slopes->force[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
+        add(&slopes->force[i].R_legs[3], &slopes->force[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
+        add(&slopes->force[i].R_legs[4], &slopes->force[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
+        add(&slopes->force[i].R_legs[5], &slopes->force[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
+        add(&slopes->force[i].R_legs[6], &slopes->force[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
+        add(&slopes->force[i].R_legs[7], &slopes->force[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
+        add(&slopes->force[i].R_legs[8], &slopes->force[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
+        add(&slopes->force[i].B_legs[0], &slopes->force[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
+        add(&slopes->force[i].B_legs[1], &slopes->force[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
+        add(&slopes->force[i].B_legs[2], &slopes->force[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
+        add(&slopes->force[i].B_legs[3], &slopes->force[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
+        add(&slopes->force[i].B_legs[4], &slopes->force[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
+        add(&slopes->force[i].B_legs[5], &slopes->force[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
+        add(&slopes->force[i].B_legs[6], &slopes->force[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
+        add(&slopes->force[i].B_legs[7], &slopes->force[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
+        add(&slopes->force[i].B_legs[8], &slopes->force[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
+        add(&slopes->force[i].q_1_legs[0], &slopes->force[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
+        add(&slopes->force[i].q_1_legs[1], &slopes->force[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
+        add(&slopes->force[i].q_1_legs[2], &slopes->force[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
     }
 }
 
-/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along what
- * the pose has for all legs. */
+/* One leg with its errors. Adds to the error of each force what they do to it, and to its slopes along
+ * what the pose has for all legs. */
 static void leg_errors_near_singularity(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,
-    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_row rows[6],
-    slopes_of_legs slopes[6], stewart_real error[6], leg_terms *out)
+    const stewart_motions *at, const shared_terms *shared, stewart_real R_err, const force_rows *rows,
+    force_slopes *slopes, stewart_real error[6], leg_terms *out)
 {
     int i;
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
@@ -3915,79 +3769,91 @@ static void leg_errors_near_singularity(
     const stewart_real g_k = leg->g_k;
     const stewart_real g_k_err = leg->g_k_err;
     const stewart_real g_x_k_x = leg->g_x_k[0], g_x_k_y = leg->g_x_k[1], g_x_k_z = leg->g_x_k[2];
-    const stewart_real g_x_k_x_err = leg->g_x_k_err[0], g_x_k_y_err = leg->g_x_k_err[1],
-        g_x_k_z_err = leg->g_x_k_err[2];
+    const stewart_real g_x_k_x_err = leg->g_x_k_err[0], g_x_k_y_err = leg->g_x_k_err[1], g_x_k_z_err = leg->g_x_k_err[2];
     const stewart_real C_us = leg->C_us;
     const stewart_real C_us_err = leg->C_us_err;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2],
-        B_yx = shared->B[3], B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6],
-        B_zy = shared->B[7], B_zz = shared->B[8];
-    const stewart_real B_xx_err = shared->B_err[0], B_xy_err = shared->B_err[1],
-        B_xz_err = shared->B_err[2], B_yx_err = shared->B_err[3], B_yy_err = shared->B_err[4],
-        B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6], B_zy_err = shared->B_err[7],
-        B_zz_err = shared->B_err[8];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
+    const stewart_real B_xx_err = shared->B_err[0], B_xy_err = shared->B_err[1], B_xz_err = shared->B_err[2],
+        B_yx_err = shared->B_err[3], B_yy_err = shared->B_err[4], B_yz_err = shared->B_err[5], B_zx_err = shared->B_err[6],
+        B_zy_err = shared->B_err[7], B_zz_err = shared->B_err[8];
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
-    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1],
-        q_1_z_err = shared->q_1_err[2];
-    const stewart_real p_x_max = STEWART_FABS(p_x), p_y_max = STEWART_FABS(p_y),
-        p_z_max = STEWART_FABS(p_z);
-    const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err, k_y_max = STEWART_FABS(k_y) + k_y_err,
-        k_z_max = STEWART_FABS(k_z) + k_z_err;
+    const stewart_real q_1_x_err = shared->q_1_err[0], q_1_y_err = shared->q_1_err[1], q_1_z_err = shared->q_1_err[2];
+    const stewart_real p_x_max = STEWART_FABS(p_x);
+    const stewart_real p_y_max = STEWART_FABS(p_y);
+    const stewart_real p_z_max = STEWART_FABS(p_z);
+    const stewart_real k_x_max = STEWART_FABS(k_x) + k_x_err;
+    const stewart_real k_y_max = STEWART_FABS(k_y) + k_y_err;
+    const stewart_real k_z_max = STEWART_FABS(k_z) + k_z_err;
     const stewart_real C_p_max = STEWART_FABS(C_p);
     const stewart_real C_s_max = STEWART_FABS(C_s);
-    const stewart_real h_x_max = STEWART_FABS(h_x) + h_x_err, h_y_max = STEWART_FABS(h_y) + h_y_err,
-        h_z_max = STEWART_FABS(h_z) + h_z_err;
+    const stewart_real h_x_max = STEWART_FABS(h_x) + h_x_err;
+    const stewart_real h_y_max = STEWART_FABS(h_y) + h_y_err;
+    const stewart_real h_z_max = STEWART_FABS(h_z) + h_z_err;
     const stewart_real h2_x_max = STEWART_FABS(h2_x) + h2_x_err;
     const stewart_real h2_y_max = STEWART_FABS(h2_y) + h2_y_err;
     const stewart_real h2_z_max = STEWART_FABS(h2_z) + h2_z_err;
-    const stewart_real w_x_max = STEWART_FABS(w_x) + w_x_err, w_y_max = STEWART_FABS(w_y) + w_y_err,
-        w_z_max = STEWART_FABS(w_z) + w_z_err;
-    const stewart_real J_xx_max = STEWART_FABS(J_xx) + J_xx_err,
-        J_yy_max = STEWART_FABS(J_yy) + J_yy_err, J_yz_max = STEWART_FABS(J_yz) + J_yz_err;
+    const stewart_real w_x_max = STEWART_FABS(w_x) + w_x_err;
+    const stewart_real w_y_max = STEWART_FABS(w_y) + w_y_err;
+    const stewart_real w_z_max = STEWART_FABS(w_z) + w_z_err;
+    const stewart_real J_xx_max = STEWART_FABS(J_xx) + J_xx_err;
+    const stewart_real J_yy_max = STEWART_FABS(J_yy) + J_yy_err;
+    const stewart_real J_yz_max = STEWART_FABS(J_yz) + J_yz_err;
     const stewart_real J2_xz_max = STEWART_FABS(J2_xz) + J2_xz_err;
     const stewart_real dJ_zx_max = STEWART_FABS(dJ_zx) + dJ_zx_err;
     const stewart_real g_k_max = STEWART_FABS(g_k) + g_k_err;
-    const stewart_real g_x_k_x_max = STEWART_FABS(g_x_k_x) + g_x_k_x_err,
-        g_x_k_y_max = STEWART_FABS(g_x_k_y) + g_x_k_y_err,
-        g_x_k_z_max = STEWART_FABS(g_x_k_z) + g_x_k_z_err;
+    const stewart_real g_x_k_x_max = STEWART_FABS(g_x_k_x) + g_x_k_x_err;
+    const stewart_real g_x_k_y_max = STEWART_FABS(g_x_k_y) + g_x_k_y_err;
+    const stewart_real g_x_k_z_max = STEWART_FABS(g_x_k_z) + g_x_k_z_err;
     const stewart_real C_us_max = STEWART_FABS(C_us) + C_us_err;
-    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err, R_xy_max = STEWART_FABS(R_xy) + R_err,
-        R_xz_max = STEWART_FABS(R_xz) + R_err, R_yx_max = STEWART_FABS(R_yx) + R_err,
-        R_yy_max = STEWART_FABS(R_yy) + R_err, R_yz_max = STEWART_FABS(R_yz) + R_err,
-        R_zx_max = STEWART_FABS(R_zx) + R_err, R_zy_max = STEWART_FABS(R_zy) + R_err,
-        R_zz_max = STEWART_FABS(R_zz) + R_err;
-    const stewart_real omega_x_max = STEWART_FABS(omega_x), omega_y_max = STEWART_FABS(omega_y),
-        omega_z_max = STEWART_FABS(omega_z);
-    const stewart_real v_x_max = STEWART_FABS(v_x), v_y_max = STEWART_FABS(v_y),
-        v_z_max = STEWART_FABS(v_z);
-    const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err,
-        B_xy_max = STEWART_FABS(B_xy) + B_xy_err, B_xz_max = STEWART_FABS(B_xz) + B_xz_err,
-        B_yx_max = STEWART_FABS(B_yx) + B_yx_err, B_yy_max = STEWART_FABS(B_yy) + B_yy_err,
-        B_yz_max = STEWART_FABS(B_yz) + B_yz_err, B_zx_max = STEWART_FABS(B_zx) + B_zx_err,
-        B_zy_max = STEWART_FABS(B_zy) + B_zy_err, B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
-    const stewart_real g_x_max = STEWART_FABS(g_x), g_y_max = STEWART_FABS(g_y),
-        g_z_max = STEWART_FABS(g_z);
+    const stewart_real R_xx_max = STEWART_FABS(R_xx) + R_err;
+    const stewart_real R_xy_max = STEWART_FABS(R_xy) + R_err;
+    const stewart_real R_xz_max = STEWART_FABS(R_xz) + R_err;
+    const stewart_real R_yx_max = STEWART_FABS(R_yx) + R_err;
+    const stewart_real R_yy_max = STEWART_FABS(R_yy) + R_err;
+    const stewart_real R_yz_max = STEWART_FABS(R_yz) + R_err;
+    const stewart_real R_zx_max = STEWART_FABS(R_zx) + R_err;
+    const stewart_real R_zy_max = STEWART_FABS(R_zy) + R_err;
+    const stewart_real R_zz_max = STEWART_FABS(R_zz) + R_err;
+    const stewart_real omega_x_max = STEWART_FABS(omega_x);
+    const stewart_real omega_y_max = STEWART_FABS(omega_y);
+    const stewart_real omega_z_max = STEWART_FABS(omega_z);
+    const stewart_real v_x_max = STEWART_FABS(v_x);
+    const stewart_real v_y_max = STEWART_FABS(v_y);
+    const stewart_real v_z_max = STEWART_FABS(v_z);
+    const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err;
+    const stewart_real B_xy_max = STEWART_FABS(B_xy) + B_xy_err;
+    const stewart_real B_xz_max = STEWART_FABS(B_xz) + B_xz_err;
+    const stewart_real B_yx_max = STEWART_FABS(B_yx) + B_yx_err;
+    const stewart_real B_yy_max = STEWART_FABS(B_yy) + B_yy_err;
+    const stewart_real B_yz_max = STEWART_FABS(B_yz) + B_yz_err;
+    const stewart_real B_zx_max = STEWART_FABS(B_zx) + B_zx_err;
+    const stewart_real B_zy_max = STEWART_FABS(B_zy) + B_zy_err;
+    const stewart_real B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
+    const stewart_real g_x_max = STEWART_FABS(g_x);
+    const stewart_real g_y_max = STEWART_FABS(g_y);
+    const stewart_real g_z_max = STEWART_FABS(g_z);
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
-        + R_xz_max*p_z_max + STEWART_FABS(q_x));
+    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max + R_xz_max*p_z_max
+        + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
-        + R_yz_max*p_z_max + STEWART_FABS(q_y));
+    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max + R_yz_max*p_z_max
+        + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
-        + R_zz_max*p_z_max + STEWART_FABS(q_z));
+    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max + R_zz_max*p_z_max
+        + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
     /* (1) reference point from base point, base frame */
@@ -4015,36 +3881,32 @@ static void leg_errors_near_singularity(
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
-        + S_z_max*k_z_max + STEWART_FABS(zeta));
-    const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err
-        + S_z_err*k_z_max + S_z_max*k_z_err + zeta_own;
+    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max + S_z_max*k_z_max
+        + STEWART_FABS(zeta));
+    const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err + S_z_err*k_z_max
+        + S_z_max*k_z_err + zeta_own;
     const stewart_real zeta_max = STEWART_FABS(zeta) + zeta_err;
     const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_x_own = STEWART_UNIT*(S_y_max*k_z_max + S_z_max*k_y_max
-        + STEWART_FABS(k_cross_S_x));
-    const stewart_real k_cross_S_x_err = S_y_err*k_z_max + S_y_max*k_z_err + S_z_err*k_y_max
-        + S_z_max*k_y_err + k_cross_S_x_own;
+    const stewart_real k_cross_S_x_own = STEWART_UNIT*(S_y_max*k_z_max + S_z_max*k_y_max + STEWART_FABS(k_cross_S_x));
+    const stewart_real k_cross_S_x_err = S_y_err*k_z_max + S_y_max*k_z_err + S_z_err*k_y_max + S_z_max*k_y_err
+        + k_cross_S_x_own;
     const stewart_real k_cross_S_x_max = STEWART_FABS(k_cross_S_x) + k_cross_S_x_err;
     const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_y_own = STEWART_UNIT*(S_x_max*k_z_max + S_z_max*k_x_max
-        + STEWART_FABS(k_cross_S_y));
-    const stewart_real k_cross_S_y_err = S_x_err*k_z_max + S_x_max*k_z_err + S_z_err*k_x_max
-        + S_z_max*k_x_err + k_cross_S_y_own;
+    const stewart_real k_cross_S_y_own = STEWART_UNIT*(S_x_max*k_z_max + S_z_max*k_x_max + STEWART_FABS(k_cross_S_y));
+    const stewart_real k_cross_S_y_err = S_x_err*k_z_max + S_x_max*k_z_err + S_z_err*k_x_max + S_z_max*k_x_err
+        + k_cross_S_y_own;
     const stewart_real k_cross_S_y_max = STEWART_FABS(k_cross_S_y) + k_cross_S_y_err;
     const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-    const stewart_real k_cross_S_z_own = STEWART_UNIT*(S_x_max*k_y_max + S_y_max*k_x_max
-        + STEWART_FABS(k_cross_S_z));
-    const stewart_real k_cross_S_z_err = S_x_err*k_y_max + S_x_max*k_y_err + S_y_err*k_x_max
-        + S_y_max*k_x_err + k_cross_S_z_own;
+    const stewart_real k_cross_S_z_own = STEWART_UNIT*(S_x_max*k_y_max + S_y_max*k_x_max + STEWART_FABS(k_cross_S_z));
+    const stewart_real k_cross_S_z_err = S_x_err*k_y_max + S_x_max*k_y_err + S_y_err*k_x_max + S_y_max*k_x_err
+        + k_cross_S_z_own;
     const stewart_real k_cross_S_z_max = STEWART_FABS(k_cross_S_z) + k_cross_S_z_err;
     /* (2) leg length, and distance of its tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
         + REAL(2)*S_z_max*S_z_max));
-    const stewart_real L_err = root_error(L, REAL(2)*S_x_err*S_x_max + REAL(2)*S_y_err*S_y_max
-        + REAL(2)*S_z_err*S_z_max + STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
-        + REAL(2)*S_z_max*S_z_max));
+    const stewart_real L_err = root_error(L, REAL(2)*S_x_err*S_x_max + REAL(2)*S_y_err*S_y_max + REAL(2)*S_z_err*S_z_max
+        + STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max + REAL(2)*S_z_max*S_z_max));
     const stewart_real L_max = STEWART_FABS(L) + L_err;
     const stewart_real inv_L = REAL(1)/L;
     const stewart_real inv_L_own = STEWART_UNIT*STEWART_FABS(inv_L);
@@ -4065,35 +3927,32 @@ static void leg_errors_near_singularity(
     const stewart_real s_z_max = STEWART_FABS(s_z) + s_z_err;
     /* (10) along the third axis of the leg */
     const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-    const stewart_real s_cross_normal_x_own = STEWART_UNIT*(k_cross_S_y_max*s_z_max
-        + k_cross_S_z_max*s_y_max + STEWART_FABS(s_cross_normal_x));
-    const stewart_real s_cross_normal_x_err = k_cross_S_y_err*s_z_max + k_cross_S_y_max*s_z_err
-        + k_cross_S_z_err*s_y_max + k_cross_S_z_max*s_y_err + s_cross_normal_x_own;
+    const stewart_real s_cross_normal_x_own = STEWART_UNIT*(k_cross_S_y_max*s_z_max + k_cross_S_z_max*s_y_max
+        + STEWART_FABS(s_cross_normal_x));
+    const stewart_real s_cross_normal_x_err = k_cross_S_y_err*s_z_max + k_cross_S_y_max*s_z_err + k_cross_S_z_err*s_y_max
+        + k_cross_S_z_max*s_y_err + s_cross_normal_x_own;
     const stewart_real s_cross_normal_x_max = STEWART_FABS(s_cross_normal_x) + s_cross_normal_x_err;
     const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-    const stewart_real s_cross_normal_y_own = STEWART_UNIT*(k_cross_S_x_max*s_z_max
-        + k_cross_S_z_max*s_x_max + STEWART_FABS(s_cross_normal_y));
-    const stewart_real s_cross_normal_y_err = k_cross_S_x_err*s_z_max + k_cross_S_x_max*s_z_err
-        + k_cross_S_z_err*s_x_max + k_cross_S_z_max*s_x_err + s_cross_normal_y_own;
+    const stewart_real s_cross_normal_y_own = STEWART_UNIT*(k_cross_S_x_max*s_z_max + k_cross_S_z_max*s_x_max
+        + STEWART_FABS(s_cross_normal_y));
+    const stewart_real s_cross_normal_y_err = k_cross_S_x_err*s_z_max + k_cross_S_x_max*s_z_err + k_cross_S_z_err*s_x_max
+        + k_cross_S_z_max*s_x_err + s_cross_normal_y_own;
     const stewart_real s_cross_normal_y_max = STEWART_FABS(s_cross_normal_y) + s_cross_normal_y_err;
     const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-    const stewart_real s_cross_normal_z_own = STEWART_UNIT*(k_cross_S_x_max*s_y_max
-        + k_cross_S_y_max*s_x_max + STEWART_FABS(s_cross_normal_z));
-    const stewart_real s_cross_normal_z_err = k_cross_S_x_err*s_y_max + k_cross_S_x_max*s_y_err
-        + k_cross_S_y_err*s_x_max + k_cross_S_y_max*s_x_err + s_cross_normal_z_own;
+    const stewart_real s_cross_normal_z_own = STEWART_UNIT*(k_cross_S_x_max*s_y_max + k_cross_S_y_max*s_x_max
+        + STEWART_FABS(s_cross_normal_z));
+    const stewart_real s_cross_normal_z_err = k_cross_S_x_err*s_y_max + k_cross_S_x_max*s_y_err + k_cross_S_y_err*s_x_max
+        + k_cross_S_y_max*s_x_err + s_cross_normal_z_own;
     const stewart_real s_cross_normal_z_max = STEWART_FABS(s_cross_normal_z) + s_cross_normal_z_err;
     /* (10) leg length, and distance of its tip from the fixed axis */
-    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-        + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-    const stewart_real rho_own = root_error(rho, STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
-        + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
+    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+        + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real rho_own = root_error(rho,
+        STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
         + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
-    const stewart_real rho_err = root_error(rho, REAL(2)*s_cross_normal_x_err*s_cross_normal_x_max
-        + REAL(2)*s_cross_normal_y_err*s_cross_normal_y_max
-        + REAL(2)*s_cross_normal_z_err*s_cross_normal_z_max
-        + STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
-        + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
-        + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
+    const stewart_real rho_err = root_error(rho, REAL(2)*s_cross_normal_x_err*s_cross_normal_x_max + REAL(2)*s_cross_normal_y_err*s_cross_normal_y_max
+        + REAL(2)*s_cross_normal_z_err*s_cross_normal_z_max + STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
+        + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
     const stewart_real rho_max = STEWART_FABS(rho) + rho_err;
     const stewart_real inv_rho = REAL(1)/rho;
     const stewart_real inv_rho_own = STEWART_UNIT*STEWART_FABS(inv_rho);
@@ -4102,34 +3961,28 @@ static void leg_errors_near_singularity(
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_rho*s_cross_normal_x;
     const stewart_real z_x_own = STEWART_UNIT*STEWART_FABS(z_x);
-    const stewart_real z_x_err = inv_rho_err*s_cross_normal_x_max + inv_rho_max*s_cross_normal_x_err
-        + z_x_own;
+    const stewart_real z_x_err = inv_rho_err*s_cross_normal_x_max + inv_rho_max*s_cross_normal_x_err + z_x_own;
     const stewart_real z_x_max = STEWART_FABS(z_x) + z_x_err;
     const stewart_real z_y = inv_rho*s_cross_normal_y;
     const stewart_real z_y_own = STEWART_UNIT*STEWART_FABS(z_y);
-    const stewart_real z_y_err = inv_rho_err*s_cross_normal_y_max + inv_rho_max*s_cross_normal_y_err
-        + z_y_own;
+    const stewart_real z_y_err = inv_rho_err*s_cross_normal_y_max + inv_rho_max*s_cross_normal_y_err + z_y_own;
     const stewart_real z_y_max = STEWART_FABS(z_y) + z_y_err;
     const stewart_real z_z = inv_rho*s_cross_normal_z;
     const stewart_real z_z_own = STEWART_UNIT*STEWART_FABS(z_z);
-    const stewart_real z_z_err = inv_rho_err*s_cross_normal_z_max + inv_rho_max*s_cross_normal_z_err
-        + z_z_own;
+    const stewart_real z_z_err = inv_rho_err*s_cross_normal_z_max + inv_rho_max*s_cross_normal_z_err + z_z_own;
     const stewart_real z_z_max = STEWART_FABS(z_z) + z_z_err;
     /* (10) rotating axis of the universal joint */
     const stewart_real y_x = s_z*z_y - s_y*z_z;
     const stewart_real y_x_own = STEWART_UNIT*(s_y_max*z_z_max + s_z_max*z_y_max + STEWART_FABS(y_x));
-    const stewart_real y_x_err = s_y_err*z_z_max + s_y_max*z_z_err + s_z_err*z_y_max + s_z_max*z_y_err
-        + y_x_own;
+    const stewart_real y_x_err = s_y_err*z_z_max + s_y_max*z_z_err + s_z_err*z_y_max + s_z_max*z_y_err + y_x_own;
     const stewart_real y_x_max = STEWART_FABS(y_x) + y_x_err;
     const stewart_real y_y = s_x*z_z - s_z*z_x;
     const stewart_real y_y_own = STEWART_UNIT*(s_x_max*z_z_max + s_z_max*z_x_max + STEWART_FABS(y_y));
-    const stewart_real y_y_err = s_x_err*z_z_max + s_x_max*z_z_err + s_z_err*z_x_max + s_z_max*z_x_err
-        + y_y_own;
+    const stewart_real y_y_err = s_x_err*z_z_max + s_x_max*z_z_err + s_z_err*z_x_max + s_z_max*z_x_err + y_y_own;
     const stewart_real y_y_max = STEWART_FABS(y_y) + y_y_err;
     const stewart_real y_z = s_y*z_x - s_x*z_y;
     const stewart_real y_z_own = STEWART_UNIT*(s_x_max*z_y_max + s_y_max*z_x_max + STEWART_FABS(y_z));
-    const stewart_real y_z_err = s_x_err*z_y_max + s_x_max*z_y_err + s_y_err*z_x_max + s_y_max*z_x_err
-        + y_z_own;
+    const stewart_real y_z_err = s_x_err*z_y_max + s_x_max*z_y_err + s_y_err*z_x_max + s_y_max*z_x_err + y_z_own;
     const stewart_real y_z_max = STEWART_FABS(y_z) + y_z_err;
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = inv_L*zeta;
@@ -4147,62 +4000,60 @@ static void leg_errors_near_singularity(
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max
-        + v_x_max + STEWART_FABS(S_dot_x));
+    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max + v_x_max
+        + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
     const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
-        + v_y_max + STEWART_FABS(S_dot_y));
+    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max + v_y_max
+        + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
     const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max
-        + v_z_max + STEWART_FABS(S_dot_z));
+    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max + v_z_max
+        + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
     const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max
-        + REAL(2)*B_xz_max*q_z_max + STEWART_FABS(S_ddot_x));
-    const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max
-        + B_xy_max*q_y_err + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
+    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max + REAL(2)*B_xz_max*q_z_max
+        + STEWART_FABS(S_ddot_x));
+    const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max + B_xy_max*q_y_err
+        + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
     const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max
-        + REAL(2)*B_yz_max*q_z_max + STEWART_FABS(S_ddot_y));
-    const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max
-        + B_yy_max*q_y_err + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
+    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max + REAL(2)*B_yz_max*q_z_max
+        + STEWART_FABS(S_ddot_y));
+    const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max + B_yy_max*q_y_err
+        + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
     const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
-    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max
-        + REAL(2)*B_zz_max*q_z_max + STEWART_FABS(S_ddot_z));
-    const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max
-        + B_zy_max*q_y_err + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
+    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max + REAL(2)*B_zz_max*q_z_max
+        + STEWART_FABS(S_ddot_z));
+    const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max + B_zy_max*q_y_err
+        + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
-        + S_dot_z_max*s_z_max + STEWART_FABS(L_dot));
-    const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max
-        + S_dot_y_max*s_y_err + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
+    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max + S_dot_z_max*s_z_max
+        + STEWART_FABS(L_dot));
+    const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max + S_dot_y_max*s_y_err
+        + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
     const stewart_real L_dot_max = STEWART_FABS(L_dot) + L_dot_err;
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max
-        + REAL(3)*S_dot_y_max*y_y_max + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
-    const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err
-        + S_dot_y_err*inv_rho_max*y_y_max + S_dot_y_max*inv_rho_max*y_y_err
-        + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
+    const stewart_real phi_dot_own = STEWART_UNIT*(inv_rho_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
+        + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(phi_dot));
+    const stewart_real phi_dot_err = S_dot_x_err*inv_rho_max*y_x_max + S_dot_x_max*inv_rho_max*y_x_err + S_dot_y_err*inv_rho_max*y_y_max
+        + S_dot_y_max*inv_rho_max*y_y_err + S_dot_z_err*inv_rho_max*y_z_max + S_dot_z_max*inv_rho_max*y_z_err
         + inv_rho_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + phi_dot_own;
     const stewart_real phi_dot_max = STEWART_FABS(phi_dot) + phi_dot_err;
     const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
-    const stewart_real theta_dot_own = STEWART_UNIT*(inv_L_max*(REAL(3)*S_dot_x_max*z_x_max
-        + REAL(3)*S_dot_y_max*z_y_max + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(theta_dot));
-    const stewart_real theta_dot_err = S_dot_x_err*inv_L_max*z_x_max + S_dot_x_max*inv_L_max*z_x_err
-        + S_dot_y_err*inv_L_max*z_y_max + S_dot_y_max*inv_L_max*z_y_err + S_dot_z_err*inv_L_max*z_z_max
-        + S_dot_z_max*inv_L_max*z_z_err + inv_L_err*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max
-        + S_dot_z_max*z_z_max) + theta_dot_own;
+    const stewart_real theta_dot_own = STEWART_UNIT*(inv_L_max*(REAL(3)*S_dot_x_max*z_x_max + REAL(3)*S_dot_y_max*z_y_max
+        + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(theta_dot));
+    const stewart_real theta_dot_err = S_dot_x_err*inv_L_max*z_x_max + S_dot_x_max*inv_L_max*z_x_err + S_dot_y_err*inv_L_max*z_y_max
+        + S_dot_y_max*inv_L_max*z_y_err + S_dot_z_err*inv_L_max*z_z_max + S_dot_z_max*inv_L_max*z_z_err + inv_L_err*(S_dot_x_max*z_x_max
+        + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max) + theta_dot_own;
     const stewart_real theta_dot_max = STEWART_FABS(theta_dot) + theta_dot_err;
     /* L_dot / L */
     const stewart_real L_share = L_dot*inv_L;
@@ -4230,39 +4081,31 @@ static void leg_errors_near_singularity(
     const stewart_real k33_max = STEWART_FABS(k33) + k33_err;
     /* (8) accelerations of the joint coordinates */
     const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max)
-        + L_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max
-        + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max + STEWART_FABS(L_ddot));
-    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max)
-        + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err
-        + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max + S_ddot_y_max*s_y_err
-        + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
+    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*(REAL(2)*k33_max*phi_dot2_max
+        + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max
+        + STEWART_FABS(L_ddot));
+    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*k33_err*phi_dot2_max
+        + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
+        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
     const stewart_real L_ddot_max = STEWART_FABS(L_ddot) + L_ddot_err;
     /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-        + S_ddot_z*z_z);
-    const stewart_real own_theta_ddot_own = STEWART_UNIT*(REAL(2)*L_share_max*theta_dot_max
-        + inv_L_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
-        + inv_L_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max
+    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+    const stewart_real own_theta_ddot_own = STEWART_UNIT*(REAL(2)*L_share_max*theta_dot_max + inv_L_max*(S_ddot_x_max*z_x_max
+        + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max) + inv_L_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max
         + REAL(2)*S_ddot_z_max*z_z_max) + STEWART_FABS(own_theta_ddot));
-    const stewart_real own_theta_ddot_err = REAL(2)*L_share_err*theta_dot_max
-        + REAL(2)*L_share_max*theta_dot_err + S_ddot_x_err*inv_L_max*z_x_max
-        + S_ddot_x_max*inv_L_max*z_x_err + S_ddot_y_err*inv_L_max*z_y_max + S_ddot_y_max*inv_L_max*z_y_err
+    const stewart_real own_theta_ddot_err = REAL(2)*L_share_err*theta_dot_max + REAL(2)*L_share_max*theta_dot_err
+        + S_ddot_x_err*inv_L_max*z_x_max + S_ddot_x_max*inv_L_max*z_x_err + S_ddot_y_err*inv_L_max*z_y_max + S_ddot_y_max*inv_L_max*z_y_err
         + S_ddot_z_err*inv_L_max*z_z_max + S_ddot_z_max*inv_L_max*z_z_err + inv_L_err*(S_ddot_x_max*z_x_max
         + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max) + own_theta_ddot_own;
     const stewart_real own_theta_ddot_max = STEWART_FABS(own_theta_ddot) + own_theta_ddot_err;
-    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-        - L_share*two_phi_dot;
-    const stewart_real own_phi_ddot_own = STEWART_UNIT*(L_share_max*two_phi_dot_max
-        + inv_rho_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-        + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
+    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+    const stewart_real own_phi_ddot_own = STEWART_UNIT*(L_share_max*two_phi_dot_max + inv_rho_max*(S_ddot_x_max*y_x_max
+        + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
         + REAL(2)*S_ddot_z_max*y_z_max) + STEWART_FABS(own_phi_ddot));
-    const stewart_real own_phi_ddot_err = L_share_err*two_phi_dot_max + L_share_max*two_phi_dot_err
-        + S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err
-        + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
-        + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err
-        + inv_rho_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-        + own_phi_ddot_own;
+    const stewart_real own_phi_ddot_err = L_share_err*two_phi_dot_max + L_share_max*two_phi_dot_err + S_ddot_x_err*inv_rho_max*y_x_max
+        + S_ddot_x_max*inv_rho_max*y_x_err + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
+        + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err + inv_rho_err*(S_ddot_x_max*y_x_max
+        + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + own_phi_ddot_own;
     const stewart_real own_phi_ddot_max = STEWART_FABS(own_phi_ddot) + own_phi_ddot_err;
     const stewart_real c1 = k1*k3;
     const stewart_real c1_own = STEWART_UNIT*STEWART_FABS(c1);
@@ -4271,8 +4114,7 @@ static void leg_errors_near_singularity(
     /* (9) accelerations of the joint coordinates */
     const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
     const stewart_real theta_ddot_own = STEWART_UNIT*(c1_max*phi_dot2_max + STEWART_FABS(theta_ddot));
-    const stewart_real theta_ddot_err = c1_err*phi_dot2_max + c1_max*phi_dot2_err + own_theta_ddot_err
-        + theta_ddot_own;
+    const stewart_real theta_ddot_err = c1_err*phi_dot2_max + c1_max*phi_dot2_err + own_theta_ddot_err + theta_ddot_own;
     const stewart_real theta_ddot_max = STEWART_FABS(theta_ddot) + theta_ddot_err;
     const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
     const stewart_real phi_ddot_own = STEWART_UNIT*(lean_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
@@ -4306,10 +4148,9 @@ static void leg_errors_near_singularity(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max
-        + STEWART_FABS(M_phi));
-    const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max
-        + a2_max*k13_err + M_phi_own;
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max + STEWART_FABS(M_phi));
+    const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max + a2_max*k13_err
+        + M_phi_own;
     const stewart_real M_phi_max = STEWART_FABS(M_phi) + M_phi_err;
     const stewart_real M_theta = J_yy + L_h2;
     const stewart_real M_theta_own = STEWART_UNIT*STEWART_FABS(M_theta);
@@ -4317,8 +4158,7 @@ static void leg_errors_near_singularity(
     const stewart_real M_theta_max = STEWART_FABS(M_theta) + M_theta_err;
     const stewart_real M_mixed = J_yz*k3 + a3*k1;
     const stewart_real M_mixed_own = STEWART_UNIT*(J_yz_max*k3_max + a3_max*k1_max + STEWART_FABS(M_mixed));
-    const stewart_real M_mixed_err = J_yz_err*k3_max + J_yz_max*k3_err + a3_err*k1_max + a3_max*k1_err
-        + M_mixed_own;
+    const stewart_real M_mixed_err = J_yz_err*k3_max + J_yz_max*k3_err + a3_err*k1_max + a3_max*k1_err + M_mixed_own;
     const stewart_real M_mixed_max = STEWART_FABS(M_mixed) + M_mixed_err;
     const stewart_real k3_h = h_y*k3;
     const stewart_real k3_h_own = STEWART_UNIT*STEWART_FABS(k3_h);
@@ -4326,14 +4166,11 @@ static void leg_errors_near_singularity(
     const stewart_real k3_h_max = STEWART_FABS(k3_h) + k3_h_err;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
     const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max
-        + STEWART_FABS(M_phi_L));
-    const stewart_real M_phi_L_err = h_x_err*k33_max + h_x_max*k33_err + h_z_err*k13_max + h_z_max*k13_err
-        + M_phi_L_own;
+    const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max + STEWART_FABS(M_phi_L));
+    const stewart_real M_phi_L_err = h_x_err*k33_max + h_x_max*k33_err + h_z_err*k13_max + h_z_max*k13_err + M_phi_L_own;
     const stewart_real M_phi_L_max = STEWART_FABS(M_phi_L) + M_phi_L_err;
     const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
-    const stewart_real M_mixed_theta_own = STEWART_UNIT*(J_yz_max*k1_max + a3_max*k3_max
-        + STEWART_FABS(M_mixed_theta));
+    const stewart_real M_mixed_theta_own = STEWART_UNIT*(J_yz_max*k1_max + a3_max*k3_max + STEWART_FABS(M_mixed_theta));
     const stewart_real M_mixed_theta_err = J_yz_err*k1_max + J_yz_max*k1_err + a3_err*k3_max + a3_max*k3_err
         + M_mixed_theta_own;
     const stewart_real M_mixed_theta_max = STEWART_FABS(M_mixed_theta) + M_mixed_theta_err;
@@ -4345,73 +4182,62 @@ static void leg_errors_near_singularity(
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
     const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
         + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
-    const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max
-        + g_x_k_y_max*y_y_err + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
+    const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max + g_x_k_y_max*y_y_err
+        + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
-        + g_z_max*y_z_max + STEWART_FABS(gamma_y));
+    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max + g_z_max*y_z_max
+        + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
     const stewart_real w_k = k1*w_x + k3*w_z;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
-    const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err
-        + w_k_own;
+    const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
     const stewart_real w_k_max = STEWART_FABS(w_k) + w_k_err;
     const stewart_real w_n = k3*w_x - k1*w_z;
     const stewart_real w_n_own = STEWART_UNIT*(k1_max*w_z_max + k3_max*w_x_max + STEWART_FABS(w_n));
-    const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err
-        + w_n_own;
+    const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-        + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
-        - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_y_own = STEWART_UNIT*(C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
-        + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max
-        + REAL(2)*omega_z_max*y_z_max) + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
-        + REAL(7)*M_mixed_max*phi_ddot_max + REAL(6)*M_theta_max*own_theta_ddot_max
-        + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max
-        + REAL(2)*phi_dot2_max*(c3_max*(k33_max + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max))
-        + phi_dot2_max*(REAL(3)*c3_max*(k33_max + STEWART_HALF) + REAL(3)*k13_max*(J_yy_max + dJ_zx_max))
-        + STEWART_FABS(tau_y));
-    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err
-        + C_s_max*omega_z_max*y_z_err + C_us_err*theta_dot_max + C_us_max*theta_dot_err
-        + J_yy_err*k13_max*phi_dot2_max + L_ddot_err*h_z_max + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max
-        + M_mixed_max*phi_ddot_err + M_theta_err*own_theta_ddot_max + M_theta_max*own_theta_ddot_err
-        + bend_err*h2_x_max + bend_max*h2_x_err + c3_err*phi_dot2_max*(k33_max + STEWART_HALF)
-        + c3_max*k33_err*phi_dot2_max + dJ_zx_err*k13_max*phi_dot2_max + g_k_err*w_n_max + g_k_max*w_n_err
-        + gamma_n_err*w_k_max + gamma_n_max*w_k_err + k13_err*phi_dot2_max*(J_yy_max + dJ_zx_max)
-        + phi_dot2_err*(c3_max*(k33_max + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max)) + tau_y_own;
+    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
+        + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
+        + omega_y*y_y + omega_z*y_z);
+    const stewart_real tau_y_own = STEWART_UNIT*(C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max + omega_z_max*y_z_max)
+        + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max + REAL(2)*omega_z_max*y_z_max)
+        + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max + REAL(7)*M_mixed_max*phi_ddot_max + REAL(6)*M_theta_max*own_theta_ddot_max
+        + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max + REAL(2)*phi_dot2_max*(c3_max*(k33_max
+        + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max)) + phi_dot2_max*(REAL(3)*c3_max*(k33_max + STEWART_HALF)
+        + REAL(3)*k13_max*(J_yy_max + dJ_zx_max)) + STEWART_FABS(tau_y));
+    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err + C_s_max*omega_z_max*y_z_err
+        + C_us_err*theta_dot_max + C_us_max*theta_dot_err + J_yy_err*k13_max*phi_dot2_max + L_ddot_err*h_z_max
+        + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err + M_theta_err*own_theta_ddot_max
+        + M_theta_max*own_theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + c3_err*phi_dot2_max*(k33_max
+        + STEWART_HALF) + c3_max*k33_err*phi_dot2_max + dJ_zx_err*k13_max*phi_dot2_max + g_k_err*w_n_max + g_k_max*w_n_err
+        + gamma_n_err*w_k_max + gamma_n_max*w_k_err + k13_err*phi_dot2_max*(J_yy_max + dJ_zx_max) + phi_dot2_err*(c3_max*(k33_max
+        + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max)) + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-        + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-        - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-        - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
+        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
     const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
-        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
-        + REAL(2)*k_z_max*omega_z_max) + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max
-        + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
-        + REAL(7)*M_phi_max*own_phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max
-        + REAL(2)*gamma_n_max*w_y_max + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max
-        + theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max + STEWART_HALF*c2_max))
-        + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max
+        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max)
+        + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
+        + REAL(7)*M_phi_max*own_phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max
+        + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max
         + J_xx_max*kappa_max + STEWART_HALF*c2_max) + theta_dot_max*(J2_xz_max + REAL(3)*J_xx_max*kappa_max
         + STEWART_HALF*c2_max)) + STEWART_FABS(tau_k));
-    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
-        + C_s_max*k_z_err*omega_z_max + C_us_err*phi_dot_max + C_us_max*phi_dot_err
-        + STEWART_HALF*J2_xz_err*theta_dot_max*two_phi_dot_max
-        + J_xx_err*kappa_max*theta_dot_max*two_phi_dot_max
-        + J_xx_max*kappa_err*theta_dot_max*two_phi_dot_max + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err
-        + L_dot_err*M_phi_L_max*two_phi_dot_max + L_dot_max*M_phi_L_err*two_phi_dot_max
-        + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max
-        + M_mixed_theta_max*theta_dot2_err + M_phi_err*own_phi_ddot_max + M_phi_max*own_phi_ddot_err
-        + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max + bend_max*h2_y_max*k1_err
-        + STEWART_HALF*c2_err*theta_dot_max*two_phi_dot_max + gamma_n_err*w_y_max + gamma_n_max*w_y_err
-        + gamma_y_err*w_n_max + gamma_y_max*w_n_err + theta_dot_err*two_phi_dot_max*(STEWART_HALF*J2_xz_max
-        + J_xx_max*kappa_max + STEWART_HALF*c2_max) + two_phi_dot_err*(L_dot_max*M_phi_L_max
-        + theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + tau_k_own;
+    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max + C_s_max*k_z_err*omega_z_max
+        + C_us_err*phi_dot_max + C_us_max*phi_dot_err + STEWART_HALF*J2_xz_err*theta_dot_max*two_phi_dot_max
+        + J_xx_err*kappa_max*theta_dot_max*two_phi_dot_max + J_xx_max*kappa_err*theta_dot_max*two_phi_dot_max
+        + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max + L_dot_max*M_phi_L_err*two_phi_dot_max
+        + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max + M_mixed_theta_max*theta_dot2_err
+        + M_phi_err*own_phi_ddot_max + M_phi_max*own_phi_ddot_err + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max
+        + bend_max*h2_y_max*k1_err + STEWART_HALF*c2_err*theta_dot_max*two_phi_dot_max + gamma_n_err*w_y_max
+        + gamma_n_max*w_y_err + gamma_y_err*w_n_max + gamma_y_max*w_n_err + theta_dot_err*two_phi_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max) + two_phi_dot_err*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + tau_k_own;
     const stewart_real tau_k_max = STEWART_FABS(tau_k) + tau_k_err;
     /* (21) K = Q_y y + Q_z z */
     const stewart_real Q_y = inv_rho*tau_k;
@@ -4425,21 +4251,17 @@ static void leg_errors_near_singularity(
     /* (21) force at the spherical joint, base frame */
     const stewart_real K_x = Q_y*y_x + Q_z*z_x;
     const stewart_real K_x_own = STEWART_UNIT*(Q_y_max*y_x_max + Q_z_max*z_x_max + STEWART_FABS(K_x));
-    const stewart_real K_x_err = Q_y_err*y_x_max + Q_y_max*y_x_err + Q_z_err*z_x_max + Q_z_max*z_x_err
-        + K_x_own;
+    const stewart_real K_x_err = Q_y_err*y_x_max + Q_y_max*y_x_err + Q_z_err*z_x_max + Q_z_max*z_x_err + K_x_own;
     const stewart_real K_y = Q_y*y_y + Q_z*z_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_y_max*y_y_max + Q_z_max*z_y_max + STEWART_FABS(K_y));
-    const stewart_real K_y_err = Q_y_err*y_y_max + Q_y_max*y_y_err + Q_z_err*z_y_max + Q_z_max*z_y_err
-        + K_y_own;
+    const stewart_real K_y_err = Q_y_err*y_y_max + Q_y_max*y_y_err + Q_z_err*z_y_max + Q_z_max*z_y_err + K_y_own;
     const stewart_real K_z = Q_y*y_z + Q_z*z_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_y_max*y_z_max + Q_z_max*z_z_max + STEWART_FABS(K_z));
-    const stewart_real K_z_err = Q_y_err*y_z_max + Q_y_max*y_z_err + Q_z_err*z_z_max + Q_z_max*z_z_err
-        + K_z_own;
+    const stewart_real K_z_err = Q_y_err*y_z_max + Q_y_max*y_z_err + Q_z_err*z_z_max + Q_z_max*z_z_err + K_z_own;
     /* (24) known part of the actuator force, to match */
     const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max
-        + REAL(2)*h_x_max*theta_dot2_max + REAL(4)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max
-        + STEWART_FABS(D));
+    const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max + REAL(2)*h_x_max*theta_dot2_max
+        + REAL(4)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max + STEWART_FABS(D));
     const stewart_real c4 = C_s*phi_dot;
     const stewart_real c4_own = STEWART_UNIT*STEWART_FABS(c4);
     const stewart_real c4_err = C_s_max*phi_dot_err + c4_own;
@@ -4481,52 +4303,40 @@ static void leg_errors_near_singularity(
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* part of c, moment rows, base frame */
     const stewart_real c_moment_x = c4*k_x + c5*y_x;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(c4_max*k_x_max + c5_max*y_x_max
-        + STEWART_FABS(c_moment_x));
-    const stewart_real c_moment_x_err = c4_err*k_x_max + c4_max*k_x_err + c5_err*y_x_max + c5_max*y_x_err
-        + c_moment_x_own;
+    const stewart_real c_moment_x_own = STEWART_UNIT*(c4_max*k_x_max + c5_max*y_x_max + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_err = c4_err*k_x_max + c4_max*k_x_err + c5_err*y_x_max + c5_max*y_x_err + c_moment_x_own;
     const stewart_real c_moment_y = c4*k_y + c5*y_y;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(c4_max*k_y_max + c5_max*y_y_max
-        + STEWART_FABS(c_moment_y));
-    const stewart_real c_moment_y_err = c4_err*k_y_max + c4_max*k_y_err + c5_err*y_y_max + c5_max*y_y_err
-        + c_moment_y_own;
+    const stewart_real c_moment_y_own = STEWART_UNIT*(c4_max*k_y_max + c5_max*y_y_max + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_err = c4_err*k_y_max + c4_max*k_y_err + c5_err*y_y_max + c5_max*y_y_err + c_moment_y_own;
     const stewart_real c_moment_z = c4*k_z + c5*y_z;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(c4_max*k_z_max + c5_max*y_z_max
-        + STEWART_FABS(c_moment_z));
-    const stewart_real c_moment_z_err = c4_err*k_z_max + c4_max*k_z_err + c5_err*y_z_max + c5_max*y_z_err
-        + c_moment_z_own;
+    const stewart_real c_moment_z_own = STEWART_UNIT*(c4_max*k_z_max + c5_max*y_z_max + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_err = c4_err*k_z_max + c4_max*k_z_err + c5_err*y_z_max + c5_max*y_z_err + c_moment_z_own;
     /* the leg's column of H, moment rows */
     const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max
-        + STEWART_FABS(H_moment_x));
-    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err
-        + H_force_z_err*arm_y_max + H_force_z_max*arm_y_err + H_moment_x_own;
+    const stewart_real H_moment_x_own = STEWART_UNIT*(H_force_y_max*arm_z_max + H_force_z_max*arm_y_max + STEWART_FABS(H_moment_x));
+    const stewart_real H_moment_x_err = H_force_y_err*arm_z_max + H_force_y_max*arm_z_err + H_force_z_err*arm_y_max
+        + H_force_z_max*arm_y_err + H_moment_x_own;
     const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max
-        + STEWART_FABS(H_moment_y));
-    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err
-        + H_force_z_err*arm_x_max + H_force_z_max*arm_x_err + H_moment_y_own;
+    const stewart_real H_moment_y_own = STEWART_UNIT*(H_force_x_max*arm_z_max + H_force_z_max*arm_x_max + STEWART_FABS(H_moment_y));
+    const stewart_real H_moment_y_err = H_force_x_err*arm_z_max + H_force_x_max*arm_z_err + H_force_z_err*arm_x_max
+        + H_force_z_max*arm_x_err + H_moment_y_own;
     const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
-    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max
-        + STEWART_FABS(H_moment_z));
-    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err
-        + H_force_y_err*arm_x_max + H_force_y_max*arm_x_err + H_moment_z_own;
+    const stewart_real H_moment_z_own = STEWART_UNIT*(H_force_x_max*arm_y_max + H_force_y_max*arm_x_max + STEWART_FABS(H_moment_z));
+    const stewart_real H_moment_z_err = H_force_x_err*arm_y_max + H_force_x_max*arm_y_err + H_force_y_err*arm_x_max
+        + H_force_y_max*arm_x_err + H_moment_z_own;
     /* moment of the leg's part of c, force rows, about platform point 1 */
     const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max
-        + STEWART_FABS(arm_c_x));
-    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err
-        + arm_z_err*c_force_y_max + arm_z_max*c_force_y_err + arm_c_x_own;
+    const stewart_real arm_c_x_own = STEWART_UNIT*(arm_y_max*c_force_z_max + arm_z_max*c_force_y_max + STEWART_FABS(arm_c_x));
+    const stewart_real arm_c_x_err = arm_y_err*c_force_z_max + arm_y_max*c_force_z_err + arm_z_err*c_force_y_max
+        + arm_z_max*c_force_y_err + arm_c_x_own;
     const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max
-        + STEWART_FABS(arm_c_y));
-    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err
-        + arm_z_err*c_force_x_max + arm_z_max*c_force_x_err + arm_c_y_own;
+    const stewart_real arm_c_y_own = STEWART_UNIT*(arm_x_max*c_force_z_max + arm_z_max*c_force_x_max + STEWART_FABS(arm_c_y));
+    const stewart_real arm_c_y_err = arm_x_err*c_force_z_max + arm_x_max*c_force_z_err + arm_z_err*c_force_x_max
+        + arm_z_max*c_force_x_err + arm_c_y_own;
     const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
-    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max
-        + STEWART_FABS(arm_c_z));
-    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err
-        + arm_y_err*c_force_x_max + arm_y_max*c_force_x_err + arm_c_z_own;
+    const stewart_real arm_c_z_own = STEWART_UNIT*(arm_x_max*c_force_y_max + arm_y_max*c_force_x_max + STEWART_FABS(arm_c_z));
+    const stewart_real arm_c_z_err = arm_x_err*c_force_y_max + arm_x_max*c_force_y_err + arm_y_err*c_force_x_max
+        + arm_y_max*c_force_x_err + arm_c_z_own;
     out->H_force[0] = H_force_x;
     out->H_force_err[0] = H_force_x_err;
     out->H_force[1] = H_force_y;
@@ -4558,18 +4368,19 @@ static void leg_errors_near_singularity(
     out->arm_c[2] = arm_c_z;
     out->arm_c_err[2] = arm_c_z_err;
     for (i = 0; i < 6; ++i) {
-        const force_row *row = &rows[i];
-        const stewart_real Y_force_x = row->Y_force[0], Y_force_y = row->Y_force[1],
-            Y_force_z = row->Y_force[2];
-        const stewart_real Y_moment_x = row->Y_moment[0], Y_moment_y = row->Y_moment[1],
-            Y_moment_z = row->Y_moment[2];
-        const stewart_real Y_arm_x = row->Y_arm[0], Y_arm_y = row->Y_arm[1], Y_arm_z = row->Y_arm[2];
-        const stewart_real D_weight = row->D_weight;
-        const stewart_real x = row->x;
-        const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x),
-            Y_moment_y_max = STEWART_FABS(Y_moment_y), Y_moment_z_max = STEWART_FABS(Y_moment_z);
-        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x), Y_arm_y_max = STEWART_FABS(Y_arm_y),
-            Y_arm_z_max = STEWART_FABS(Y_arm_z);
+        const stewart_real Y_force_x = rows->force[i].Y_force[0], Y_force_y = rows->force[i].Y_force[1],
+            Y_force_z = rows->force[i].Y_force[2];
+        const stewart_real Y_moment_x = rows->force[i].Y_moment[0], Y_moment_y = rows->force[i].Y_moment[1],
+            Y_moment_z = rows->force[i].Y_moment[2];
+        const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
+        const stewart_real D_weight = rows->force[i].D_weight;
+        const stewart_real x = rows->force[i].x;
+        const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x);
+        const stewart_real Y_moment_y_max = STEWART_FABS(Y_moment_y);
+        const stewart_real Y_moment_z_max = STEWART_FABS(Y_moment_z);
+        const stewart_real Y_arm_x_max = STEWART_FABS(Y_arm_x);
+        const stewart_real Y_arm_y_max = STEWART_FABS(Y_arm_y);
+        const stewart_real Y_arm_z_max = STEWART_FABS(Y_arm_z);
         const stewart_real D_weight_max = STEWART_FABS(D_weight);
         const stewart_real H_force_x_weight = Y_force_x*x;
         const stewart_real H_force_x_weight_err = STEWART_UNIT*STEWART_FABS(H_force_x_weight);
@@ -4589,125 +4400,100 @@ static void leg_errors_near_singularity(
         const stewart_real H_moment_z_weight = Y_arm_z*x;
         const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
         const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
-        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y
-            - H_force_y*H_moment_x_weight - Y_arm_y*c_force_x;
-        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max
-            + H_force_x_max*H_moment_y_weight_err + H_force_y_err*H_moment_x_weight_max
-            + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err + Y_arm_y_max*c_force_x_err
-            + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max
-            + REAL(2)*H_force_y_max*H_moment_x_weight_max + REAL(3)*Y_arm_x_max*c_force_y_max
-            + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y - H_force_y*H_moment_x_weight
+            - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max + H_force_x_max*H_moment_y_weight_err
+            + H_force_y_err*H_moment_x_weight_max + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err
+            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max + REAL(2)*H_force_y_max*H_moment_x_weight_max
+            + REAL(3)*Y_arm_x_max*c_force_y_max + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
         const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
-        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x
-            - H_force_x*H_moment_z_weight - Y_arm_x*c_force_z;
-        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max
-            + H_force_x_max*H_moment_z_weight_err + H_force_z_err*H_moment_x_weight_max
-            + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err + Y_arm_z_max*c_force_x_err
-            + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max
-            + REAL(3)*H_force_z_max*H_moment_x_weight_max + Y_arm_x_max*c_force_z_max
-            + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x - H_force_x*H_moment_z_weight
+            - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max + H_force_x_max*H_moment_z_weight_err
+            + H_force_z_err*H_moment_x_weight_max + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err
+            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
+            + Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
         const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
-        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z
-            - H_force_z*H_moment_y_weight - Y_arm_z*c_force_y;
-        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max
-            + H_force_y_max*H_moment_z_weight_err + H_force_z_err*H_moment_y_weight_max
-            + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err + Y_arm_z_max*c_force_y_err
-            + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max
-            + REAL(2)*H_force_z_max*H_moment_y_weight_max + REAL(3)*Y_arm_y_max*c_force_z_max
-            + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z - H_force_z*H_moment_y_weight
+            - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max + H_force_y_max*H_moment_z_weight_err
+            + H_force_z_err*H_moment_y_weight_max + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err
+            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max + REAL(2)*H_force_z_max*H_moment_y_weight_max
+            + REAL(3)*Y_arm_y_max*c_force_z_max + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
         const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
         const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
-        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max
-            + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max
+            + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
         const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
         const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
-        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_x_max
-            + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max
+            + REAL(2)*Y_arm_z_max*arm_x_max + STEWART_FABS(c_force_y_bar));
         const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
         const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
-        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err
-            + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max
-            + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max
+            + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
         const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
-        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max
-            + H_moment_x_weight_max*arm_y_err + H_moment_y_weight_err*arm_x_max
-            + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
-            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max
-            + STEWART_FABS(H_force_z_bar));
+        const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max + H_moment_x_weight_max*arm_y_err
+            + H_moment_y_weight_err*arm_x_max + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
+            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
         const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
-        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max
-            + H_moment_x_weight_max*arm_z_err + H_moment_z_weight_err*arm_x_max
-            + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
-            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max
-            + STEWART_FABS(H_force_y_bar));
+        const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max + H_moment_x_weight_max*arm_z_err
+            + H_moment_z_weight_err*arm_x_max + H_moment_z_weight_max*arm_x_err + STEWART_UNIT*(H_force_y_weight_max
+            + H_moment_x_weight_max*arm_z_max + REAL(2)*H_moment_z_weight_max*arm_x_max + STEWART_FABS(H_force_y_bar));
         const stewart_real H_force_y_bar_max = STEWART_FABS(H_force_y_bar) + H_force_y_bar_err;
         const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
-        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max
-            + H_moment_y_weight_max*arm_z_err + H_moment_z_weight_err*arm_y_max
-            + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
-            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max
-            + STEWART_FABS(H_force_x_bar));
+        const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max + H_moment_y_weight_max*arm_z_err
+            + H_moment_z_weight_err*arm_y_max + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
+            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max + STEWART_FABS(H_force_x_bar));
         const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
         const stewart_real c5_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
         const stewart_real c5_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
-            + Y_moment_z_max*y_z_max + STEWART_FABS(c5_bar));
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max + Y_moment_z_max*y_z_max
+            + STEWART_FABS(c5_bar));
         const stewart_real c5_bar_max = STEWART_FABS(c5_bar) + c5_bar_err;
         const stewart_real c4_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
         const stewart_real c4_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
-            + Y_moment_z_max*k_z_max + STEWART_FABS(c4_bar));
+            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max + Y_moment_z_max*k_z_max
+            + STEWART_FABS(c4_bar));
         const stewart_real c4_bar_max = STEWART_FABS(c4_bar) + c4_bar_err;
         const stewart_real Q_z_bar = -c_force_x_bar*z_x - c_force_y_bar*z_y - c_force_z_bar*z_z;
-        const stewart_real Q_z_bar_err = c_force_x_bar_err*z_x_max + c_force_x_bar_max*z_x_err
-            + c_force_y_bar_err*z_y_max + c_force_y_bar_max*z_y_err + c_force_z_bar_err*z_z_max
-            + c_force_z_bar_max*z_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*z_x_max
+        const stewart_real Q_z_bar_err = c_force_x_bar_err*z_x_max + c_force_x_bar_max*z_x_err + c_force_y_bar_err*z_y_max
+            + c_force_y_bar_max*z_y_err + c_force_z_bar_err*z_z_max + c_force_z_bar_max*z_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*z_x_max
             + REAL(2)*c_force_y_bar_max*z_y_max + c_force_z_bar_max*z_z_max + STEWART_FABS(Q_z_bar));
         const stewart_real Q_z_bar_max = STEWART_FABS(Q_z_bar) + Q_z_bar_err;
         const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
-        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err
-            + c_force_y_bar_err*y_y_max + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max
-            + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
+        const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err + c_force_y_bar_err*y_y_max
+            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
             + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
-        const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err
-            + STEWART_UNIT*STEWART_FABS(tau_k_bar);
+        const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err + STEWART_UNIT*STEWART_FABS(tau_k_bar);
         const stewart_real tau_k_bar_max = STEWART_FABS(tau_k_bar) + tau_k_bar_err;
         const stewart_real tau_y_bar = -Q_z_bar*inv_L;
-        const stewart_real tau_y_bar_err = Q_z_bar_err*inv_L_max + Q_z_bar_max*inv_L_err
-            + STEWART_UNIT*STEWART_FABS(tau_y_bar);
+        const stewart_real tau_y_bar_err = Q_z_bar_err*inv_L_max + Q_z_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(tau_y_bar);
         const stewart_real tau_y_bar_max = STEWART_FABS(tau_y_bar) + tau_y_bar_err;
         const stewart_real w_n_bar = g_k*tau_y_bar - gamma_y*tau_k_bar;
-        const stewart_real w_n_bar_err = g_k_err*tau_y_bar_max + g_k_max*tau_y_bar_err
-            + gamma_y_err*tau_k_bar_max + gamma_y_max*tau_k_bar_err + STEWART_UNIT*(g_k_max*tau_y_bar_max
-            + gamma_y_max*tau_k_bar_max + STEWART_FABS(w_n_bar));
+        const stewart_real w_n_bar_err = g_k_err*tau_y_bar_max + g_k_max*tau_y_bar_err + gamma_y_err*tau_k_bar_max
+            + gamma_y_max*tau_k_bar_err + STEWART_UNIT*(g_k_max*tau_y_bar_max + gamma_y_max*tau_k_bar_max + STEWART_FABS(w_n_bar));
         const stewart_real w_n_bar_max = STEWART_FABS(w_n_bar) + w_n_bar_err;
         const stewart_real w_k_bar = gamma_n*tau_y_bar;
-        const stewart_real w_k_bar_err = gamma_n_err*tau_y_bar_max + gamma_n_max*tau_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(w_k_bar);
+        const stewart_real w_k_bar_err = gamma_n_err*tau_y_bar_max + gamma_n_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(w_k_bar);
         const stewart_real w_k_bar_max = STEWART_FABS(w_k_bar) + w_k_bar_err;
         const stewart_real gamma_y_bar = -tau_k_bar*w_n;
-        const stewart_real gamma_y_bar_err = tau_k_bar_err*w_n_max + tau_k_bar_max*w_n_err
-            + STEWART_UNIT*STEWART_FABS(gamma_y_bar);
+        const stewart_real gamma_y_bar_err = tau_k_bar_err*w_n_max + tau_k_bar_max*w_n_err + STEWART_UNIT*STEWART_FABS(gamma_y_bar);
         const stewart_real gamma_y_bar_max = STEWART_FABS(gamma_y_bar) + gamma_y_bar_err;
         const stewart_real gamma_n_bar = tau_y_bar*w_k - tau_k_bar*w_y;
-        const stewart_real gamma_n_bar_err = tau_k_bar_err*w_y_max + tau_k_bar_max*w_y_err
-            + tau_y_bar_err*w_k_max + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max
-            + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
+        const stewart_real gamma_n_bar_err = tau_k_bar_err*w_y_max + tau_k_bar_max*w_y_err + tau_y_bar_err*w_k_max
+            + tau_y_bar_max*w_k_err + STEWART_UNIT*(tau_k_bar_max*w_y_max + tau_y_bar_max*w_k_max + STEWART_FABS(gamma_n_bar));
         const stewart_real gamma_n_bar_max = STEWART_FABS(gamma_n_bar) + gamma_n_bar_err;
         const stewart_real c6 = h2_y*tau_k_bar;
-        const stewart_real c6_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(c6);
+        const stewart_real c6_err = h2_y_err*tau_k_bar_max + h2_y_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c6);
         const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
         const stewart_real bend_bar = h2_x*tau_y_bar - c6*k1;
-        const stewart_real bend_bar_err = c6_err*k1_max + c6_max*k1_err + h2_x_err*tau_y_bar_max
-            + h2_x_max*tau_y_bar_err + STEWART_UNIT*(c6_max*k1_max + h2_x_max*tau_y_bar_max
-            + STEWART_FABS(bend_bar));
+        const stewart_real bend_bar_err = c6_err*k1_max + c6_max*k1_err + h2_x_err*tau_y_bar_max + h2_x_max*tau_y_bar_err
+            + STEWART_UNIT*(c6_max*k1_max + h2_x_max*tau_y_bar_max + STEWART_FABS(bend_bar));
         const stewart_real bend_bar_max = STEWART_FABS(bend_bar) + bend_bar_err;
         const stewart_real M_mixed_theta_bar = tau_k_bar*theta_dot2;
         const stewart_real M_mixed_theta_bar_err = tau_k_bar_err*theta_dot2_max + tau_k_bar_max*theta_dot2_err
@@ -4715,19 +4501,16 @@ static void leg_errors_near_singularity(
         const stewart_real M_mixed_theta_bar_max = STEWART_FABS(M_mixed_theta_bar) + M_mixed_theta_bar_err;
         const stewart_real M_phi_L_bar = L_dot*tau_k_bar*two_phi_dot - D_weight*phi_dot2;
         const stewart_real M_phi_L_bar_err = D_weight_max*phi_dot2_err + L_dot_err*tau_k_bar_max*two_phi_dot_max
-            + L_dot_max*tau_k_bar_err*two_phi_dot_max + L_dot_max*tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*(D_weight_max*phi_dot2_max + REAL(2)*L_dot_max*tau_k_bar_max*two_phi_dot_max
-            + STEWART_FABS(M_phi_L_bar));
+            + L_dot_max*tau_k_bar_err*two_phi_dot_max + L_dot_max*tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*(D_weight_max*phi_dot2_max
+            + REAL(2)*L_dot_max*tau_k_bar_max*two_phi_dot_max + STEWART_FABS(M_phi_L_bar));
         const stewart_real M_phi_L_bar_max = STEWART_FABS(M_phi_L_bar) + M_phi_L_bar_err;
         const stewart_real k3_h_bar = -D_weight*phi_ddot - L_ddot*tau_k_bar;
-        const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max
-            + L_ddot_max*tau_k_bar_err + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max
-            + STEWART_FABS(k3_h_bar));
+        const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max + L_ddot_max*tau_k_bar_err
+            + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max + STEWART_FABS(k3_h_bar));
         const stewart_real k3_h_bar_max = STEWART_FABS(k3_h_bar) + k3_h_bar_err;
         const stewart_real M_mixed_bar = phi_ddot*tau_y_bar + tau_k_bar*theta_ddot;
-        const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err
-            + tau_k_bar_err*theta_ddot_max + tau_k_bar_max*theta_ddot_err
-            + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
+        const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err + tau_k_bar_err*theta_ddot_max
+            + tau_k_bar_max*theta_ddot_err + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
             + STEWART_FABS(M_mixed_bar));
         const stewart_real M_mixed_bar_max = STEWART_FABS(M_mixed_bar) + M_mixed_bar_err;
         const stewart_real M_theta_bar = own_theta_ddot*tau_y_bar;
@@ -4735,39 +4518,34 @@ static void leg_errors_near_singularity(
             + STEWART_UNIT*STEWART_FABS(M_theta_bar);
         const stewart_real M_theta_bar_max = STEWART_FABS(M_theta_bar) + M_theta_bar_err;
         const stewart_real M_phi_bar = own_phi_ddot*tau_k_bar;
-        const stewart_real M_phi_bar_err = own_phi_ddot_err*tau_k_bar_max + own_phi_ddot_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(M_phi_bar);
+        const stewart_real M_phi_bar_err = own_phi_ddot_err*tau_k_bar_max + own_phi_ddot_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(M_phi_bar);
         const stewart_real M_phi_bar_max = STEWART_FABS(M_phi_bar) + M_phi_bar_err;
         const stewart_real a3_bar = M_mixed_bar*k1 - M_mixed_theta_bar*k3;
-        const stewart_real a3_bar_err = M_mixed_bar_err*k1_max + M_mixed_bar_max*k1_err
-            + M_mixed_theta_bar_err*k3_max + M_mixed_theta_bar_max*k3_err + STEWART_UNIT*(M_mixed_bar_max*k1_max
-            + M_mixed_theta_bar_max*k3_max + STEWART_FABS(a3_bar));
+        const stewart_real a3_bar_err = M_mixed_bar_err*k1_max + M_mixed_bar_max*k1_err + M_mixed_theta_bar_err*k3_max
+            + M_mixed_theta_bar_max*k3_err + STEWART_UNIT*(M_mixed_bar_max*k1_max + M_mixed_theta_bar_max*k3_max
+            + STEWART_FABS(a3_bar));
         const stewart_real a3_bar_max = STEWART_FABS(a3_bar) + a3_bar_err;
         const stewart_real a2_bar = M_phi_bar*k13;
-        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err
-            + STEWART_UNIT*STEWART_FABS(a2_bar);
+        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err + STEWART_UNIT*STEWART_FABS(a2_bar);
         const stewart_real c7 = k33 - STEWART_HALF;
         const stewart_real c7_err = k33_err + STEWART_UNIT*STEWART_FABS(c7);
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
         const stewart_real c8 = phi_dot2*tau_y_bar;
-        const stewart_real c8_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err
-            + STEWART_UNIT*STEWART_FABS(c8);
+        const stewart_real c8_err = phi_dot2_err*tau_y_bar_max + phi_dot2_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c8);
         const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
         const stewart_real c3_bar = a2_bar + c7*c8;
         const stewart_real c3_bar_err = a2_bar_err + c7_err*c8_max + c7_max*c8_err + STEWART_UNIT*(c7_max*c8_max
             + STEWART_FABS(c3_bar));
         const stewart_real c3_bar_max = STEWART_FABS(c3_bar) + c3_bar_err;
         const stewart_real c9 = c3_bar - STEWART_HALF*tau_k_bar*theta_dot*two_phi_dot;
-        const stewart_real c9_err = c3_bar_err + STEWART_HALF*tau_k_bar_err*theta_dot_max*two_phi_dot_max
-            + STEWART_HALF*tau_k_bar_max*theta_dot_err*two_phi_dot_max
-            + STEWART_HALF*tau_k_bar_max*theta_dot_max*two_phi_dot_err
-            + STEWART_UNIT*(tau_k_bar_max*theta_dot_max*two_phi_dot_max + STEWART_FABS(c9));
+        const stewart_real c9_err = c3_bar_err + STEWART_HALF*tau_k_bar_err*theta_dot_max*two_phi_dot_max + STEWART_HALF*tau_k_bar_max*theta_dot_err*two_phi_dot_max
+            + STEWART_HALF*tau_k_bar_max*theta_dot_max*two_phi_dot_err + STEWART_UNIT*(tau_k_bar_max*theta_dot_max*two_phi_dot_max
+            + STEWART_FABS(c9));
         const stewart_real c2_bar = -c9;
         const stewart_real c2_bar_err = c9_err;
         const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
         const stewart_real a1_bar = M_phi_bar*k33;
-        const stewart_real a1_bar_err = M_phi_bar_err*k33_max + M_phi_bar_max*k33_err
-            + STEWART_UNIT*STEWART_FABS(a1_bar);
+        const stewart_real a1_bar_err = M_phi_bar_err*k33_max + M_phi_bar_max*k33_err + STEWART_UNIT*STEWART_FABS(a1_bar);
         const stewart_real a1_bar_max = STEWART_FABS(a1_bar) + a1_bar_err;
         const stewart_real L_h2_bar = M_theta_bar + a1_bar;
         const stewart_real L_h2_bar_err = M_theta_bar_err + a1_bar_err + STEWART_UNIT*STEWART_FABS(L_h2_bar);
@@ -4776,79 +4554,65 @@ static void leg_errors_near_singularity(
         const stewart_real c10_err = J_yy_err + dJ_zx_err + STEWART_UNIT*STEWART_FABS(c10);
         const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
         const stewart_real k13_bar = M_phi_bar*a2 + c10*c8 - M_phi_L_bar*h_z;
-        const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err
-            + M_phi_bar_err*a2_max + M_phi_bar_max*a2_err + c10_err*c8_max + c10_max*c8_err
-            + STEWART_UNIT*(M_phi_L_bar_max*h_z_max + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*c10_max*c8_max
-            + STEWART_FABS(k13_bar));
+        const stewart_real k13_bar_err = M_phi_L_bar_err*h_z_max + M_phi_L_bar_max*h_z_err + M_phi_bar_err*a2_max
+            + M_phi_bar_max*a2_err + c10_err*c8_max + c10_max*c8_err + STEWART_UNIT*(M_phi_L_bar_max*h_z_max
+            + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*c10_max*c8_max + STEWART_FABS(k13_bar));
         const stewart_real phi_ddot_bar = M_mixed*tau_y_bar - D_weight*k3_h;
-        const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max
-            + M_mixed_max*tau_y_bar_err + STEWART_UNIT*(D_weight_max*k3_h_max + M_mixed_max*tau_y_bar_max
-            + STEWART_FABS(phi_ddot_bar));
+        const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max + M_mixed_max*tau_y_bar_err
+            + STEWART_UNIT*(D_weight_max*k3_h_max + M_mixed_max*tau_y_bar_max + STEWART_FABS(phi_ddot_bar));
         const stewart_real phi_ddot_bar_max = STEWART_FABS(phi_ddot_bar) + phi_ddot_bar_err;
         const stewart_real theta_ddot_bar = D_weight*h_z + M_mixed*tau_k_bar;
-        const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max
-            + M_mixed_max*tau_k_bar_err + STEWART_UNIT*(D_weight_max*h_z_max + M_mixed_max*tau_k_bar_max
-            + STEWART_FABS(theta_ddot_bar));
+        const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max + M_mixed_max*tau_k_bar_err
+            + STEWART_UNIT*(D_weight_max*h_z_max + M_mixed_max*tau_k_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
         const stewart_real c1_bar = k13_bar + phi_dot2*theta_ddot_bar;
-        const stewart_real c1_bar_err = k13_bar_err + phi_dot2_err*theta_ddot_bar_max
-            + phi_dot2_max*theta_ddot_bar_err + STEWART_UNIT*(phi_dot2_max*theta_ddot_bar_max
-            + STEWART_FABS(c1_bar));
+        const stewart_real c1_bar_err = k13_bar_err + phi_dot2_err*theta_ddot_bar_max + phi_dot2_max*theta_ddot_bar_err
+            + STEWART_UNIT*(phi_dot2_max*theta_ddot_bar_max + STEWART_FABS(c1_bar));
         const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
         const stewart_real own_phi_ddot_bar = M_phi*tau_k_bar + phi_ddot_bar;
-        const stewart_real own_phi_ddot_bar_err = M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err
-            + phi_ddot_bar_err + STEWART_UNIT*(M_phi_max*tau_k_bar_max + STEWART_FABS(own_phi_ddot_bar));
+        const stewart_real own_phi_ddot_bar_err = M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err + phi_ddot_bar_err
+            + STEWART_UNIT*(M_phi_max*tau_k_bar_max + STEWART_FABS(own_phi_ddot_bar));
         const stewart_real own_phi_ddot_bar_max = STEWART_FABS(own_phi_ddot_bar) + own_phi_ddot_bar_err;
         const stewart_real own_theta_ddot_bar = M_theta*tau_y_bar + theta_ddot_bar;
-        const stewart_real own_theta_ddot_bar_err = M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err
-            + theta_ddot_bar_err + STEWART_UNIT*(M_theta_max*tau_y_bar_max + STEWART_FABS(own_theta_ddot_bar));
+        const stewart_real own_theta_ddot_bar_err = M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err + theta_ddot_bar_err
+            + STEWART_UNIT*(M_theta_max*tau_y_bar_max + STEWART_FABS(own_theta_ddot_bar));
         const stewart_real own_theta_ddot_bar_max = STEWART_FABS(own_theta_ddot_bar) + own_theta_ddot_bar_err;
         const stewart_real L_ddot_bar = h_z*tau_y_bar - k3_h*tau_k_bar;
-        const stewart_real L_ddot_bar_err = h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err
-            + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err + STEWART_UNIT*(h_z_max*tau_y_bar_max
-            + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
+        const stewart_real L_ddot_bar_err = h_z_err*tau_y_bar_max + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max
+            + k3_h_max*tau_k_bar_err + STEWART_UNIT*(h_z_max*tau_y_bar_max + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
         const stewart_real c11 = L*L_ddot_bar;
-        const stewart_real c11_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err
-            + STEWART_UNIT*STEWART_FABS(c11);
+        const stewart_real c11_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c11);
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
         const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c11*phi_dot2 + c3*c8;
-        const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err
-            + M_phi_bar_err*a1_max + M_phi_bar_max*a1_err + c11_err*phi_dot2_max + c11_max*phi_dot2_err
-            + c3_err*c8_max + c3_max*c8_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max
-            + REAL(3)*M_phi_bar_max*a1_max + REAL(2)*c11_max*phi_dot2_max + c3_max*c8_max
-            + STEWART_FABS(k33_bar));
+        const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err + M_phi_bar_err*a1_max
+            + M_phi_bar_max*a1_err + c11_err*phi_dot2_max + c11_max*phi_dot2_err + c3_err*c8_max + c3_max*c8_err
+            + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max + REAL(2)*c11_max*phi_dot2_max
+            + c3_max*c8_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c12 = STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2;
-        const stewart_real c12_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err
-            + STEWART_HALF*c2_err + STEWART_UNIT*(STEWART_HALF*J2_xz_max + REAL(2)*J_xx_max*kappa_max
-            + STEWART_FABS(c12));
+        const stewart_real c12_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err + STEWART_HALF*c2_err
+            + STEWART_UNIT*(STEWART_HALF*J2_xz_max + REAL(2)*J_xx_max*kappa_max + STEWART_FABS(c12));
         const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c12*theta_dot)
-            - L_share*own_phi_ddot_bar - lean*phi_ddot_bar;
-        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max
-            + L_dot_max*M_phi_L_err*tau_k_bar_max + L_share_err*own_phi_ddot_bar_max
-            + L_share_max*own_phi_ddot_bar_err + c12_err*tau_k_bar_max*theta_dot_max
-            + c12_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err
-            + tau_k_bar_err*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max)
-            + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + lean_max*phi_ddot_bar_max
-            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max)
-            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*c12_max*theta_dot_max)
-            + STEWART_FABS(two_phi_dot_bar));
-        const stewart_real phi_dot2_bar = c1*theta_ddot_bar + c11*k33 + tau_y_bar*(c10*k13 + c3*c7)
-            - D_weight*M_phi_L;
-        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c10_err*k13_max*tau_y_bar_max
-            + c10_max*k13_err*tau_y_bar_max + c11_err*k33_max + c11_max*k33_err + c1_err*theta_ddot_bar_max
-            + c1_max*theta_ddot_bar_err + c3_err*c7_max*tau_y_bar_max + c3_max*c7_err*tau_y_bar_max
-            + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
-            + REAL(3)*c11_max*k33_max + REAL(3)*c1_max*theta_ddot_bar_max
-            + REAL(2)*tau_y_bar_max*(c10_max*k13_max + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*c10_max*k13_max
-            + REAL(2)*c3_max*c7_max) + STEWART_FABS(phi_dot2_bar));
+        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c12*theta_dot) - L_share*own_phi_ddot_bar
+            - lean*phi_ddot_bar;
+        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
+            + L_share_err*own_phi_ddot_bar_max + L_share_max*own_phi_ddot_bar_err + c12_err*tau_k_bar_max*theta_dot_max
+            + c12_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err + tau_k_bar_err*(L_dot_max*M_phi_L_max
+            + c12_max*theta_dot_max) + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + lean_max*phi_ddot_bar_max
+            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max) + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max
+            + REAL(2)*c12_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
+        const stewart_real phi_dot2_bar = c1*theta_ddot_bar + c11*k33 + tau_y_bar*(c10*k13 + c3*c7) - D_weight*M_phi_L;
+        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c10_err*k13_max*tau_y_bar_max + c10_max*k13_err*tau_y_bar_max
+            + c11_err*k33_max + c11_max*k33_err + c1_err*theta_ddot_bar_max + c1_max*theta_ddot_bar_err + c3_err*c7_max*tau_y_bar_max
+            + c3_max*c7_err*tau_y_bar_max + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
+            + REAL(3)*c11_max*k33_max + REAL(3)*c1_max*theta_ddot_bar_max + REAL(2)*tau_y_bar_max*(c10_max*k13_max
+            + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*c10_max*k13_max + REAL(2)*c3_max*c7_max) + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c11 - D_weight*h_x;
-        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + c11_err + STEWART_UNIT*(D_weight_max*h_x_max
-            + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c11_max + STEWART_FABS(theta_dot2_bar));
+        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max + M_mixed_theta_max*tau_k_bar_err
+            + c11_err + STEWART_UNIT*(D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c11_max
+            + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real lean_bar = -phi_ddot_bar*two_phi_dot;
         const stewart_real lean_bar_err = phi_ddot_bar_err*two_phi_dot_max + phi_ddot_bar_max*two_phi_dot_err
@@ -4858,48 +4622,38 @@ static void leg_errors_near_singularity(
         const stewart_real c13_err = REAL(2)*own_theta_ddot_bar_err;
         const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
         const stewart_real L_share_bar = -c13*theta_dot - own_phi_ddot_bar*two_phi_dot;
-        const stewart_real L_share_bar_err = c13_err*theta_dot_max + c13_max*theta_dot_err
-            + own_phi_ddot_bar_err*two_phi_dot_max + own_phi_ddot_bar_max*two_phi_dot_err
-            + STEWART_UNIT*(c13_max*theta_dot_max + own_phi_ddot_bar_max*two_phi_dot_max
+        const stewart_real L_share_bar_err = c13_err*theta_dot_max + c13_max*theta_dot_err + own_phi_ddot_bar_err*two_phi_dot_max
+            + own_phi_ddot_bar_max*two_phi_dot_err + STEWART_UNIT*(c13_max*theta_dot_max + own_phi_ddot_bar_max*two_phi_dot_max
             + STEWART_FABS(L_share_bar));
         const stewart_real L_share_bar_max = STEWART_FABS(L_share_bar) + L_share_bar_err;
         const stewart_real c14 = tau_k_bar*two_phi_dot;
-        const stewart_real c14_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err
-            + STEWART_UNIT*STEWART_FABS(c14);
+        const stewart_real c14_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*STEWART_FABS(c14);
         const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real theta_dot_bar = C_s*c5_bar + C_us*tau_y_bar + L_dot*bend_bar + kappa*lean_bar
-            + REAL(2)*theta_dot*theta_dot2_bar - L_share*c13 - c12*c14;
-        const stewart_real theta_dot_bar_err = C_s_max*c5_bar_err + C_us_err*tau_y_bar_max
-            + C_us_max*tau_y_bar_err + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*c13_max
-            + L_share_max*c13_err + c12_err*c14_max + c12_max*c14_err + kappa_err*lean_bar_max
-            + kappa_max*lean_bar_err + REAL(2)*theta_dot2_bar_err*theta_dot_max
-            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c5_bar_max
-            + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max + REAL(2)*L_share_max*c13_max
-            + c12_max*c14_max + REAL(4)*kappa_max*lean_bar_max + REAL(6)*theta_dot2_bar_max*theta_dot_max
-            + STEWART_FABS(theta_dot_bar));
+        const stewart_real theta_dot_bar = C_s*c5_bar + C_us*tau_y_bar + L_dot*bend_bar + kappa*lean_bar + REAL(2)*theta_dot*theta_dot2_bar
+            - L_share*c13 - c12*c14;
+        const stewart_real theta_dot_bar_err = C_s_max*c5_bar_err + C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
+            + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*c13_max + L_share_max*c13_err + c12_err*c14_max
+            + c12_max*c14_err + kappa_err*lean_bar_max + kappa_max*lean_bar_err + REAL(2)*theta_dot2_bar_err*theta_dot_max
+            + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c5_bar_max + REAL(6)*C_us_max*tau_y_bar_max
+            + REAL(5)*L_dot_max*bend_bar_max + REAL(2)*L_share_max*c13_max + c12_max*c14_max + REAL(4)*kappa_max*lean_bar_max
+            + REAL(6)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_s*c4_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar
-            + REAL(2)*two_phi_dot_bar;
-        const stewart_real phi_dot_bar_err = C_s_max*c4_bar_err + C_us_err*tau_k_bar_max
-            + C_us_max*tau_k_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max
-            + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
-            + STEWART_UNIT*(REAL(3)*C_s_max*c4_bar_max + REAL(3)*C_us_max*tau_k_bar_max
-            + REAL(4)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
+        const stewart_real phi_dot_bar = C_s*c4_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar_err = C_s_max*c4_bar_err + C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err
+            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
+            + STEWART_UNIT*(REAL(3)*C_s_max*c4_bar_max + REAL(3)*C_us_max*tau_k_bar_max + REAL(4)*phi_dot2_bar_max*phi_dot_max
+            + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
         const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c14 + bend_bar*theta_dot;
-        const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err
-            + M_phi_L_err*c14_max + M_phi_L_max*c14_err + bend_bar_err*theta_dot_max
-            + bend_bar_max*theta_dot_err + STEWART_UNIT*(REAL(3)*C_p_max*D_weight_max
-            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c14_max + bend_bar_max*theta_dot_max
-            + STEWART_FABS(L_dot_bar));
+        const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err + M_phi_L_err*c14_max
+            + M_phi_L_max*c14_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err + STEWART_UNIT*(REAL(3)*C_p_max*D_weight_max
+            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c14_max + bend_bar_max*theta_dot_max + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c15 = inv_rho*own_phi_ddot_bar;
-        const stewart_real c15_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c15);
+        const stewart_real c15_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c15);
         const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
         const stewart_real c16 = inv_L*own_theta_ddot_bar;
-        const stewart_real c16_err = inv_L_err*own_theta_ddot_bar_max + inv_L_max*own_theta_ddot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c16);
+        const stewart_real c16_err = inv_L_err*own_theta_ddot_bar_max + inv_L_max*own_theta_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c16);
         const stewart_real c16_max = STEWART_FABS(c16) + c16_err;
         const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c15*y_z - c16*z_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c15_err*y_z_max
@@ -4917,12 +4671,10 @@ static void leg_errors_near_singularity(
             + REAL(2)*c15_max*y_x_max + c16_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c17 = inv_rho*phi_dot_bar;
-        const stewart_real c17_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c17);
+        const stewart_real c17_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err + STEWART_UNIT*STEWART_FABS(c17);
         const stewart_real c17_max = STEWART_FABS(c17) + c17_err;
         const stewart_real c18 = inv_L*theta_dot_bar;
-        const stewart_real c18_err = inv_L_err*theta_dot_bar_max + inv_L_max*theta_dot_bar_err
-            + STEWART_UNIT*STEWART_FABS(c18);
+        const stewart_real c18_err = inv_L_err*theta_dot_bar_max + inv_L_max*theta_dot_bar_err + STEWART_UNIT*STEWART_FABS(c18);
         const stewart_real c18_max = STEWART_FABS(c18) + c18_err;
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c17*y_z - c18*z_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c17_err*y_z_max
@@ -4940,379 +4692,304 @@ static void leg_errors_near_singularity(
             + REAL(2)*c17_max*y_x_max + c18_max*z_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real c19 = c14*theta_dot;
-        const stewart_real c19_err = c14_err*theta_dot_max + c14_max*theta_dot_err
-            + STEWART_UNIT*STEWART_FABS(c19);
+        const stewart_real c19_err = c14_err*theta_dot_max + c14_max*theta_dot_err + STEWART_UNIT*STEWART_FABS(c19);
         const stewart_real c19_max = STEWART_FABS(c19) + c19_err;
         const stewart_real kappa_bar = lean_bar*theta_dot - J_xx*c19;
         const stewart_real kappa_bar_err = J_xx_err*c19_max + J_xx_max*c19_err + lean_bar_err*theta_dot_max
-            + lean_bar_max*theta_dot_err + STEWART_UNIT*(J_xx_max*c19_max + lean_bar_max*theta_dot_max
-            + STEWART_FABS(kappa_bar));
+            + lean_bar_max*theta_dot_err + STEWART_UNIT*(J_xx_max*c19_max + lean_bar_max*theta_dot_max + STEWART_FABS(kappa_bar));
         const stewart_real kappa_bar_max = STEWART_FABS(kappa_bar) + kappa_bar_err;
-        const stewart_real k3_bar = J_yz*M_mixed_bar + c1_bar*k1 + h_y*k3_h_bar + REAL(2)*k3*k33_bar
-            + w_k_bar*w_z + w_n_bar*w_x - M_mixed_theta_bar*a3;
-        const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err
-            + M_mixed_theta_bar_err*a3_max + M_mixed_theta_bar_max*a3_err + c1_bar_err*k1_max
-            + c1_bar_max*k1_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err + REAL(2)*k33_bar_err*k3_max
-            + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max
-            + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
-            + M_mixed_theta_bar_max*a3_max + REAL(6)*c1_bar_max*k1_max + REAL(5)*h_y_max*k3_h_bar_max
-            + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max
-            + STEWART_FABS(k3_bar));
+        const stewart_real k3_bar = J_yz*M_mixed_bar + c1_bar*k1 + h_y*k3_h_bar + REAL(2)*k3*k33_bar + w_k_bar*w_z
+            + w_n_bar*w_x - M_mixed_theta_bar*a3;
+        const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err + M_mixed_theta_bar_err*a3_max
+            + M_mixed_theta_bar_max*a3_err + c1_bar_err*k1_max + c1_bar_max*k1_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err
+            + REAL(2)*k33_bar_err*k3_max + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err
+            + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max + M_mixed_theta_bar_max*a3_max
+            + REAL(6)*c1_bar_max*k1_max + REAL(5)*h_y_max*k3_h_bar_max + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max
+            + REAL(2)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
         const stewart_real k1_bar = J_yz*M_mixed_theta_bar + M_mixed_bar*a3 + c1_bar*k3 + w_k_bar*w_x - bend*c6
             - w_n_bar*w_z;
-        const stewart_real k1_bar_err = J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err
-            + M_mixed_bar_err*a3_max + M_mixed_bar_max*a3_err + bend_err*c6_max + bend_max*c6_err
-            + c1_bar_err*k3_max + c1_bar_max*k3_err + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err
-            + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c6_max + REAL(4)*c1_bar_max*k3_max
-            + REAL(3)*w_k_bar_max*w_x_max + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
+        const stewart_real k1_bar_err = J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err + M_mixed_bar_err*a3_max
+            + M_mixed_bar_max*a3_err + bend_err*c6_max + bend_max*c6_err + c1_bar_err*k3_max + c1_bar_max*k3_err
+            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_theta_bar_max
+            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c6_max + REAL(4)*c1_bar_max*k3_max + REAL(3)*w_k_bar_max*w_x_max
+            + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c20 = C_s*tau_y_bar;
         const stewart_real c20_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c20);
         const stewart_real c20_max = STEWART_FABS(c20) + c20_err;
-        const stewart_real y_z_bar = S_ddot_z*c15 + S_dot_z*c17 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar
-            - Q_y*c_force_z_bar - Y_moment_z*c5 - c20*omega_z;
-        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err
-            + S_ddot_z_err*c15_max + S_ddot_z_max*c15_err + S_dot_z_err*c17_max + S_dot_z_max*c17_err
-            + Y_moment_z_max*c5_err + c20_err*omega_z_max + g_x_k_z_err*gamma_n_bar_max
-            + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max + REAL(6)*S_ddot_z_max*c15_max
-            + REAL(6)*S_dot_z_max*c17_max + REAL(2)*Y_moment_z_max*c5_max + c20_max*omega_z_max
+        const stewart_real y_z_bar = S_ddot_z*c15 + S_dot_z*c17 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar - Q_y*c_force_z_bar
+            - Y_moment_z*c5 - c20*omega_z;
+        const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err + S_ddot_z_err*c15_max
+            + S_ddot_z_max*c15_err + S_dot_z_err*c17_max + S_dot_z_max*c17_err + Y_moment_z_max*c5_err + c20_err*omega_z_max
+            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max
+            + REAL(6)*S_ddot_z_max*c15_max + REAL(6)*S_dot_z_max*c17_max + REAL(2)*Y_moment_z_max*c5_max + c20_max*omega_z_max
             + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = S_ddot_y*c15 + S_dot_y*c17 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar
-            - Q_y*c_force_y_bar - Y_moment_y*c5 - c20*omega_y;
-        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err
-            + S_ddot_y_err*c15_max + S_ddot_y_max*c15_err + S_dot_y_err*c17_max + S_dot_y_max*c17_err
-            + Y_moment_y_max*c5_err + c20_err*omega_y_max + g_x_k_y_err*gamma_n_bar_max
-            + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max + REAL(6)*S_ddot_y_max*c15_max
-            + REAL(6)*S_dot_y_max*c17_max + REAL(2)*Y_moment_y_max*c5_max + c20_max*omega_y_max
+        const stewart_real y_y_bar = S_ddot_y*c15 + S_dot_y*c17 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar - Q_y*c_force_y_bar
+            - Y_moment_y*c5 - c20*omega_y;
+        const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err + S_ddot_y_err*c15_max
+            + S_ddot_y_max*c15_err + S_dot_y_err*c17_max + S_dot_y_max*c17_err + Y_moment_y_max*c5_err + c20_err*omega_y_max
+            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max
+            + REAL(6)*S_ddot_y_max*c15_max + REAL(6)*S_dot_y_max*c17_max + REAL(2)*Y_moment_y_max*c5_max + c20_max*omega_y_max
             + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = S_ddot_x*c15 + S_dot_x*c17 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar
-            - Q_y*c_force_x_bar - Y_moment_x*c5 - c20*omega_x;
-        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err
-            + S_ddot_x_err*c15_max + S_ddot_x_max*c15_err + S_dot_x_err*c17_max + S_dot_x_max*c17_err
-            + Y_moment_x_max*c5_err + c20_err*omega_x_max + g_x_k_x_err*gamma_n_bar_max
-            + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err
-            + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max + REAL(6)*S_ddot_x_max*c15_max
-            + REAL(6)*S_dot_x_max*c17_max + REAL(2)*Y_moment_x_max*c5_max + c20_max*omega_x_max
+        const stewart_real y_x_bar = S_ddot_x*c15 + S_dot_x*c17 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar - Q_y*c_force_x_bar
+            - Y_moment_x*c5 - c20*omega_x;
+        const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err + S_ddot_x_err*c15_max
+            + S_ddot_x_max*c15_err + S_dot_x_err*c17_max + S_dot_x_max*c17_err + Y_moment_x_max*c5_err + c20_err*omega_x_max
+            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max
+            + REAL(6)*S_ddot_x_max*c15_max + REAL(6)*S_dot_x_max*c17_max + REAL(2)*Y_moment_x_max*c5_max + c20_max*omega_x_max
             + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real z_z_bar = s_x*y_y_bar - Q_z*c_force_z_bar - S_ddot_z*c16 - S_dot_z*c18 - s_y*y_x_bar;
-        const stewart_real z_z_bar_err = Q_z_err*c_force_z_bar_max + Q_z_max*c_force_z_bar_err
-            + S_ddot_z_err*c16_max + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err
-            + s_x_err*y_y_bar_max + s_x_max*y_y_bar_err + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_z_bar_max + REAL(3)*S_ddot_z_max*c16_max
-            + REAL(2)*S_dot_z_max*c18_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max
-            + STEWART_FABS(z_z_bar));
+        const stewart_real z_z_bar_err = Q_z_err*c_force_z_bar_max + Q_z_max*c_force_z_bar_err + S_ddot_z_err*c16_max
+            + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err + s_x_err*y_y_bar_max + s_x_max*y_y_bar_err
+            + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_z_bar_max + REAL(3)*S_ddot_z_max*c16_max
+            + REAL(2)*S_dot_z_max*c18_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max + STEWART_FABS(z_z_bar));
         const stewart_real z_z_bar_max = STEWART_FABS(z_z_bar) + z_z_bar_err;
         const stewart_real z_y_bar = s_z*y_x_bar - Q_z*c_force_y_bar - S_ddot_y*c16 - S_dot_y*c18 - s_x*y_z_bar;
-        const stewart_real z_y_bar_err = Q_z_err*c_force_y_bar_max + Q_z_max*c_force_y_bar_err
-            + S_ddot_y_err*c16_max + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err
-            + s_x_err*y_z_bar_max + s_x_max*y_z_bar_err + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err
-            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_y_bar_max + REAL(3)*S_ddot_y_max*c16_max
-            + REAL(2)*S_dot_y_max*c18_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max
-            + STEWART_FABS(z_y_bar));
+        const stewart_real z_y_bar_err = Q_z_err*c_force_y_bar_max + Q_z_max*c_force_y_bar_err + S_ddot_y_err*c16_max
+            + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err + s_x_err*y_z_bar_max + s_x_max*y_z_bar_err
+            + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_y_bar_max + REAL(3)*S_ddot_y_max*c16_max
+            + REAL(2)*S_dot_y_max*c18_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max + STEWART_FABS(z_y_bar));
         const stewart_real z_y_bar_max = STEWART_FABS(z_y_bar) + z_y_bar_err;
         const stewart_real z_x_bar = s_y*y_z_bar - Q_z*c_force_x_bar - S_ddot_x*c16 - S_dot_x*c18 - s_z*y_y_bar;
-        const stewart_real z_x_bar_err = Q_z_err*c_force_x_bar_max + Q_z_max*c_force_x_bar_err
-            + S_ddot_x_err*c16_max + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err
-            + s_y_err*y_z_bar_max + s_y_max*y_z_bar_err + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err
-            + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_x_bar_max + REAL(3)*S_ddot_x_max*c16_max
-            + REAL(2)*S_dot_x_max*c18_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max
-            + STEWART_FABS(z_x_bar));
+        const stewart_real z_x_bar_err = Q_z_err*c_force_x_bar_max + Q_z_max*c_force_x_bar_err + S_ddot_x_err*c16_max
+            + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err + s_y_err*y_z_bar_max + s_y_max*y_z_bar_err
+            + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_x_bar_max + REAL(3)*S_ddot_x_max*c16_max
+            + REAL(2)*S_dot_x_max*c18_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max + STEWART_FABS(z_x_bar));
         const stewart_real z_x_bar_max = STEWART_FABS(z_x_bar) + z_x_bar_err;
-        const stewart_real inv_rho_bar = Q_y_bar*tau_k + kappa_bar*zeta + own_phi_ddot_bar*(S_ddot_x*y_x
-            + S_ddot_y*y_y + S_ddot_z*y_z) + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-            + s_cross_normal_x*z_x_bar + s_cross_normal_y*z_y_bar + s_cross_normal_z*z_z_bar;
-        const stewart_real inv_rho_bar_err = Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err
-            + S_ddot_x_err*own_phi_ddot_bar_max*y_x_max + S_ddot_y_err*own_phi_ddot_bar_max*y_y_max
-            + S_ddot_z_err*own_phi_ddot_bar_max*y_z_max + S_dot_x_err*phi_dot_bar_max*y_x_max
+        const stewart_real inv_rho_bar = Q_y_bar*tau_k + kappa_bar*zeta + own_phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y
+            + S_ddot_z*y_z) + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + s_cross_normal_x*z_x_bar
+            + s_cross_normal_y*z_y_bar + s_cross_normal_z*z_z_bar;
+        const stewart_real inv_rho_bar_err = Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err + S_ddot_x_err*own_phi_ddot_bar_max*y_x_max
+            + S_ddot_y_err*own_phi_ddot_bar_max*y_y_max + S_ddot_z_err*own_phi_ddot_bar_max*y_z_max + S_dot_x_err*phi_dot_bar_max*y_x_max
             + S_dot_y_err*phi_dot_bar_max*y_y_max + S_dot_z_err*phi_dot_bar_max*y_z_max + kappa_bar_err*zeta_max
-            + kappa_bar_max*zeta_err + own_phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
-            + S_ddot_z_max*y_z_max) + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
-            + S_dot_z_max*y_z_max) + s_cross_normal_x_err*z_x_bar_max + s_cross_normal_x_max*z_x_bar_err
-            + s_cross_normal_y_err*z_y_bar_max + s_cross_normal_y_max*z_y_bar_err
-            + s_cross_normal_z_err*z_z_bar_max + s_cross_normal_z_max*z_z_bar_err
-            + y_x_err*(S_ddot_x_max*own_phi_ddot_bar_max + S_dot_x_max*phi_dot_bar_max)
-            + y_y_err*(S_ddot_y_max*own_phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
-            + y_z_err*(S_ddot_z_max*own_phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max)
-            + STEWART_UNIT*(REAL(6)*Q_y_bar_max*tau_k_max + REAL(6)*kappa_bar_max*zeta_max
-            + REAL(5)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-            + own_phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
+            + kappa_bar_max*zeta_err + own_phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + s_cross_normal_x_err*z_x_bar_max
+            + s_cross_normal_x_max*z_x_bar_err + s_cross_normal_y_err*z_y_bar_max + s_cross_normal_y_max*z_y_bar_err
+            + s_cross_normal_z_err*z_z_bar_max + s_cross_normal_z_max*z_z_bar_err + y_x_err*(S_ddot_x_max*own_phi_ddot_bar_max
+            + S_dot_x_max*phi_dot_bar_max) + y_y_err*(S_ddot_y_max*own_phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
+            + y_z_err*(S_ddot_z_max*own_phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max) + STEWART_UNIT*(REAL(6)*Q_y_bar_max*tau_k_max
+            + REAL(6)*kappa_bar_max*zeta_max + REAL(5)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
+            + S_ddot_z_max*y_z_max) + own_phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
             + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
             + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*s_cross_normal_x_max*z_x_bar_max
-            + REAL(2)*s_cross_normal_y_max*z_y_bar_max + s_cross_normal_z_max*z_z_bar_max
-            + STEWART_FABS(inv_rho_bar));
+            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*s_cross_normal_x_max*z_x_bar_max + REAL(2)*s_cross_normal_y_max*z_y_bar_max
+            + s_cross_normal_z_max*z_z_bar_max + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
-        const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err
-            + inv_rho_bar_err*inv_rho_max*inv_rho_max + REAL(2)*inv_rho_bar_max*inv_rho_err*inv_rho_max
-            + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
+        const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err + inv_rho_bar_err*inv_rho_max*inv_rho_max
+            + REAL(2)*inv_rho_bar_max*inv_rho_err*inv_rho_max + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
             + STEWART_FABS(rho_bar));
         const stewart_real rho_bar_max = STEWART_FABS(rho_bar) + rho_bar_err;
         const stewart_real c21 = inv_rho*rho_bar;
-        const stewart_real c21_err = inv_rho_err*rho_bar_max + inv_rho_max*rho_bar_err
-            + STEWART_UNIT*STEWART_FABS(c21);
+        const stewart_real c21_err = inv_rho_err*rho_bar_max + inv_rho_max*rho_bar_err + STEWART_UNIT*STEWART_FABS(c21);
         const stewart_real c21_max = STEWART_FABS(c21) + c21_err;
         const stewart_real s_cross_normal_z_bar = c21*s_cross_normal_z + inv_rho*z_z_bar;
-        const stewart_real s_cross_normal_z_bar_err = c21_err*s_cross_normal_z_max
-            + c21_max*s_cross_normal_z_err + inv_rho_err*z_z_bar_max + inv_rho_max*z_z_bar_err
-            + STEWART_UNIT*(c21_max*s_cross_normal_z_max + inv_rho_max*z_z_bar_max
-            + STEWART_FABS(s_cross_normal_z_bar));
-        const stewart_real s_cross_normal_z_bar_max = STEWART_FABS(s_cross_normal_z_bar)
-            + s_cross_normal_z_bar_err;
+        const stewart_real s_cross_normal_z_bar_err = c21_err*s_cross_normal_z_max + c21_max*s_cross_normal_z_err
+            + inv_rho_err*z_z_bar_max + inv_rho_max*z_z_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_z_max
+            + inv_rho_max*z_z_bar_max + STEWART_FABS(s_cross_normal_z_bar));
+        const stewart_real s_cross_normal_z_bar_max = STEWART_FABS(s_cross_normal_z_bar) + s_cross_normal_z_bar_err;
         const stewart_real s_cross_normal_y_bar = c21*s_cross_normal_y + inv_rho*z_y_bar;
-        const stewart_real s_cross_normal_y_bar_err = c21_err*s_cross_normal_y_max
-            + c21_max*s_cross_normal_y_err + inv_rho_err*z_y_bar_max + inv_rho_max*z_y_bar_err
-            + STEWART_UNIT*(c21_max*s_cross_normal_y_max + inv_rho_max*z_y_bar_max
-            + STEWART_FABS(s_cross_normal_y_bar));
-        const stewart_real s_cross_normal_y_bar_max = STEWART_FABS(s_cross_normal_y_bar)
-            + s_cross_normal_y_bar_err;
+        const stewart_real s_cross_normal_y_bar_err = c21_err*s_cross_normal_y_max + c21_max*s_cross_normal_y_err
+            + inv_rho_err*z_y_bar_max + inv_rho_max*z_y_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_y_max
+            + inv_rho_max*z_y_bar_max + STEWART_FABS(s_cross_normal_y_bar));
+        const stewart_real s_cross_normal_y_bar_max = STEWART_FABS(s_cross_normal_y_bar) + s_cross_normal_y_bar_err;
         const stewart_real s_cross_normal_x_bar = c21*s_cross_normal_x + inv_rho*z_x_bar;
-        const stewart_real s_cross_normal_x_bar_err = c21_err*s_cross_normal_x_max
-            + c21_max*s_cross_normal_x_err + inv_rho_err*z_x_bar_max + inv_rho_max*z_x_bar_err
-            + STEWART_UNIT*(c21_max*s_cross_normal_x_max + inv_rho_max*z_x_bar_max
-            + STEWART_FABS(s_cross_normal_x_bar));
-        const stewart_real s_cross_normal_x_bar_max = STEWART_FABS(s_cross_normal_x_bar)
-            + s_cross_normal_x_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z
-            + k_cross_S_x*s_cross_normal_y_bar + y_x_bar*z_y - k_cross_S_y*s_cross_normal_x_bar - y_y_bar*z_x;
-        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max
-            + L_ddot_bar_max*S_ddot_z_err + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err
-            + k_cross_S_x_err*s_cross_normal_y_bar_max + k_cross_S_x_max*s_cross_normal_y_bar_err
-            + k_cross_S_y_err*s_cross_normal_x_bar_max + k_cross_S_y_max*s_cross_normal_x_bar_err
-            + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err
-            + STEWART_UNIT*(REAL(5)*H_force_z_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_z_max
-            + REAL(5)*L_dot_bar_max*S_dot_z_max + REAL(4)*k_cross_S_x_max*s_cross_normal_y_bar_max
-            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(3)*y_x_bar_max*z_y_max
-            + y_y_bar_max*z_x_max + STEWART_FABS(s_z_bar));
+        const stewart_real s_cross_normal_x_bar_err = c21_err*s_cross_normal_x_max + c21_max*s_cross_normal_x_err
+            + inv_rho_err*z_x_bar_max + inv_rho_max*z_x_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_x_max
+            + inv_rho_max*z_x_bar_max + STEWART_FABS(s_cross_normal_x_bar));
+        const stewart_real s_cross_normal_x_bar_max = STEWART_FABS(s_cross_normal_x_bar) + s_cross_normal_x_bar_err;
+        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z + k_cross_S_x*s_cross_normal_y_bar
+            + y_x_bar*z_y - k_cross_S_y*s_cross_normal_x_bar - y_y_bar*z_x;
+        const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err
+            + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err + k_cross_S_x_err*s_cross_normal_y_bar_max
+            + k_cross_S_x_max*s_cross_normal_y_bar_err + k_cross_S_y_err*s_cross_normal_x_bar_max + k_cross_S_y_max*s_cross_normal_x_bar_err
+            + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err + STEWART_UNIT*(REAL(5)*H_force_z_bar_max
+            + REAL(6)*L_ddot_bar_max*S_ddot_z_max + REAL(5)*L_dot_bar_max*S_dot_z_max + REAL(4)*k_cross_S_x_max*s_cross_normal_y_bar_max
+            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(3)*y_x_bar_max*z_y_max + y_y_bar_max*z_x_max
+            + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y
-            + k_cross_S_z*s_cross_normal_x_bar + y_z_bar*z_x - k_cross_S_x*s_cross_normal_z_bar - y_x_bar*z_z;
-        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max
-            + L_ddot_bar_max*S_ddot_y_err + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err
-            + k_cross_S_x_err*s_cross_normal_z_bar_max + k_cross_S_x_max*s_cross_normal_z_bar_err
-            + k_cross_S_z_err*s_cross_normal_x_bar_max + k_cross_S_z_max*s_cross_normal_x_bar_err
-            + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err
-            + STEWART_UNIT*(REAL(5)*H_force_y_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_y_max
-            + REAL(5)*L_dot_bar_max*S_dot_y_max + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
-            + REAL(4)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max
-            + REAL(3)*y_z_bar_max*z_x_max + STEWART_FABS(s_y_bar));
+        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y + k_cross_S_z*s_cross_normal_x_bar
+            + y_z_bar*z_x - k_cross_S_x*s_cross_normal_z_bar - y_x_bar*z_z;
+        const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err
+            + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err + k_cross_S_x_err*s_cross_normal_z_bar_max
+            + k_cross_S_x_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_x_bar_max + k_cross_S_z_max*s_cross_normal_x_bar_err
+            + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err + STEWART_UNIT*(REAL(5)*H_force_y_bar_max
+            + REAL(6)*L_ddot_bar_max*S_ddot_y_max + REAL(5)*L_dot_bar_max*S_dot_y_max + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
+            + REAL(4)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max + REAL(3)*y_z_bar_max*z_x_max
+            + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x
-            + k_cross_S_y*s_cross_normal_z_bar + y_y_bar*z_z - k_cross_S_z*s_cross_normal_y_bar - y_z_bar*z_y;
-        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max
-            + L_ddot_bar_max*S_ddot_x_err + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err
-            + k_cross_S_y_err*s_cross_normal_z_bar_max + k_cross_S_y_max*s_cross_normal_z_bar_err
-            + k_cross_S_z_err*s_cross_normal_y_bar_max + k_cross_S_z_max*s_cross_normal_y_bar_err
-            + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err
-            + STEWART_UNIT*(REAL(5)*H_force_x_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_x_max
-            + REAL(5)*L_dot_bar_max*S_dot_x_max + REAL(4)*k_cross_S_y_max*s_cross_normal_z_bar_max
-            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(3)*y_y_bar_max*z_z_max
-            + y_z_bar_max*z_y_max + STEWART_FABS(s_x_bar));
+        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x + k_cross_S_y*s_cross_normal_z_bar
+            + y_y_bar*z_z - k_cross_S_z*s_cross_normal_y_bar - y_z_bar*z_y;
+        const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err
+            + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err + k_cross_S_y_err*s_cross_normal_z_bar_max
+            + k_cross_S_y_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_y_bar_max + k_cross_S_z_max*s_cross_normal_y_bar_err
+            + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err + STEWART_UNIT*(REAL(5)*H_force_x_bar_max
+            + REAL(6)*L_ddot_bar_max*S_ddot_x_max + REAL(5)*L_dot_bar_max*S_dot_x_max + REAL(4)*k_cross_S_y_max*s_cross_normal_z_bar_max
+            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(3)*y_y_bar_max*z_z_max + y_z_bar_max*z_y_max
+            + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
         const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
-            + k3_bar*rho + own_theta_ddot_bar*(-S_ddot_x*z_x - S_ddot_y*z_y - S_ddot_z*z_z)
-            + theta_dot_bar*(-S_dot_x*z_x - S_dot_y*z_y - S_dot_z*z_z) - Q_z_bar*tau_y;
-        const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err
-            + Q_z_bar_err*tau_y_max + Q_z_bar_max*tau_y_err + S_ddot_x_err*own_theta_ddot_bar_max*z_x_max
-            + S_ddot_y_err*own_theta_ddot_bar_max*z_y_max + S_ddot_z_err*own_theta_ddot_bar_max*z_z_max
-            + S_dot_x_err*theta_dot_bar_max*z_x_max + S_dot_y_err*theta_dot_bar_max*z_y_max
-            + S_dot_z_err*theta_dot_bar_max*z_z_max + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err
-            + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err
-            + k1_bar_err*zeta_max + k1_bar_max*zeta_err + k3_bar_err*rho_max + k3_bar_max*rho_err
-            + own_theta_ddot_bar_err*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
-            + theta_dot_bar_err*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
-            + z_x_err*(S_ddot_x_max*own_theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max)
-            + z_y_err*(S_ddot_y_max*own_theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max)
-            + z_z_err*(S_ddot_z_max*own_theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max)
-            + STEWART_UNIT*(REAL(8)*L_dot_max*L_share_bar_max + Q_z_bar_max*tau_y_max
-            + REAL(8)*S_x_max*s_x_bar_max + REAL(7)*S_y_max*s_y_bar_max + REAL(6)*S_z_max*s_z_bar_max
-            + REAL(5)*k1_bar_max*zeta_max + REAL(4)*k3_bar_max*rho_max
-            + REAL(3)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
-            + S_ddot_z_max*z_z_max) + own_theta_ddot_bar_max*(REAL(3)*S_ddot_x_max*z_x_max
-            + REAL(3)*S_ddot_y_max*z_y_max + REAL(2)*S_ddot_z_max*z_z_max)
-            + REAL(2)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
-            + theta_dot_bar_max*(REAL(3)*S_dot_x_max*z_x_max + REAL(3)*S_dot_y_max*z_y_max
-            + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(inv_L_bar));
+            + k3_bar*rho + own_theta_ddot_bar*(-S_ddot_x*z_x - S_ddot_y*z_y - S_ddot_z*z_z) + theta_dot_bar*(-S_dot_x*z_x
+            - S_dot_y*z_y - S_dot_z*z_z) - Q_z_bar*tau_y;
+        const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err + Q_z_bar_err*tau_y_max
+            + Q_z_bar_max*tau_y_err + S_ddot_x_err*own_theta_ddot_bar_max*z_x_max + S_ddot_y_err*own_theta_ddot_bar_max*z_y_max
+            + S_ddot_z_err*own_theta_ddot_bar_max*z_z_max + S_dot_x_err*theta_dot_bar_max*z_x_max + S_dot_y_err*theta_dot_bar_max*z_y_max
+            + S_dot_z_err*theta_dot_bar_max*z_z_max + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max
+            + S_y_max*s_y_bar_err + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err + k1_bar_err*zeta_max + k1_bar_max*zeta_err
+            + k3_bar_err*rho_max + k3_bar_max*rho_err + own_theta_ddot_bar_err*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
+            + S_ddot_z_max*z_z_max) + theta_dot_bar_err*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
+            + z_x_err*(S_ddot_x_max*own_theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max) + z_y_err*(S_ddot_y_max*own_theta_ddot_bar_max
+            + S_dot_y_max*theta_dot_bar_max) + z_z_err*(S_ddot_z_max*own_theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max)
+            + STEWART_UNIT*(REAL(8)*L_dot_max*L_share_bar_max + Q_z_bar_max*tau_y_max + REAL(8)*S_x_max*s_x_bar_max
+            + REAL(7)*S_y_max*s_y_bar_max + REAL(6)*S_z_max*s_z_bar_max + REAL(5)*k1_bar_max*zeta_max + REAL(4)*k3_bar_max*rho_max
+            + REAL(3)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
+            + own_theta_ddot_bar_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max + REAL(2)*S_ddot_z_max*z_z_max)
+            + REAL(2)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max) + theta_dot_bar_max*(REAL(3)*S_dot_x_max*z_x_max
+            + REAL(3)*S_dot_y_max*z_y_max + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
-        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x + c2_bar*h2_z
-            - a3_bar*h_y - inv_L_bar*inv_L*inv_L;
-        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max)
-            + L_ddot_bar_max*k33_err*phi_dot2_max + L_ddot_bar_max*k33_max*phi_dot2_err
-            + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err + a3_bar_err*h_y_max
-            + a3_bar_max*h_y_err + c2_bar_err*h2_z_max + c2_bar_max*h2_z_err + inv_L_bar_err*inv_L_max*inv_L_max
-            + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max
-            + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max + theta_dot2_max)
-            + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
-            + REAL(2)*a3_bar_max*h_y_max + REAL(3)*c2_bar_max*h2_z_max
-            + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max + STEWART_FABS(L_bar));
+        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x + c2_bar*h2_z - a3_bar*h_y
+            - inv_L_bar*inv_L*inv_L;
+        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_ddot_bar_max*k33_err*phi_dot2_max
+            + L_ddot_bar_max*k33_max*phi_dot2_err + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
+            + a3_bar_err*h_y_max + a3_bar_max*h_y_err + c2_bar_err*h2_z_max + c2_bar_max*h2_z_err + inv_L_bar_err*inv_L_max*inv_L_max
+            + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max
+            + theta_dot2_max) + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
+            + REAL(2)*a3_bar_max*h_y_max + REAL(3)*c2_bar_max*h2_z_max + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max
+            + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real k_cross_S_z_bar = s_cross_normal_x_bar*s_y - s_cross_normal_y_bar*s_x;
-        const stewart_real k_cross_S_z_bar_err = s_cross_normal_x_bar_err*s_y_max
-            + s_cross_normal_x_bar_max*s_y_err + s_cross_normal_y_bar_err*s_x_max
-            + s_cross_normal_y_bar_max*s_x_err + STEWART_UNIT*(s_cross_normal_x_bar_max*s_y_max
+        const stewart_real k_cross_S_z_bar_err = s_cross_normal_x_bar_err*s_y_max + s_cross_normal_x_bar_max*s_y_err
+            + s_cross_normal_y_bar_err*s_x_max + s_cross_normal_y_bar_max*s_x_err + STEWART_UNIT*(s_cross_normal_x_bar_max*s_y_max
             + s_cross_normal_y_bar_max*s_x_max + STEWART_FABS(k_cross_S_z_bar));
         const stewart_real k_cross_S_z_bar_max = STEWART_FABS(k_cross_S_z_bar) + k_cross_S_z_bar_err;
         const stewart_real k_cross_S_y_bar = s_cross_normal_z_bar*s_x - s_cross_normal_x_bar*s_z;
-        const stewart_real k_cross_S_y_bar_err = s_cross_normal_x_bar_err*s_z_max
-            + s_cross_normal_x_bar_max*s_z_err + s_cross_normal_z_bar_err*s_x_max
-            + s_cross_normal_z_bar_max*s_x_err + STEWART_UNIT*(s_cross_normal_x_bar_max*s_z_max
+        const stewart_real k_cross_S_y_bar_err = s_cross_normal_x_bar_err*s_z_max + s_cross_normal_x_bar_max*s_z_err
+            + s_cross_normal_z_bar_err*s_x_max + s_cross_normal_z_bar_max*s_x_err + STEWART_UNIT*(s_cross_normal_x_bar_max*s_z_max
             + s_cross_normal_z_bar_max*s_x_max + STEWART_FABS(k_cross_S_y_bar));
         const stewart_real k_cross_S_y_bar_max = STEWART_FABS(k_cross_S_y_bar) + k_cross_S_y_bar_err;
         const stewart_real k_cross_S_x_bar = s_cross_normal_y_bar*s_z - s_cross_normal_z_bar*s_y;
-        const stewart_real k_cross_S_x_bar_err = s_cross_normal_y_bar_err*s_z_max
-            + s_cross_normal_y_bar_max*s_z_err + s_cross_normal_z_bar_err*s_y_max
-            + s_cross_normal_z_bar_max*s_y_err + STEWART_UNIT*(s_cross_normal_y_bar_max*s_z_max
+        const stewart_real k_cross_S_x_bar_err = s_cross_normal_y_bar_err*s_z_max + s_cross_normal_y_bar_max*s_z_err
+            + s_cross_normal_z_bar_err*s_y_max + s_cross_normal_z_bar_max*s_y_err + STEWART_UNIT*(s_cross_normal_y_bar_max*s_z_max
             + s_cross_normal_z_bar_max*s_y_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
         const stewart_real zeta_bar = inv_L*k1_bar + inv_rho*kappa_bar;
-        const stewart_real zeta_bar_err = inv_L_err*k1_bar_max + inv_L_max*k1_bar_err
-            + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err + STEWART_UNIT*(inv_L_max*k1_bar_max
-            + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
+        const stewart_real zeta_bar_err = inv_L_err*k1_bar_max + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max
+            + inv_rho_max*kappa_bar_err + STEWART_UNIT*(inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real c22 = L_bar*inv_L;
         const stewart_real c22_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c22);
         const stewart_real c22_max = STEWART_FABS(c22) + c22_err;
-        const stewart_real S_z_bar = S_z*c22 + inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar
-            - k_cross_S_y_bar*k_x;
-        const stewart_real S_z_bar_err = S_z_err*c22_max + S_z_max*c22_err + inv_L_err*s_z_bar_max
-            + inv_L_max*s_z_bar_err + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err
-            + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max
-            + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c22_max + REAL(4)*inv_L_max*s_z_bar_max
+        const stewart_real S_z_bar = S_z*c22 + inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
+        const stewart_real S_z_bar_err = S_z_err*c22_max + S_z_max*c22_err + inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err
+            + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err
+            + k_z_err*zeta_bar_max + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c22_max + REAL(4)*inv_L_max*s_z_bar_max
             + REAL(3)*k_cross_S_x_bar_max*k_y_max + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max
             + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
-        const stewart_real S_y_bar = S_y*c22 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar
-            - k_cross_S_x_bar*k_z;
-        const stewart_real S_y_bar_err = S_y_err*c22_max + S_y_max*c22_err + inv_L_err*s_y_bar_max
-            + inv_L_max*s_y_bar_err + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err
-            + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max
-            + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c22_max + REAL(4)*inv_L_max*s_y_bar_max
+        const stewart_real S_y_bar = S_y*c22 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar - k_cross_S_x_bar*k_z;
+        const stewart_real S_y_bar_err = S_y_err*c22_max + S_y_max*c22_err + inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err
+            + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err
+            + k_y_err*zeta_bar_max + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c22_max + REAL(4)*inv_L_max*s_y_bar_max
             + k_cross_S_x_bar_max*k_z_max + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max
             + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
-        const stewart_real S_x_bar = S_x*c22 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar
-            - k_cross_S_z_bar*k_y;
-        const stewart_real S_x_bar_err = S_x_err*c22_max + S_x_max*c22_err + inv_L_err*s_x_bar_max
-            + inv_L_max*s_x_bar_err + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err
-            + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max
-            + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c22_max + REAL(4)*inv_L_max*s_x_bar_max
+        const stewart_real S_x_bar = S_x*c22 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar - k_cross_S_z_bar*k_y;
+        const stewart_real S_x_bar_err = S_x_err*c22_max + S_x_max*c22_err + inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err
+            + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err
+            + k_x_err*zeta_bar_max + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c22_max + REAL(4)*inv_L_max*s_x_bar_max
             + REAL(3)*k_cross_S_y_bar_max*k_z_max + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max
             + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar
-            + S_dot_x_bar*omega_y + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
-        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
-            + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max
-            + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max
-            + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
-            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max
-            + REAL(4)*S_dot_x_bar_max*omega_y_max + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max
-            + arm_z_bar_max + STEWART_FABS(q_z_bar));
+        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
+            + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
+        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err + B_yz_err*S_ddot_y_bar_max
+            + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max
+            + S_dot_y_bar_err*omega_x_max + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
+            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_dot_x_bar_max*omega_y_max
+            + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max + arm_z_bar_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar
-            + S_dot_z_bar*omega_x + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
-        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
-            + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max
-            + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max
-            + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
-            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max
-            + S_dot_x_bar_max*omega_z_max + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max
-            + arm_y_bar_max + STEWART_FABS(q_y_bar));
+        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
+            + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
+        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err + B_yy_err*S_ddot_y_bar_max
+            + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max
+            + S_dot_z_bar_err*omega_x_max + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
+            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + S_dot_x_bar_max*omega_z_max
+            + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max + arm_y_bar_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar
-            + S_dot_y_bar*omega_z + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
-        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
-            + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max
-            + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max
-            + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
-            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max
-            + REAL(4)*S_dot_y_bar_max*omega_z_max + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max
-            + arm_x_bar_max + STEWART_FABS(q_x_bar));
+        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
+            + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
+        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err + B_yx_err*S_ddot_y_bar_max
+            + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max
+            + S_dot_z_bar_err*omega_y_max + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
+            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_dot_y_bar_max*omega_z_max
+            + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max + arm_x_bar_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c23 = C_s*tau_k_bar;
         const stewart_real c23_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c23);
         const stewart_real c23_max = STEWART_FABS(c23) + c23_err;
         const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar - Y_moment_x*c4
             - c23*omega_x;
-        const stewart_real k_x_bar_err = S_x_err*zeta_bar_max + S_x_max*zeta_bar_err
-            + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max
-            + S_z_max*k_cross_S_y_bar_err + Y_moment_x_max*c4_err + c23_err*omega_x_max
-            + STEWART_UNIT*(REAL(4)*S_x_max*zeta_bar_max + REAL(4)*S_y_max*k_cross_S_z_bar_max
-            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c4_max + c23_max*omega_x_max
-            + STEWART_FABS(k_x_bar));
+        const stewart_real k_x_bar_err = S_x_err*zeta_bar_max + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max
+            + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err + Y_moment_x_max*c4_err
+            + c23_err*omega_x_max + STEWART_UNIT*(REAL(4)*S_x_max*zeta_bar_max + REAL(4)*S_y_max*k_cross_S_z_bar_max
+            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c4_max + c23_max*omega_x_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
         const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar - Y_moment_y*c4
             - c23*omega_y;
-        const stewart_real k_y_bar_err = S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err
-            + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max
-            + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c4_err + c23_err*omega_y_max
-            + STEWART_UNIT*(REAL(3)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
-            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c4_max + c23_max*omega_y_max
-            + STEWART_FABS(k_y_bar));
+        const stewart_real k_y_bar_err = S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max
+            + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c4_err
+            + c23_err*omega_y_max + STEWART_UNIT*(REAL(3)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
+            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c4_max + c23_max*omega_y_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
         const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - S_y*k_cross_S_x_bar - Y_moment_z*c4
             - c23*omega_z;
-        const stewart_real k_z_bar_err = S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err
-            + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max
-            + S_z_max*zeta_bar_err + Y_moment_z_max*c4_err + c23_err*omega_z_max
-            + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(3)*S_y_max*k_cross_S_x_bar_max
-            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c4_max + c23_max*omega_z_max
-            + STEWART_FABS(k_z_bar));
+        const stewart_real k_z_bar_err = S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max
+            + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + Y_moment_z_max*c4_err
+            + c23_err*omega_z_max + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(3)*S_y_max*k_cross_S_x_bar_max
+            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c4_max + c23_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
-        const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max
-            + M_phi_L_bar_max*k33_err + STEWART_UNIT*(D_weight_max*theta_dot2_max + M_phi_L_bar_max*k33_max
-            + STEWART_FABS(h_x_bar));
+        const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max + M_phi_L_bar_max*k33_err
+            + STEWART_UNIT*(D_weight_max*theta_dot2_max + M_phi_L_bar_max*k33_max + STEWART_FABS(h_x_bar));
         const stewart_real h_x_bar_max = STEWART_FABS(h_x_bar) + h_x_bar_err;
         const stewart_real h_y_bar = k3*k3_h_bar - L*a3_bar;
-        const stewart_real h_y_bar_err = L_err*a3_bar_max + L_max*a3_bar_err + k3_err*k3_h_bar_max
-            + k3_h_bar_err*k3_max + STEWART_UNIT*(L_max*a3_bar_max + k3_h_bar_max*k3_max
-            + STEWART_FABS(h_y_bar));
+        const stewart_real h_y_bar_err = L_err*a3_bar_max + L_max*a3_bar_err + k3_err*k3_h_bar_max + k3_h_bar_err*k3_max
+            + STEWART_UNIT*(L_max*a3_bar_max + k3_h_bar_max*k3_max + STEWART_FABS(h_y_bar));
         const stewart_real h_y_bar_max = STEWART_FABS(h_y_bar) + h_y_bar_err;
         const stewart_real h_z_bar = D_weight*theta_ddot + L_ddot*tau_y_bar - M_phi_L_bar*k13;
-        const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max
-            + L_ddot_max*tau_y_bar_err + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err
-            + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max + REAL(2)*L_ddot_max*tau_y_bar_max
-            + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+        const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max + L_ddot_max*tau_y_bar_err
+            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max
+            + REAL(2)*L_ddot_max*tau_y_bar_max + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
         const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
-        const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max
-            + bend_max*tau_y_bar_err + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max
-            + STEWART_FABS(h2_x_bar));
+        const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max + bend_max*tau_y_bar_err
+            + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max + STEWART_FABS(h2_x_bar));
         const stewart_real h2_x_bar_max = STEWART_FABS(h2_x_bar) + h2_x_bar_err;
         const stewart_real h2_y_bar = -bend*k1*tau_k_bar;
-        const stewart_real h2_y_bar_err = bend_err*k1_max*tau_k_bar_max + bend_max*k1_err*tau_k_bar_max
-            + bend_max*k1_max*tau_k_bar_err + STEWART_UNIT*(bend_max*k1_max*tau_k_bar_max
-            + STEWART_FABS(h2_y_bar));
+        const stewart_real h2_y_bar_err = bend_err*k1_max*tau_k_bar_max + bend_max*k1_err*tau_k_bar_max + bend_max*k1_max*tau_k_bar_err
+            + STEWART_UNIT*(bend_max*k1_max*tau_k_bar_max + STEWART_FABS(h2_y_bar));
         const stewart_real h2_y_bar_max = STEWART_FABS(h2_y_bar) + h2_y_bar_err;
         const stewart_real h2_z_bar = L*c2_bar;
-        const stewart_real h2_z_bar_err = L_err*c2_bar_max + L_max*c2_bar_err
-            + STEWART_UNIT*STEWART_FABS(h2_z_bar);
+        const stewart_real h2_z_bar_err = L_err*c2_bar_max + L_max*c2_bar_err + STEWART_UNIT*STEWART_FABS(h2_z_bar);
         const stewart_real h2_z_bar_max = STEWART_FABS(h2_z_bar) + h2_z_bar_err;
         const stewart_real w_x_bar = k1*w_k_bar + k3*w_n_bar;
-        const stewart_real w_x_bar_err = k1_err*w_k_bar_max + k1_max*w_k_bar_err + k3_err*w_n_bar_max
-            + k3_max*w_n_bar_err + STEWART_UNIT*(k1_max*w_k_bar_max + k3_max*w_n_bar_max
-            + STEWART_FABS(w_x_bar));
+        const stewart_real w_x_bar_err = k1_err*w_k_bar_max + k1_max*w_k_bar_err + k3_err*w_n_bar_max + k3_max*w_n_bar_err
+            + STEWART_UNIT*(k1_max*w_k_bar_max + k3_max*w_n_bar_max + STEWART_FABS(w_x_bar));
         const stewart_real w_x_bar_max = STEWART_FABS(w_x_bar) + w_x_bar_err;
         const stewart_real w_y_bar = -gamma_n*tau_k_bar;
-        const stewart_real w_y_bar_err = gamma_n_err*tau_k_bar_max + gamma_n_max*tau_k_bar_err
-            + STEWART_UNIT*STEWART_FABS(w_y_bar);
+        const stewart_real w_y_bar_err = gamma_n_err*tau_k_bar_max + gamma_n_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(w_y_bar);
         const stewart_real w_y_bar_max = STEWART_FABS(w_y_bar) + w_y_bar_err;
         const stewart_real w_z_bar = k3*w_k_bar - k1*w_n_bar;
-        const stewart_real w_z_bar_err = k1_err*w_n_bar_max + k1_max*w_n_bar_err + k3_err*w_k_bar_max
-            + k3_max*w_k_bar_err + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max
-            + STEWART_FABS(w_z_bar));
+        const stewart_real w_z_bar_err = k1_err*w_n_bar_max + k1_max*w_n_bar_err + k3_err*w_k_bar_max + k3_max*w_k_bar_err
+            + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max + STEWART_FABS(w_z_bar));
         const stewart_real w_z_bar_max = STEWART_FABS(w_z_bar) + w_z_bar_err;
         const stewart_real J_xx_bar = M_phi_bar - c19*kappa;
-        const stewart_real J_xx_bar_err = M_phi_bar_err + c19_err*kappa_max + c19_max*kappa_err
-            + STEWART_UNIT*(c19_max*kappa_max + STEWART_FABS(J_xx_bar));
+        const stewart_real J_xx_bar_err = M_phi_bar_err + c19_err*kappa_max + c19_max*kappa_err + STEWART_UNIT*(c19_max*kappa_max
+            + STEWART_FABS(J_xx_bar));
         const stewart_real J_xx_bar_max = STEWART_FABS(J_xx_bar) + J_xx_bar_err;
         const stewart_real c24 = c8*k13;
         const stewart_real c24_err = c8_err*k13_max + c8_max*k13_err + STEWART_UNIT*STEWART_FABS(c24);
@@ -5320,9 +4997,9 @@ static void leg_errors_near_singularity(
         const stewart_real J_yy_bar_err = M_theta_bar_err + c24_err + STEWART_UNIT*STEWART_FABS(J_yy_bar);
         const stewart_real J_yy_bar_max = STEWART_FABS(J_yy_bar) + J_yy_bar_err;
         const stewart_real J_yz_bar = M_mixed_bar*k3 + M_mixed_theta_bar*k1;
-        const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err
-            + M_mixed_theta_bar_err*k1_max + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max
-            + M_mixed_theta_bar_max*k1_max + STEWART_FABS(J_yz_bar));
+        const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err + M_mixed_theta_bar_err*k1_max
+            + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max + M_mixed_theta_bar_max*k1_max
+            + STEWART_FABS(J_yz_bar));
         const stewart_real J_yz_bar_max = STEWART_FABS(J_yz_bar) + J_yz_bar_err;
         const stewart_real J2_xz_bar = c9;
         const stewart_real J2_xz_bar_err = c9_err;
@@ -5331,25 +5008,21 @@ static void leg_errors_near_singularity(
         const stewart_real dJ_zx_bar_err = a1_bar_err + c24_err + STEWART_UNIT*STEWART_FABS(dJ_zx_bar);
         const stewart_real dJ_zx_bar_max = STEWART_FABS(dJ_zx_bar) + dJ_zx_bar_err;
         const stewart_real g_k_bar = tau_y_bar*w_n;
-        const stewart_real g_k_bar_err = tau_y_bar_err*w_n_max + tau_y_bar_max*w_n_err
-            + STEWART_UNIT*STEWART_FABS(g_k_bar);
+        const stewart_real g_k_bar_err = tau_y_bar_err*w_n_max + tau_y_bar_max*w_n_err + STEWART_UNIT*STEWART_FABS(g_k_bar);
         const stewart_real g_k_bar_max = STEWART_FABS(g_k_bar) + g_k_bar_err;
         const stewart_real g_x_k_x_bar = gamma_n_bar*y_x;
-        const stewart_real g_x_k_x_bar_err = gamma_n_bar_err*y_x_max + gamma_n_bar_max*y_x_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_x_bar);
+        const stewart_real g_x_k_x_bar_err = gamma_n_bar_err*y_x_max + gamma_n_bar_max*y_x_err + STEWART_UNIT*STEWART_FABS(g_x_k_x_bar);
         const stewart_real g_x_k_x_bar_max = STEWART_FABS(g_x_k_x_bar) + g_x_k_x_bar_err;
         const stewart_real g_x_k_y_bar = gamma_n_bar*y_y;
-        const stewart_real g_x_k_y_bar_err = gamma_n_bar_err*y_y_max + gamma_n_bar_max*y_y_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_y_bar);
+        const stewart_real g_x_k_y_bar_err = gamma_n_bar_err*y_y_max + gamma_n_bar_max*y_y_err + STEWART_UNIT*STEWART_FABS(g_x_k_y_bar);
         const stewart_real g_x_k_y_bar_max = STEWART_FABS(g_x_k_y_bar) + g_x_k_y_bar_err;
         const stewart_real g_x_k_z_bar = gamma_n_bar*y_z;
-        const stewart_real g_x_k_z_bar_err = gamma_n_bar_err*y_z_max + gamma_n_bar_max*y_z_err
-            + STEWART_UNIT*STEWART_FABS(g_x_k_z_bar);
+        const stewart_real g_x_k_z_bar_err = gamma_n_bar_err*y_z_max + gamma_n_bar_max*y_z_err + STEWART_UNIT*STEWART_FABS(g_x_k_z_bar);
         const stewart_real g_x_k_z_bar_max = STEWART_FABS(g_x_k_z_bar) + g_x_k_z_bar_err;
         const stewart_real C_us_bar = phi_dot*tau_k_bar + tau_y_bar*theta_dot;
-        const stewart_real C_us_bar_err = phi_dot_err*tau_k_bar_max + phi_dot_max*tau_k_bar_err
-            + tau_y_bar_err*theta_dot_max + tau_y_bar_max*theta_dot_err
-            + STEWART_UNIT*(phi_dot_max*tau_k_bar_max + tau_y_bar_max*theta_dot_max + STEWART_FABS(C_us_bar));
+        const stewart_real C_us_bar_err = phi_dot_err*tau_k_bar_max + phi_dot_max*tau_k_bar_err + tau_y_bar_err*theta_dot_max
+            + tau_y_bar_max*theta_dot_err + STEWART_UNIT*(phi_dot_max*tau_k_bar_max + tau_y_bar_max*theta_dot_max
+            + STEWART_FABS(C_us_bar));
         const stewart_real C_us_bar_max = STEWART_FABS(C_us_bar) + C_us_bar_err;
         const stewart_real R_xx_bar = p_x*q_x_bar;
         const stewart_real R_xx_bar_err = p_x_max*q_x_bar_err + STEWART_UNIT*STEWART_FABS(R_xx_bar);
@@ -5370,118 +5043,103 @@ static void leg_errors_near_singularity(
         const stewart_real R_zz_bar = p_z*q_z_bar;
         const stewart_real R_zz_bar_err = p_z_max*q_z_bar_err + STEWART_UNIT*STEWART_FABS(R_zz_bar);
         const stewart_real B_xx_bar = S_ddot_x_bar*q_x;
-        const stewart_real B_xx_bar_err = S_ddot_x_bar_err*q_x_max + S_ddot_x_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_xx_bar);
+        const stewart_real B_xx_bar_err = S_ddot_x_bar_err*q_x_max + S_ddot_x_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_xx_bar);
         const stewart_real B_xy_bar = S_ddot_x_bar*q_y;
-        const stewart_real B_xy_bar_err = S_ddot_x_bar_err*q_y_max + S_ddot_x_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_xy_bar);
+        const stewart_real B_xy_bar_err = S_ddot_x_bar_err*q_y_max + S_ddot_x_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_xy_bar);
         const stewart_real B_xz_bar = S_ddot_x_bar*q_z;
-        const stewart_real B_xz_bar_err = S_ddot_x_bar_err*q_z_max + S_ddot_x_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_xz_bar);
+        const stewart_real B_xz_bar_err = S_ddot_x_bar_err*q_z_max + S_ddot_x_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_xz_bar);
         const stewart_real B_yx_bar = S_ddot_y_bar*q_x;
-        const stewart_real B_yx_bar_err = S_ddot_y_bar_err*q_x_max + S_ddot_y_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_yx_bar);
+        const stewart_real B_yx_bar_err = S_ddot_y_bar_err*q_x_max + S_ddot_y_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_yx_bar);
         const stewart_real B_yy_bar = S_ddot_y_bar*q_y;
-        const stewart_real B_yy_bar_err = S_ddot_y_bar_err*q_y_max + S_ddot_y_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_yy_bar);
+        const stewart_real B_yy_bar_err = S_ddot_y_bar_err*q_y_max + S_ddot_y_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_yy_bar);
         const stewart_real B_yz_bar = S_ddot_y_bar*q_z;
-        const stewart_real B_yz_bar_err = S_ddot_y_bar_err*q_z_max + S_ddot_y_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_yz_bar);
+        const stewart_real B_yz_bar_err = S_ddot_y_bar_err*q_z_max + S_ddot_y_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_yz_bar);
         const stewart_real B_zx_bar = S_ddot_z_bar*q_x;
-        const stewart_real B_zx_bar_err = S_ddot_z_bar_err*q_x_max + S_ddot_z_bar_max*q_x_err
-            + STEWART_UNIT*STEWART_FABS(B_zx_bar);
+        const stewart_real B_zx_bar_err = S_ddot_z_bar_err*q_x_max + S_ddot_z_bar_max*q_x_err + STEWART_UNIT*STEWART_FABS(B_zx_bar);
         const stewart_real B_zy_bar = S_ddot_z_bar*q_y;
-        const stewart_real B_zy_bar_err = S_ddot_z_bar_err*q_y_max + S_ddot_z_bar_max*q_y_err
-            + STEWART_UNIT*STEWART_FABS(B_zy_bar);
+        const stewart_real B_zy_bar_err = S_ddot_z_bar_err*q_y_max + S_ddot_z_bar_max*q_y_err + STEWART_UNIT*STEWART_FABS(B_zy_bar);
         const stewart_real B_zz_bar = S_ddot_z_bar*q_z;
-        const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err
-            + STEWART_UNIT*STEWART_FABS(B_zz_bar);
-        error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err
-            + h_x_bar_max*h_x_err + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err
-            + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err
-            + w_z_bar_max*w_z_err + J_xx_bar_max*J_xx_err + a3_bar_max*J_xy_err + J_yy_bar_max*J_yy_err
-            + J_yz_bar_max*J_yz_err + J2_xz_bar_max*J2_xz_err + dJ_zx_bar_max*dJ_zx_err
-            + g_k_bar_max*g_k_err + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err
-            + g_x_k_z_bar_max*g_x_k_z_err + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own
-            + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*t_b_x_own + S_y_bar_max*t_b_y_own
-            + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own
-            + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own
-            + k_cross_S_y_bar_max*k_cross_S_y_own + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own
-            + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own
-            + s_cross_normal_x_bar_max*s_cross_normal_x_own + s_cross_normal_y_bar_max*s_cross_normal_y_own
-            + s_cross_normal_z_bar_max*s_cross_normal_z_own + rho_bar_max*rho_own
-            + inv_rho_bar_max*inv_rho_own + z_x_bar_max*z_x_own + z_y_bar_max*z_y_own + z_z_bar_max*z_z_own
-            + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own + y_z_bar_max*y_z_own + k1_bar_max*k1_own
-            + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
-            + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own
-            + S_ddot_y_bar_max*S_ddot_y_own + S_ddot_z_bar_max*S_ddot_z_own + L_dot_bar_max*L_dot_own
-            + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own + L_share_bar_max*L_share_own
-            + lean_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own + phi_dot2_bar_max*phi_dot2_own
-            + k33_bar_max*k33_own + L_ddot_bar_max*L_ddot_own + own_theta_ddot_bar_max*own_theta_ddot_own
-            + own_phi_ddot_bar_max*own_phi_ddot_own + c1_bar_max*c1_own + theta_ddot_bar_max*theta_ddot_own
-            + phi_ddot_bar_max*phi_ddot_own + L_h2_bar_max*L_h2_own + a1_bar_max*a1_own + c2_bar_max*c2_own
-            + c3_bar_max*c3_own + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own + M_theta_bar_max*M_theta_own
-            + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_L_bar_max*M_phi_L_own
+        const stewart_real B_zz_bar_err = S_ddot_z_bar_err*q_z_max + S_ddot_z_bar_max*q_z_err + STEWART_UNIT*STEWART_FABS(B_zz_bar);
+        error[i] = error[i] + k_x_bar_max*k_x_err + k_y_bar_max*k_y_err + k_z_bar_max*k_z_err + h_x_bar_max*h_x_err
+            + h_y_bar_max*h_y_err + h_z_bar_max*h_z_err + h2_x_bar_max*h2_x_err + h2_y_bar_max*h2_y_err + h2_z_bar_max*h2_z_err
+            + w_x_bar_max*w_x_err + w_y_bar_max*w_y_err + w_z_bar_max*w_z_err + J_xx_bar_max*J_xx_err + a3_bar_max*J_xy_err
+            + J_yy_bar_max*J_yy_err + J_yz_bar_max*J_yz_err + J2_xz_bar_max*J2_xz_err + dJ_zx_bar_max*dJ_zx_err
+            + g_k_bar_max*g_k_err + g_x_k_x_bar_max*g_x_k_x_err + g_x_k_y_bar_max*g_x_k_y_err + g_x_k_z_bar_max*g_x_k_z_err
+            + C_us_bar_max*C_us_err + q_x_bar_max*q_x_own + q_y_bar_max*q_y_own + q_z_bar_max*q_z_own + S_x_bar_max*t_b_x_own
+            + S_y_bar_max*t_b_y_own + S_z_bar_max*t_b_z_own + S_x_bar_max*S_x_own + S_y_bar_max*S_y_own + S_z_bar_max*S_z_own
+            + zeta_bar_max*zeta_own + k_cross_S_x_bar_max*k_cross_S_x_own + k_cross_S_y_bar_max*k_cross_S_y_own
+            + k_cross_S_z_bar_max*k_cross_S_z_own + L_bar_max*L_own + inv_L_bar_max*inv_L_own + s_x_bar_max*s_x_own
+            + s_y_bar_max*s_y_own + s_z_bar_max*s_z_own + s_cross_normal_x_bar_max*s_cross_normal_x_own + s_cross_normal_y_bar_max*s_cross_normal_y_own
+            + s_cross_normal_z_bar_max*s_cross_normal_z_own + rho_bar_max*rho_own + inv_rho_bar_max*inv_rho_own
+            + z_x_bar_max*z_x_own + z_y_bar_max*z_y_own + z_z_bar_max*z_z_own + y_x_bar_max*y_x_own + y_y_bar_max*y_y_own
+            + y_z_bar_max*y_z_own + k1_bar_max*k1_own + k3_bar_max*k3_own + kappa_bar_max*kappa_own + S_dot_x_bar_max*S_dot_x_own
+            + S_dot_y_bar_max*S_dot_y_own + S_dot_z_bar_max*S_dot_z_own + S_ddot_x_bar_max*S_ddot_x_own + S_ddot_y_bar_max*S_ddot_y_own
+            + S_ddot_z_bar_max*S_ddot_z_own + L_dot_bar_max*L_dot_own + phi_dot_bar_max*phi_dot_own + theta_dot_bar_max*theta_dot_own
+            + L_share_bar_max*L_share_own + lean_bar_max*lean_own + theta_dot2_bar_max*theta_dot2_own + phi_dot2_bar_max*phi_dot2_own
+            + k33_bar_max*k33_own + L_ddot_bar_max*L_ddot_own + own_theta_ddot_bar_max*own_theta_ddot_own + own_phi_ddot_bar_max*own_phi_ddot_own
+            + c1_bar_max*c1_own + theta_ddot_bar_max*theta_ddot_own + phi_ddot_bar_max*phi_ddot_own + L_h2_bar_max*L_h2_own
+            + a1_bar_max*a1_own + c2_bar_max*c2_own + c3_bar_max*c3_own + a3_bar_max*a3_own + M_phi_bar_max*M_phi_own
+            + M_theta_bar_max*M_theta_own + M_mixed_bar_max*M_mixed_own + k3_h_bar_max*k3_h_own + M_phi_L_bar_max*M_phi_L_own
             + M_mixed_theta_bar_max*M_mixed_theta_own + bend_bar_max*bend_own + gamma_n_bar_max*gamma_n_own
-            + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own
-            + tau_y_bar_max*tau_y_own + tau_k_bar_max*tau_k_own + Q_y_bar_max*Q_y_own + Q_z_bar_max*Q_z_own
-            + c_force_x_bar_max*K_x_own + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own
-            + D_weight_max*D_own + c4_bar_max*c4_own + c5_bar_max*c5_own + arm_x_bar_max*arm_x_own
-            + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own + Y_moment_x_max*c_moment_x_own
-            + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
-            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own
-            + H_moment_z_weight_max*H_moment_z_own + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own
-            + Y_arm_z_max*arm_c_z_own;
-        add(&slopes[i].R_legs[0], &slopes[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
-        add(&slopes[i].R_legs[1], &slopes[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
-        add(&slopes[i].R_legs[2], &slopes[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
-        add(&slopes[i].R_legs[3], &slopes[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
-        add(&slopes[i].R_legs[4], &slopes[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
-        add(&slopes[i].R_legs[5], &slopes[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
-        add(&slopes[i].R_legs[6], &slopes[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
-        add(&slopes[i].R_legs[7], &slopes[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
-        add(&slopes[i].R_legs[8], &slopes[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
-        add(&slopes[i].B_legs[0], &slopes[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
-        add(&slopes[i].B_legs[1], &slopes[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
-        add(&slopes[i].B_legs[2], &slopes[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
-        add(&slopes[i].B_legs[3], &slopes[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
-        add(&slopes[i].B_legs[4], &slopes[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
-        add(&slopes[i].B_legs[5], &slopes[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
-        add(&slopes[i].B_legs[6], &slopes[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
-        add(&slopes[i].B_legs[7], &slopes[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
-        add(&slopes[i].B_legs[8], &slopes[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
-        add(&slopes[i].q_1_legs[0], &slopes[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
-        add(&slopes[i].q_1_legs[1], &slopes[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
-        add(&slopes[i].q_1_legs[2], &slopes[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
+            + gamma_y_bar_max*gamma_y_own + w_k_bar_max*w_k_own + w_n_bar_max*w_n_own + tau_y_bar_max*tau_y_own
+            + tau_k_bar_max*tau_k_own + Q_y_bar_max*Q_y_own + Q_z_bar_max*Q_z_own + c_force_x_bar_max*K_x_own
+            + c_force_y_bar_max*K_y_own + c_force_z_bar_max*K_z_own + D_weight_max*D_own + c4_bar_max*c4_own
+            + c5_bar_max*c5_own + arm_x_bar_max*arm_x_own + arm_y_bar_max*arm_y_own + arm_z_bar_max*arm_z_own
+            + Y_moment_x_max*c_moment_x_own + Y_moment_y_max*c_moment_y_own + Y_moment_z_max*c_moment_z_own
+            + H_moment_x_weight_max*H_moment_x_own + H_moment_y_weight_max*H_moment_y_own + H_moment_z_weight_max*H_moment_z_own
+            + Y_arm_x_max*arm_c_x_own + Y_arm_y_max*arm_c_y_own + Y_arm_z_max*arm_c_z_own;
+        add(&slopes->force[i].R_legs[0], &slopes->force[i].R_legs_err[0], R_xx_bar, R_xx_bar_err);
+        add(&slopes->force[i].R_legs[1], &slopes->force[i].R_legs_err[1], R_xy_bar, R_xy_bar_err);
+        add(&slopes->force[i].R_legs[2], &slopes->force[i].R_legs_err[2], R_xz_bar, R_xz_bar_err);
+        add(&slopes->force[i].R_legs[3], &slopes->force[i].R_legs_err[3], R_yx_bar, R_yx_bar_err);
+        add(&slopes->force[i].R_legs[4], &slopes->force[i].R_legs_err[4], R_yy_bar, R_yy_bar_err);
+        add(&slopes->force[i].R_legs[5], &slopes->force[i].R_legs_err[5], R_yz_bar, R_yz_bar_err);
+        add(&slopes->force[i].R_legs[6], &slopes->force[i].R_legs_err[6], R_zx_bar, R_zx_bar_err);
+        add(&slopes->force[i].R_legs[7], &slopes->force[i].R_legs_err[7], R_zy_bar, R_zy_bar_err);
+        add(&slopes->force[i].R_legs[8], &slopes->force[i].R_legs_err[8], R_zz_bar, R_zz_bar_err);
+        add(&slopes->force[i].B_legs[0], &slopes->force[i].B_legs_err[0], B_xx_bar, B_xx_bar_err);
+        add(&slopes->force[i].B_legs[1], &slopes->force[i].B_legs_err[1], B_xy_bar, B_xy_bar_err);
+        add(&slopes->force[i].B_legs[2], &slopes->force[i].B_legs_err[2], B_xz_bar, B_xz_bar_err);
+        add(&slopes->force[i].B_legs[3], &slopes->force[i].B_legs_err[3], B_yx_bar, B_yx_bar_err);
+        add(&slopes->force[i].B_legs[4], &slopes->force[i].B_legs_err[4], B_yy_bar, B_yy_bar_err);
+        add(&slopes->force[i].B_legs[5], &slopes->force[i].B_legs_err[5], B_yz_bar, B_yz_bar_err);
+        add(&slopes->force[i].B_legs[6], &slopes->force[i].B_legs_err[6], B_zx_bar, B_zx_bar_err);
+        add(&slopes->force[i].B_legs[7], &slopes->force[i].B_legs_err[7], B_zy_bar, B_zy_bar_err);
+        add(&slopes->force[i].B_legs[8], &slopes->force[i].B_legs_err[8], B_zz_bar, B_zz_bar_err);
+        add(&slopes->force[i].q_1_legs[0], &slopes->force[i].q_1_legs_err[0], -arm_x_bar, arm_x_bar_err);
+        add(&slopes->force[i].q_1_legs[1], &slopes->force[i].q_1_legs_err[1], -arm_y_bar, arm_y_bar_err);
+        add(&slopes->force[i].q_1_legs[2], &slopes->force[i].q_1_legs_err[2], -arm_z_bar, arm_z_bar_err);
     }
 }
 
-/* The legs and the platform of one pose: D and the platform's equations. `near`: with the legs' code path
- * near the joint singularity, legs having been found to be neither at it nor too short. */
+/* The legs and the platform of one pose: D and the platform's equations. Returns a status. `near`: with
+ * the legs' code path near the joint singularity, legs having been found to be neither at it nor too
+ * short. */
 static int equations_of_pose(
     const stewart_exact_bounds_model *model, const stewart_motions *at, const shared_terms *shared,
     int near, stewart_real D[6], platform_equations *out)
 {
-    leg_terms leg;
     int i, j;
+    leg_terms leg;
     out->near = near;
     out->close = near != 0 ? out->close : 0;
     for (j = 0; j < 3; ++j) {
         out->c[j] = shared->c_force[j];
         out->c[j + 3] = shared->c_tip[j];
-        out->c_own[j] = 0;
-        out->c_own[j + 3] = 0;
+        out->c_own[j] = REAL(0);
+        out->c_own[j + 3] = REAL(0);
     }
     for (i = 0; i < 6; ++i) {
-        (near != 0 ? leg_of_pose_near_singularity : leg_of_pose)(
-            &model->platform, &model->leg[i], at, shared, &leg);
-        if (near == 0) {
-            const int status = leg_status(&leg);
+        if (near != 0) {
+            leg_of_pose_near_singularity(&model->platform, &model->leg[i], at, shared, &leg);
+        } else {
+            leg_of_pose(&model->platform, &model->leg[i], at, shared, &leg);
+            const int status = fault_of(leg.L, leg.k3, leg.reach);
             if (status != STEWART_OK) {
                 return status;
             }
-            out->near = leg.sine > STEWART_NEAR_POLE ? out->near : 1;
-            out->close = leg.L > STEWART_SHORT_SHARE * leg.reach ? out->close : 1;
+            out->near = leg.k3 > STEWART_NEAR_POLE ? out->near : 1;
+            out->close = leg.L > STEWART_SHORT_SHARE*leg.reach ? out->close : 1;
         }
         D[i] = leg.D;
         out->L[i] = leg.L;
@@ -5489,11 +5147,11 @@ static int equations_of_pose(
         for (j = 0; j < 3; ++j) {
             out->arm[i][j] = leg.arm[j];
             out->H[j][i] = leg.H_force[j];
-            out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : 0;
-            add(&out->c[j], &out->c_own[j], leg.c_force[j], 0);
-            add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], 0);
+            out->H[j + 3][i] = i > 0 ? leg.H_moment[j] : REAL(0);
+            add(&out->c[j], &out->c_own[j], leg.c_force[j], REAL(0));
+            add(&out->c[j + 3], &out->c_own[j + 3], leg.c_moment[j], REAL(0));
             if (i > 0) {
-                add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], 0);
+                add(&out->c[j + 3], &out->c_own[j + 3], leg.arm_c[j], REAL(0));
             }
         }
     }
@@ -5503,8 +5161,9 @@ static int equations_of_pose(
 /* Status of the platform's equations; suspect: whether a pivot is small. */
 static int pose_status(const platform_equations *of, int suspect)
 {
-    stewart_real H[6][6], arm[6][3];
     int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
     if (of->close == 0 && suspect == 0) {
         return STEWART_OK;
     }
@@ -5519,123 +5178,176 @@ static int pose_status(const platform_equations *of, int suspect)
     return singular_status(H, arm, of->L, of->reach);
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else 0. */
+/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else
+ * 0. */
 static int solution(
     const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
 {
-    int column, i, j, suspect = 0;
+    int column, i, j;
+    stewart_real A[6][LANES];
+    stewart_real found[6];
+    int suspect = 0;
     for (column = 0; column < 7; ++column) {
-        stewart_real A[6][LANES], found[6];
         for (i = 0; i < 6; ++i) {
-            const stewart_real unit = i < 3 ? 1 : per_length;
+            const stewart_real unit = i < 3 ? REAL(1) : per_length;
             for (j = 0; j < 6; ++j) {
-                A[i][j] = unit * of->H[i][j];
+                A[i][j] = unit*of->H[i][j];
             }
-            A[i][6] = column < 6 ? (i == column ? unit : 0) : unit * of->c[i];
-            A[i][7] = 0;
+            A[i][6] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
+            A[i][7] = REAL(0);
         }
         suspect = solve_pose(A, found);
         for (i = 0; i < 6; ++i) {
-            *(column < 6 ? &Y[i][column] : &x[i]) = found[i];
+            if (column < 6) {
+                Y[i][column] = found[i];
+            } else {
+                x[i] = found[i];
+            }
         }
     }
     return suspect;
 }
 
-/* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the solution,
- * and that of the difference. Completes the errors of the platform's equations. */
+/* Bounds the errors of the forces D - x: those of D, c and H as they reach the forces, that of the
+ * solution, and that of the difference. Completes the errors of the platform's equations. */
 static void bound_of_pose(
     const stewart_exact_bounds_model *model, const stewart_motions *at, const stewart_real x[6],
     stewart_real Y[6][6], const stewart_real F[6], platform_equations *of, stewart_real bound[6])
 {
+    int i, j, k;
     shared_terms shared;
     leg_terms leg;
-    force_row rows[6];
-    slopes_of_legs slopes[6];
-    stewart_real *numbers = (stewart_real *)slopes;
+    force_rows rows;
+    force_slopes slopes;
     stewart_real stretch[9];
     const stewart_real R_err = rotation_error(at->R, stretch);
-    size_t number;
-    int i, j, k;
-    for (number = 0; number < 6 * (sizeof(slopes_of_legs) / sizeof(stewart_real)); ++number) {
-        numbers[number] = 0;
-    }
     for (i = 0; i < 6; ++i) {
-        bound[i] = 0;
+        bound[i] = REAL(0);
+        slopes.force[i].R_legs[0] = REAL(0);
+        slopes.force[i].R_legs[1] = REAL(0);
+        slopes.force[i].R_legs[2] = REAL(0);
+        slopes.force[i].R_legs[3] = REAL(0);
+        slopes.force[i].R_legs[4] = REAL(0);
+        slopes.force[i].R_legs[5] = REAL(0);
+        slopes.force[i].R_legs[6] = REAL(0);
+        slopes.force[i].R_legs[7] = REAL(0);
+        slopes.force[i].R_legs[8] = REAL(0);
+        slopes.force[i].R_legs_err[0] = REAL(0);
+        slopes.force[i].R_legs_err[1] = REAL(0);
+        slopes.force[i].R_legs_err[2] = REAL(0);
+        slopes.force[i].R_legs_err[3] = REAL(0);
+        slopes.force[i].R_legs_err[4] = REAL(0);
+        slopes.force[i].R_legs_err[5] = REAL(0);
+        slopes.force[i].R_legs_err[6] = REAL(0);
+        slopes.force[i].R_legs_err[7] = REAL(0);
+        slopes.force[i].R_legs_err[8] = REAL(0);
+        slopes.force[i].B_legs[0] = REAL(0);
+        slopes.force[i].B_legs[1] = REAL(0);
+        slopes.force[i].B_legs[2] = REAL(0);
+        slopes.force[i].B_legs[3] = REAL(0);
+        slopes.force[i].B_legs[4] = REAL(0);
+        slopes.force[i].B_legs[5] = REAL(0);
+        slopes.force[i].B_legs[6] = REAL(0);
+        slopes.force[i].B_legs[7] = REAL(0);
+        slopes.force[i].B_legs[8] = REAL(0);
+        slopes.force[i].B_legs_err[0] = REAL(0);
+        slopes.force[i].B_legs_err[1] = REAL(0);
+        slopes.force[i].B_legs_err[2] = REAL(0);
+        slopes.force[i].B_legs_err[3] = REAL(0);
+        slopes.force[i].B_legs_err[4] = REAL(0);
+        slopes.force[i].B_legs_err[5] = REAL(0);
+        slopes.force[i].B_legs_err[6] = REAL(0);
+        slopes.force[i].B_legs_err[7] = REAL(0);
+        slopes.force[i].B_legs_err[8] = REAL(0);
+        slopes.force[i].q_1_legs[0] = REAL(0);
+        slopes.force[i].q_1_legs[1] = REAL(0);
+        slopes.force[i].q_1_legs[2] = REAL(0);
+        slopes.force[i].q_1_legs_err[0] = REAL(0);
+        slopes.force[i].q_1_legs_err[1] = REAL(0);
+        slopes.force[i].q_1_legs_err[2] = REAL(0);
         for (j = 0; j < 3; ++j) {
-            rows[i].Y_force[j] = Y[i][j];
-            rows[i].Y_moment[j] = Y[i][j + 3];
+            rows.force[i].Y_force[j] = Y[i][j];
+            rows.force[i].Y_moment[j] = Y[i][j + 3];
         }
     }
-    shared_errors(&model->platform, at, R_err, rows, NULL, bound, &shared);
+    shared_errors(&model->platform, at, R_err, &rows, 0, &slopes, bound, &shared);
     for (j = 0; j < 3; ++j) {
         of->c_err[j] = shared.c_force_err[j];
         of->c_err[j + 3] = shared.c_tip_err[j];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            rows[j].D_weight = i == j ? 1 : 0;
-            rows[j].x = x[i];
+            rows.force[j].D_weight = i == j ? REAL(1) : REAL(0);
+            rows.force[j].x = x[i];
             for (k = 0; k < 3; ++k) {
-                rows[j].Y_arm[k] = i > 0 ? rows[j].Y_moment[k] : 0;
+                rows.force[j].Y_arm[k] = i > 0 ? rows.force[j].Y_moment[k] : REAL(0);
             }
         }
-        (of->near != 0 ? leg_errors_near_singularity : leg_errors)(
-            &model->platform, &model->leg[i], at, &shared, R_err, rows, slopes, bound, &leg);
+        if (of->near != 0) {
+            leg_errors_near_singularity(&model->platform, &model->leg[i], at, &shared, R_err, &rows,
+                &slopes, bound, &leg);
+        } else {
+            leg_errors(&model->platform, &model->leg[i], at, &shared, R_err, &rows, &slopes, bound, &leg);
+        }
         for (j = 0; j < 3; ++j) {
             of->H_err[j][i] = leg.H_force_err[j];
-            of->H_err[j + 3][i] = i > 0 ? leg.H_moment_err[j] : 0;
+            of->H_err[j + 3][i] = i > 0 ? leg.H_moment_err[j] : REAL(0);
             of->c_err[j] = of->c_err[j] + leg.c_force_err[j];
-            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + (i > 0 ? leg.arm_c_err[j] : 0);
+            const stewart_real by_arm = i > 0 ? leg.arm_c_err[j] : REAL(0);
+            of->c_err[j + 3] = of->c_err[j + 3] + leg.c_moment_err[j] + by_arm;
         }
     }
-    shared_errors(&model->platform, at, R_err, rows, slopes, bound, &shared);
+    shared_errors(&model->platform, at, R_err, &rows, 1, &slopes, bound, &shared);
     for (i = 0; i < 6; ++i) {
-        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes[i]);
+        bound[i] = bound[i] + stretch_error(at->R, stretch, R_err, &slopes.force[i]);
     }
     solution_error(of, x, Y, bound);
     for (i = 0; i < 6; ++i) {
-        bound[i] = STEWART_SLACK * (bound[i] + STEWART_UNIT * STEWART_FABS(F[i]));
+        bound[i] = STEWART_SLACK*(bound[i] + STEWART_UNIT*STEWART_FABS(F[i]));
         if (!(bound[i] <= STEWART_MAX)) {
             bound[i] = STEWART_INFINITY;
         }
     }
 }
 
-/* Forces, bound and reciprocal condition of one pose; the last two may be null. */
+/* Forces, bound and reciprocal condition of one pose; the last two may be null. Returns a status. */
 static int forces_of_pose(
     const stewart_exact_bounds_model *model, const stewart_motions *at, stewart_real F[6],
-    stewart_real *bound, stewart_real *rcond)
+    stewart_real bound[6], stewart_real *rcond)
 {
+    int i;
     shared_terms shared;
     platform_equations equations;
-    stewart_real Y[6][6], x[6], D[6], found[6];
-    int i, status;
+    stewart_real Y[6][6];
+    stewart_real x[6];
+    stewart_real D[6];
+    stewart_real found[6];
     shared_of_pose(&model->platform, at, &shared);
-    status = equations_of_pose(model, at, &shared, 0, D, &equations);
+    int status = equations_of_pose(model, at, &shared, 0, D, &equations);
     if (status == STEWART_OK && equations.near != 0) {
         status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        status = pose_status(&equations, solution(&equations, model->per_length, x, Y));
+        const int suspect = solution(&equations, model->per_length, x, Y);
+        status = pose_status(&equations, suspect);
+    }
+    for (i = 0; i < 6; ++i) {
+        if (status == STEWART_OK) {
+            found[i] = D[i] - x[i];
+            status = STEWART_FABS(found[i]) <= STEWART_MAX ? status : STEWART_NOT_FINITE;
+        }
     }
     if (status != STEWART_OK) {
         return status;
     }
     for (i = 0; i < 6; ++i) {
-        found[i] = D[i] - x[i];
-    }
-    if (!is_finite(found, 6)) {
-        return STEWART_NOT_FINITE;
-    }
-    for (i = 0; i < 6; ++i) {
         F[i] = found[i];
     }
-    if (bound) {
+    if (bound != NULL) {
         bound_of_pose(model, at, x, Y, F, &equations, bound);
     }
-    if (rcond) {
-        *rcond = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
+    if (rcond != NULL) {
+        rcond[0] = reciprocal_condition(equations.H, Y, shared.q_1, model->length);
     }
     return STEWART_OK;
 }

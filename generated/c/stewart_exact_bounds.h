@@ -20,33 +20,50 @@
 extern "C" {
 #endif
 
-/* Constants of one leg; `_err`: bound of the error of what stands before it. */
+/* Constants of one leg; `_err`: bound of the error of what has this name. */
 typedef struct {
     stewart_real b[3]; /* m: base point, base frame */
     stewart_real p[3]; /* m: platform point, platform frame */
-    stewart_real k[3], k_err[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real k[3]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real k_err[3];
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
-    stewart_real h[3], h_err[3]; /* kg m: first moment of the upper part about the platform point, leg frame */
-    stewart_real h2_x, h2_x_err; /* kg m: 2 h_x */
-    stewart_real h2_y, h2_y_err; /* kg m: 2 h_y */
-    stewart_real h2_z, h2_z_err; /* kg m: 2 h_z */
-    stewart_real w[3], w_err[3]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
-    stewart_real J[6], J_err[6]; /* kg m^2: inertias of the parts about base and platform point, leg frame */
-    stewart_real J2_xz, J2_xz_err; /* kg m^2: 2 J_xz */
-    stewart_real dJ_zx, dJ_zx_err; /* kg m^2: J_zz - J_xx */
-    stewart_real g_k, g_k_err; /* m/s^2: gravity along the fixed axis */
-    stewart_real g_x_k[3], g_x_k_err[3]; /* m/s^2: g x k, base frame */
-    stewart_real C_us, C_us_err; /* N m s: C_u + C_s */
+    stewart_real h[3]; /* kg m: first moment of the upper part about the platform point, leg frame */
+    stewart_real h_err[3];
+    stewart_real h2_x; /* kg m: 2 h_x */
+    stewart_real h2_x_err;
+    stewart_real h2_y; /* kg m: 2 h_y */
+    stewart_real h2_y_err;
+    stewart_real h2_z; /* kg m: 2 h_z */
+    stewart_real h2_z_err;
+    stewart_real w[3]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
+    stewart_real w_err[3];
+    stewart_real J[6]; /* kg m^2: inertias of the parts about base and platform point, leg frame */
+    stewart_real J_err[6];
+    stewart_real J2_xz; /* kg m^2: 2 J_xz */
+    stewart_real J2_xz_err;
+    stewart_real dJ_zx; /* kg m^2: J_zz - J_xx */
+    stewart_real dJ_zx_err;
+    stewart_real g_k; /* m/s^2: gravity along the fixed axis */
+    stewart_real g_k_err;
+    stewart_real g_x_k[3]; /* m/s^2: g x k, base frame */
+    stewart_real g_x_k_err[3];
+    stewart_real C_us; /* N m s: C_u + C_s */
+    stewart_real C_us_err;
 } stewart_exact_bounds_leg;
 
 /* Constants of the platform. */
 typedef struct {
-    stewart_real M_P, M_P_err; /* kg: mass of the platform with the upper parts */
-    stewart_real h_P[3], h_P_err[3]; /* kg m: its first moment, platform frame */
-    stewart_real J_P[6], J_P_err[6]; /* kg m^2: its inertia about the reference point, platform frame */
-    stewart_real dJ_P[3], dJ_P_err[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
-    stewart_real C_P, C_P_err; /* N m s: friction of all spherical joints */
+    stewart_real M_P; /* kg: mass of the platform with the upper parts */
+    stewart_real M_P_err;
+    stewart_real h_P[3]; /* kg m: its first moment, platform frame */
+    stewart_real h_P_err[3];
+    stewart_real J_P[6]; /* kg m^2: its inertia about the reference point, platform frame */
+    stewart_real J_P_err[6];
+    stewart_real dJ_P[3]; /* kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
+    stewart_real dJ_P_err[3];
+    stewart_real C_P; /* N m s: friction of all spherical joints */
+    stewart_real C_P_err;
     stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
     stewart_real p_1[3]; /* m: platform point 1, platform frame */
 } stewart_exact_bounds_platform;
@@ -56,8 +73,8 @@ typedef struct {
     stewart_exact_bounds_leg leg[6];
     stewart_exact_bounds_platform platform;
     stewart_real length; /* m: root mean square distance of the platform points from the reference point */
-    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of
-     * 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
+     * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
 } stewart_exact_bounds_model;
 

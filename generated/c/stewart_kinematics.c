@@ -46,53 +46,53 @@ typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
     stewart_real S[3]; /* m: vector from base point to platform point, base frame */
     stewart_real L; /* m: length of the leg */
-} LegVectors;
+} leg_vectors;
 
 /* A leg's row of J. */
 typedef struct {
     stewart_real H_force[3]; /* 1: the leg's column of H, force rows */
     stewart_real H_moment[3]; /* m: the leg's column of H, moment rows */
-} LegRow;
+} leg_row;
 
 /* A leg's rate. */
 typedef struct {
     stewart_real L_dot; /* m/s: rate of the leg's length, positive when it extends */
-} LegRate;
+} leg_rate;
 
 /* A rotation. */
 typedef struct {
     stewart_real Q[9]; /* 1: rotation by which the platform is turned, base frame */
-} Turned;
+} small_turn;
 
 /* Lengths of six legs and their rates. */
 typedef struct {
     stewart_real L[6]; /* m: lengths, (2) */
     stewart_real L_dot[6]; /* m/s: rates, (5) */
     int status; /* 0, or what is wrong */
-} LegRates;
+} leg_rates;
 
 /* Six legs at a pose, and their equations. */
 typedef struct {
     stewart_real A[6][7]; /* 1: rows [s, q x s / size] of J, and a right side; then a triangle */
     stewart_real L[6]; /* m: lengths */
     stewart_real reach; /* m: largest component of the terms of S = q + t - b */
-} LegsAtPose;
+} legs_at_pose;
 
 /* What the search of a pose finds. */
 typedef struct {
     stewart_pose pose; /* the pose */
     int status; /* 0, or what is wrong */
-} FoundPose;
+} found_pose;
 
 /* Velocity of the platform. */
 typedef struct {
     stewart_real v[3]; /* m/s: of the reference point */
     stewart_real omega[3]; /* rad/s: angular velocity, base frame */
     int status; /* 0, or what is wrong */
-} Twist;
+} twist;
 
 /* Vectors q and S of one leg, and its length L, (1), (2): 27 (12 mul, 14 add, 0 div, 1 sqrt). */
-static LegVectors leg_vectors(const stewart_leg *leg, const stewart_pose *pose)
+static leg_vectors vectors_of(const stewart_leg *leg, const stewart_pose *pose)
 {
     const stewart_real R_xx = pose->R[0], R_xy = pose->R[1], R_xz = pose->R[2], R_yx = pose->R[3], R_yy = pose->R[4],
         R_yz = pose->R[5], R_zx = pose->R[6], R_zy = pose->R[7], R_zz = pose->R[8];
@@ -109,7 +109,7 @@ static LegVectors leg_vectors(const stewart_leg *leg, const stewart_pose *pose)
     const stewart_real S_z = (q_z + t_z) - b_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT((S_x*S_x) + (S_y*S_y) + (S_z*S_z));
-    LegVectors out;
+    leg_vectors out;
     out.q[0] = q_x;
     out.q[1] = q_y;
     out.q[2] = q_z;
@@ -121,7 +121,7 @@ static LegVectors leg_vectors(const stewart_leg *leg, const stewart_pose *pose)
 }
 
 /* The row [s, q x s] of J, by which [v; omega] moves the leg, (5): 13 (9 mul, 3 add, 1 div, 0 sqrt). */
-static LegRow leg_row(const LegVectors *leg)
+static leg_row row_of(const leg_vectors *leg)
 {
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
     const stewart_real S_x = leg->S[0], S_y = leg->S[1], S_z = leg->S[2];
@@ -131,7 +131,7 @@ static LegRow leg_row(const LegVectors *leg)
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
-    LegRow out;
+    leg_row out;
     out.H_force[0] = s_x;
     out.H_force[1] = s_y;
     out.H_force[2] = s_z;
@@ -142,7 +142,7 @@ static LegRow leg_row(const LegVectors *leg)
 }
 
 /* Rate L_dot of one leg, (4), (5): 18 (9 mul, 8 add, 1 div, 0 sqrt). */
-static LegRate leg_rate(const LegVectors *leg, const stewart_motion *motion)
+static leg_rate rate_of(const leg_vectors *leg, const stewart_motion *motion)
 {
     const stewart_real q_x = leg->q[0], q_y = leg->q[1], q_z = leg->q[2];
     const stewart_real S_x = leg->S[0], S_y = leg->S[1], S_z = leg->S[2];
@@ -161,14 +161,14 @@ static LegRate leg_rate(const LegVectors *leg, const stewart_motion *motion)
     const stewart_real S_S_dot = (S_dot_x*S_x) + (S_dot_y*S_y) + (S_dot_z*S_z);
     /* (5) sliding velocity */
     const stewart_real rate = S_S_dot/L;
-    LegRate out;
+    leg_rate out;
     out.L_dot = rate;
     return out;
 }
 
 /* Cayley's rotation, which needs no sine: exp([turn]x) to third order: 34 (18 mul, 15 add, 1 div, 0
  * sqrt). */
-static Turned turned_by(const stewart_real turn[3])
+static small_turn turned_by(const stewart_real turn[3])
 {
     const stewart_real turn_x = turn[0], turn_y = turn[1], turn_z = turn[2];
     /* half the turn */
@@ -186,7 +186,7 @@ static Turned turned_by(const stewart_real turn[3])
     const stewart_real W_yy = c2;
     const stewart_real W_yz = w_y*w_z;
     const stewart_real W_zz = c3;
-    Turned out;
+    small_turn out;
     out.Q[0] = (share*(-W_yy - W_zz)) + REAL(1);
     out.Q[1] = share*(W_xy - w_z);
     out.Q[2] = share*(W_xz + w_y);
@@ -222,10 +222,10 @@ static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 }
 
 /* Lengths of the legs, where ``moving`` is 1 their rates, and a status. */
-static LegRates leg_rates(const stewart_robot *robot, const stewart_motion *motion, int moving)
+static leg_rates rates_of(const stewart_robot *robot, const stewart_motion *motion, int moving)
 {
     int i;
-    LegRates out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0};
+    leg_rates out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, 0};
     stewart_pose pose = {{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}};
     int status = STEWART_OK;
     for (i = 0; i < 9; ++i) {
@@ -235,13 +235,13 @@ static LegRates leg_rates(const stewart_robot *robot, const stewart_motion *moti
         pose.t[i] = motion->t[i];
     }
     for (i = 0; i < 6; ++i) {
-        LegVectors leg;
-        leg = leg_vectors(&robot->leg[i], &pose);
+        leg_vectors leg;
+        leg = vectors_of(&robot->leg[i], &pose);
         int fault = fault_of(leg.L, REAL(1), reach_of(robot->leg[i].b, pose.t, leg.q));
         out.L[i] = leg.L;
         if (moving == 1) {
-            LegRate found;
-            found = leg_rate(&leg, motion);
+            leg_rate found;
+            found = rate_of(&leg, motion);
             out.L_dot[i] = found.L_dot;
             fault = ((fault != STEWART_OK) || (STEWART_FABS(found.L_dot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
         }
@@ -253,20 +253,20 @@ static LegRates leg_rates(const stewart_robot *robot, const stewart_motion *moti
 
 /* Lengths and J of the legs at a pose; returns a status. */
 static int legs_at(
-    const stewart_robot *robot, const stewart_pose *pose, stewart_real per_size, LegsAtPose *out)
+    const stewart_robot *robot, const stewart_pose *pose, stewart_real per_size, legs_at_pose *out)
 {
     int i;
     int j;
     int status = STEWART_OK;
     out->reach = REAL(0);
     for (i = 0; i < 6; ++i) {
-        LegVectors leg;
-        leg = leg_vectors(&robot->leg[i], pose);
+        leg_vectors leg;
+        leg = vectors_of(&robot->leg[i], pose);
         const stewart_real reach = reach_of(robot->leg[i].b, pose->t, leg.q);
         const int fault = fault_of(leg.L, REAL(1), reach);
         status = (status == STEWART_OK) ? fault : status;
-        LegRow row;
-        row = leg_row(&leg);
+        leg_row row;
+        row = row_of(&leg);
         for (j = 0; j < 3; ++j) {
             out->A[i][j] = row.H_force[j];
             out->A[i][j + 3] = row.H_moment[j]*per_size;
@@ -337,9 +337,8 @@ static void substitute(stewart_real A[6][7], stewart_real x[6])
     }
 }
 
-/* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0.
- *
- * Two poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+/* 1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+ * poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
  * rounding: lengths known to rounding leave the pose open. */
 static int is_open(stewart_real A[6][7])
 {
@@ -420,7 +419,7 @@ static stewart_real length_of(const stewart_real vector[3])
 }
 
 /* Puts lengths asked for less those of a pose, m, beside J; returns the largest of them in size. */
-static stewart_real compare(const stewart_real L[6], LegsAtPose *legs)
+static stewart_real compare(const stewart_real L[6], legs_at_pose *legs)
 {
     int i;
     stewart_real worst = REAL(0);
@@ -433,12 +432,11 @@ static stewart_real compare(const stewart_real L[6], LegsAtPose *legs)
 }
 
 /* [along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
- * more than a quarter of a radian and of the longest leg.
- *
- * Beyond it (2) is far from the straight line that it is taken for. With it, steps need no damping:
- * taking back those that lead away loses more poses. */
+ * more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight line
+ * that it is taken for. With it, steps need no damping: taking back those that lead away loses more
+ * poses. */
 static void newton_step(
-    LegsAtPose *legs, stewart_real per_size, stewart_real longest, stewart_real along[3],
+    legs_at_pose *legs, stewart_real per_size, stewart_real longest, stewart_real along[3],
     stewart_real turn[3])
 {
     int i;
@@ -461,7 +459,7 @@ static void newton_step(
 /* Steps from a pose, with its legs, to lengths L; returns 1 if they were found, else 0. */
 static int search(
     const stewart_robot *robot, const stewart_real L[6], stewart_real per_size, stewart_pose *pose,
-    LegsAtPose *legs)
+    legs_at_pose *legs)
 {
     int i;
     int j;
@@ -481,7 +479,7 @@ static int search(
         going = (worst > (REAL(4)*STEWART_EPSILON*legs->reach)) ? going : 0;
         if (going == 1) {
             newton_step(legs, per_size, longest, along, turn);
-            Turned turned;
+            small_turn turned;
             turned = turned_by(turn);
             for (i = 0; i < 3; ++i) {
                 for (j = 0; j < 3; ++j) {
@@ -526,12 +524,12 @@ static int first_fault(const stewart_real L[6], const stewart_pose *guess)
 }
 
 /* The last pose tried for lengths L, from a guess, and a status. */
-static FoundPose pose_of(const stewart_robot *robot, const stewart_real L[6], const stewart_pose *guess)
+static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], const stewart_pose *guess)
 {
     int i;
-    FoundPose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
-    LegsAtPose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0,
-        0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
+    found_pose out = {{{0, 0, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}}, 0};
+    legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);
     int status = first_fault(L, guess);
     for (i = 0; i < 9; ++i) {
@@ -555,12 +553,12 @@ static FoundPose pose_of(const stewart_robot *robot, const stewart_real L[6], co
 }
 
 /* Velocities of the platform that the rates of the legs make, and a status. */
-static Twist twist_of(const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6])
+static twist twist_of(const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6])
 {
     int i;
-    Twist out = {{0, 0, 0}, {0, 0, 0}, 0};
-    LegsAtPose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0,
-        0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
+    twist out = {{0, 0, 0}, {0, 0, 0}, 0};
+    legs_at_pose legs = {{{0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0,
+        0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 0}}, {0, 0, 0, 0, 0, 0}, 0};
     stewart_real x[6] = {0, 0, 0, 0, 0, 0};
     const stewart_real per_size = REAL(1)/platform_size(robot);
     int status = legs_at(robot, pose, per_size, &legs);
@@ -586,8 +584,8 @@ int stewart_inverse_kinematics(
     int status = STEWART_BAD_ARGUMENT;
     int i;
     if ((robot != NULL) && (motion != NULL) && (L != NULL)) {
-        LegRates found;
-        found = leg_rates(robot, motion, (L_dot != NULL) ? 1 : 0);
+        leg_rates found;
+        found = rates_of(robot, motion, (L_dot != NULL) ? 1 : 0);
         status = found.status;
         for (i = 0; (i < 6) && (status == STEWART_OK); ++i) {
             L[i] = found.L[i];
@@ -603,7 +601,7 @@ int stewart_forward_kinematics(const stewart_robot *robot, const stewart_real L[
 {
     int status = STEWART_BAD_ARGUMENT;
     if ((robot != NULL) && (L != NULL) && (pose != NULL)) {
-        FoundPose found;
+        found_pose found;
         found = pose_of(robot, L, pose);
         status = found.status;
         if (status == STEWART_OK) {
@@ -620,7 +618,7 @@ int stewart_forward_velocity(
     int status = STEWART_BAD_ARGUMENT;
     int i;
     if ((robot != NULL) && (pose != NULL) && (L_dot != NULL) && (v != NULL) && (omega != NULL)) {
-        Twist found;
+        twist found;
         found = twist_of(robot, pose, L_dot);
         status = found.status;
         for (i = 0; (i < 3) && (status == STEWART_OK); ++i) {

@@ -49,7 +49,7 @@ typedef struct {
     stewart_real s[3]; /* 1: unit vector along the leg, base frame */
     stewart_real S[3]; /* m: vector from base point to platform point, base frame */
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
-} LegMotion;
+} leg_motion;
 
 /* Six legs of a pose. */
 typedef struct {
@@ -59,11 +59,11 @@ typedef struct {
     stewart_real s[6][3]; /* 1: unit vectors along the legs, base frame, (3) */
     stewart_real S[6][3]; /* m: leg vectors, base frame, (1) */
     int status; /* 0, or what is wrong */
-} LegMotions;
+} leg_motions;
 
 /* Length of one leg and its first and second rate, its unit vector, S and q, (1)-(5), (7), (8): 90 (46
  * mul, 42 add, 1 div, 1 sqrt). */
-static LegMotion leg_motion(const stewart_leg *leg, const stewart_motions *motion)
+static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motion)
 {
     const stewart_real R_xx = motion->R[0], R_xy = motion->R[1], R_xz = motion->R[2], R_yx = motion->R[3],
         R_yy = motion->R[4], R_yz = motion->R[5], R_zx = motion->R[6], R_zy = motion->R[7], R_zz = motion->R[8];
@@ -110,7 +110,7 @@ static LegMotion leg_motion(const stewart_leg *leg, const stewart_motions *motio
     /* (8) */
     const stewart_real second = (S_ddot_x*s_x) + (S_ddot_y*s_y) + (S_ddot_z*s_z) + (inv_L*((across_x*across_x)
         + (across_y*across_y) + (across_z*across_z)));
-    LegMotion out;
+    leg_motion out;
     out.L = L;
     out.L_dot = rate;
     out.L_ddot = second;
@@ -149,17 +149,17 @@ static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 }
 
 /* Lengths of the legs, their rates and second rates, their directions and vectors, and a status. */
-static LegMotions leg_motions(const stewart_robot *robot, const stewart_motions *motion)
+static leg_motions motions_of(const stewart_robot *robot, const stewart_motions *motion)
 {
     int i;
     int j;
-    LegMotions out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {{0, 0, 0}, {0, 0, 0}, {0,
-        0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0,
-        0, 0}}, 0};
+    leg_motions out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {{0, 0, 0}, {0, 0, 0},
+        {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
+        {0, 0, 0}}, 0};
     int status = STEWART_OK;
     for (i = 0; i < 6; ++i) {
-        LegMotion leg;
-        leg = leg_motion(&robot->leg[i], motion);
+        leg_motion leg;
+        leg = motion_of(&robot->leg[i], motion);
         int fault = fault_of(leg.L, REAL(1), reach_of(robot->leg[i].b, motion->t, leg.q));
         fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_dot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
         fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_ddot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
@@ -214,7 +214,7 @@ int stewart_legs_batch(
     }
     for (pose = 0; pose < count; ++pose) {
         const stewart_motions at = pose_at(motions, pose, zeros);
-        const LegMotions found = leg_motions(robot, &at);
+        const leg_motions found = motions_of(robot, &at);
         const int code = found.status;
         if (code == STEWART_OK) {
             copy(legs->L, pose, found.L, 6);

@@ -46,10 +46,10 @@ typedef struct {
     stewart_real R[9]; /* 1: orientation of the platform, platform frame to base frame */
     stewart_real omega[3]; /* rad/s: angular velocity of the platform, base frame */
     stewart_real alpha[3]; /* rad/s^2: angular acceleration of the platform, base frame */
-} Turn;
+} orientation;
 
 /* Orientation and its rates from roll, pitch and yaw, (38): 45 (29 mul, 16 add, 0 div, 0 sqrt). */
-static Turn turned_by_angles(
+static orientation turned_by_angles(
     const stewart_real sine[3], const stewart_real cosine[3], const stewart_real theta_dot[3],
     const stewart_real theta_ddot[3])
 {
@@ -71,7 +71,7 @@ static Turn turned_by_angles(
     const stewart_real c5 = cosine_x*cosine_z;
     const stewart_real c6 = about_x_x + about_y_x;
     const stewart_real c7 = about_x_y + about_y_y;
-    Turn out;
+    orientation out;
     out.R[0] = c1;
     out.R[1] = (cosine_z*sine_x*sine_y) - c3;
     out.R[2] = c4 + (c5*sine_y);
@@ -91,7 +91,7 @@ static Turn turned_by_angles(
 }
 
 /* Orientation and its rates from a quaternion and its rates: 107 (68 mul, 38 add, 1 div, 0 sqrt). */
-static Turn turned_by_quaternion(
+static orientation turned_by_quaternion(
     const stewart_real e[4], const stewart_real e_dot[4], const stewart_real e_ddot[4])
 {
     const stewart_real e_w = e[0], e_x = e[1], e_y = e[2], e_z = e[3];
@@ -113,7 +113,7 @@ static Turn turned_by_quaternion(
     const stewart_real c7 = e_w*e_y;
     const stewart_real c8 = e_w*e_x;
     const stewart_real c9 = REAL(4)*growth;
-    Turn out;
+    orientation out;
     out.R[0] = REAL(1) - (c4*c5);
     out.R[1] = c5*((e_x*e_y) - c6);
     out.R[2] = c5*(c7 + (e_x*e_z));
@@ -136,24 +136,24 @@ static Turn turned_by_quaternion(
 }
 
 /* NOT_FINITE where an orientation or its rates are not finite, else OK. */
-static int finite_turn(const Turn *turn)
+static int orientation_status(const orientation *found)
 {
     int i;
     int status = STEWART_OK;
     for (i = 0; i < 9; ++i) {
-        status = (STEWART_FABS(turn->R[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+        status = (STEWART_FABS(found->R[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
     }
     for (i = 0; i < 3; ++i) {
-        status = (STEWART_FABS(turn->omega[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
-        status = (STEWART_FABS(turn->alpha[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+        status = (STEWART_FABS(found->omega[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
+        status = (STEWART_FABS(found->alpha[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
     }
     return status;
 }
 
 /* Takes what was found over into the motion, if it is finite. */
-static int taken(const Turn *found, stewart_motion *motion)
+static int taken(const orientation *found, stewart_motion *motion)
 {
-    const int status = finite_turn(found);
+    const int status = orientation_status(found);
     int i;
     if (status == STEWART_OK) {
         for (i = 0; i < 9; ++i) {
@@ -174,7 +174,7 @@ int stewart_motion_from_rpy(
     int status = STEWART_BAD_ARGUMENT;
     if ((sine != NULL) && (cosine != NULL) && (theta_dot != NULL) && (theta_ddot != NULL) &&
         (motion != NULL)) {
-        Turn found;
+        orientation found;
         found = turned_by_angles(sine, cosine, theta_dot, theta_ddot);
         status = taken(&found, motion);
     }
@@ -190,7 +190,7 @@ int stewart_motion_from_quaternion(
         const stewart_real square = (e[0]*e[0] + e[1]*e[1]) + (e[2]*e[2] + e[3]*e[3]);
         status = STEWART_NOT_FINITE;
         if ((square >= (REAL(1) / STEWART_MAX / STEWART_EPSILON)) && (square <= STEWART_MAX)) {
-            Turn found;
+            orientation found;
             found = turned_by_quaternion(e, e_dot, e_ddot);
             status = taken(&found, motion);
         }

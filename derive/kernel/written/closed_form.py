@@ -19,14 +19,14 @@ def legs_of(model: "Model", motion: "Motion", pose: "Pose", legs: "Legs") -> Non
     legs.leaning = leaning
 
 
-def sums(model: "Model", motion: "Motion", legs: "Legs") -> "Sums":
+def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None:
     """Sums over platform and legs."""
     pose = pose_terms(model.platform, motion)
     legs_of(model, motion, pose, legs)
-    return total(pose, legs)
+    total(pose, legs, summed)
 
 
-def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs") -> "Sums":
+def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs", summed: "Sums") -> None:
     """Sums over platform and legs, by other blocks where a leg is near its joint singularity."""
     pose = pose_terms(model.platform, motion)
     legs_of(model, motion, pose, legs)
@@ -34,14 +34,15 @@ def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs") -> "Sums":
         for i in range(6):
             near = near_terms(model.leg[i], model.platform, motion, pose, legs.given[i])
             legs.leg[i] = where(legs.leaning == 1, near, legs.leg[i])
-    return total(pose, legs)
+    total(pose, legs, summed)
 
 
 def equations(model: "Model", motion: "Motion") -> "Equations":
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads."""
     out = Equations()
-    legs = EquationsLegs()
-    summed = equations_sums(model, motion, legs)
+    legs = blank(EquationsLegs)
+    summed = blank(EquationsSums)
+    equations_sums(model, motion, legs, summed)
     place_inertia_6(summed.M_vv, summed.M_vw, summed.M_ww, 0, out.M)
     place_blocks_6(summed.C_vv, summed.C_vw, summed.C_wv, summed.C_ww, 0, out.C)
     for i in range(3):
@@ -60,29 +61,33 @@ def equations(model: "Model", motion: "Motion") -> "Equations":
             total_bias = total_bias + out.C[i][j] * motion.v[j] + out.C[i][j + 3] * motion.omega[j]
         out.bias[i] = total_bias
     out.status = legs.status
-    return checked_equations(out)
+    check_equations(out)
+    return out
 
 
 def bias(model: "Model", motion: "Motion") -> "Bias":
     """C [v; omega] + g + friction without C."""
     out = Bias()
-    legs = BiasLegs()
-    summed = bias_sums(model, motion, legs)
+    legs = blank(BiasLegs)
+    summed = blank(BiasSums)
+    bias_sums(model, motion, legs, summed)
     for i in range(3):
         out.bias[i] = summed.bias_force[i]
         out.bias[i + 3] = summed.bias_moment[i]
     out.status = legs.status
-    return checked_bias(out)
+    check_bias(out)
+    return out
 
 
 def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accelerations":
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read."""
     out = Accelerations()
-    legs = ForwardLegs()
+    legs = blank(ForwardLegs)
+    summed = blank(ForwardSums)
     A = array(6, 8)
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = forward_sums(model, motion, legs)
+    forward_sums(model, motion, legs, summed)
     status = legs.status
     place_inertia_8(summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
     for i in range(3):
@@ -99,16 +104,18 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
         out.a[i] = A[i][6]
         out.alpha[i] = A[i + 3][6]
     out.status = where(status == OK, fault, status)
-    return checked_forward_dynamics(out)
+    check_forward_dynamics(out)
+    return out
 
 
 def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
     """Inertia that the actuators feel, H^-1 M H^-T."""
     out = JointInertia()
-    legs = EquationsLegs()
-    A = array(6, 12)
-    half = array(6, 6)
-    summed = equations_sums(model, motion, legs)
+    legs = blank(EquationsLegs)
+    summed = blank(EquationsSums)
+    A = blank(array(6, 12))
+    half = blank(array(6, 6))
+    equations_sums(model, motion, legs, summed)
     status = legs.status
     for i in range(3):
         for j in range(6):
@@ -136,14 +143,15 @@ def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
         for j in range(6):
             out.inertia[i][j] = (A[i][j + 6] + A[j][i + 6]) * 0.5
     out.status = status
-    return checked_joint_inertia(out)
+    check_joint_inertia(out)
+    return out
 
 
 def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "Integer":
     """Whether H is singular to rounding."""
-    H = array(6, 6)
-    arm = array(6, 3)
-    L = array(6)
+    H = blank(array(6, 6))
+    arm = blank(array(6, 3))
+    L = blank(array(6))
     for i in range(6):
         L[i] = legs.leg[i].L
         for j in range(3):
@@ -157,12 +165,13 @@ def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "
 def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
     out = Derivatives()
-    legs = DerivativesLegs()
-    A = array(6, 24)
+    legs = blank(DerivativesLegs)
+    summed = blank(DerivativesSums)
+    A = blank(array(6, 24))
     acting = forces(model, motion)
     for i in range(6):
         legs.given[i].F = acting.F[i]
-    summed = derivatives_sums(model, motion, legs)
+    derivatives_sums(model, motion, legs, summed)
     for i in range(3):
         for j in range(6):
             A[i][j] = legs.leg[j].H_force[i]
@@ -179,20 +188,22 @@ def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
             out.by_twist[i][j] = A[i][j + 12]
             out.by_acceleration[i][j] = A[i][j + 18]
     out.status = where(acting.status == OK, legs.status, acting.status)
-    return checked_derivatives(out)
+    check_derivatives(out)
+    return out
 
 
 def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisation":
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
     out = Linearisation()
-    legs = DerivativesLegs()
-    A = array(6, 24)
+    legs = blank(DerivativesLegs)
+    summed = blank(DerivativesSums)
+    A = blank(array(6, 24))
     moved = forward_dynamics(model, motion, F)
     status = moved.status
     moving = with_acceleration(motion, moved.a, moved.alpha)
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = derivatives_sums(model, moving, legs)
+    derivatives_sums(model, moving, legs, summed)
     place_inertia_24(summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
     place_blocks_24(summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, A)
     place_blocks_24(summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, A)
@@ -226,7 +237,8 @@ def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisa
     out.A[5][3] = -motion.omega[1]
     out.A[5][4] = motion.omega[0]
     out.status = where(status == OK, fault, status)
-    return checked_linearisation(out)
+    check_linearisation(out)
+    return out
 
 
 def with_acceleration(motion: "Motion", a: "array(3)", alpha: "array(3)") -> "Motion":

@@ -10,16 +10,17 @@ become the unknowns: no large number is added to a small one.
 def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -> "Apart":
     """Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given."""
     out = Apart()
-    legs = JointRowsLegs()
-    force = array(24)
-    wrench = array(6)
-    start = array(6)
-    rest = array(24)
-    right = array(6)
+    legs = blank(JointRowsLegs)
+    summed = blank(JointRowsSums)
+    force = blank(array(24))
+    wrench = blank(array(6))
+    start = blank(array(6))
+    rest = blank(array(24))
+    right = blank(array(6))
     A = array(6, 8)
     for i in range(6):
         legs.given[i].F = F[i]
-    summed = joint_rows_sums(model, motion, legs)
+    joint_rows_sums(model, motion, legs, summed)
     make_rows(summed, legs, by)
     pick_rows(by)
     weigh_rows(by)
@@ -49,19 +50,22 @@ def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6
     """M^-1 times the derivatives of the wrench and H, columns 6 to 23 of A, as ``forward_apart`` solves."""
     out = SlopesApart()
     by = Rows()
-    legs = JointSlopesLegs()
-    start = array(6)
-    starts = array(18, 6)
-    force = array(24)
+    legs = blank(JointSlopesLegs)
+    summed = blank(JointSlopesSums)
+    start = blank(array(6))
+    starts = blank(array(18, 6))
+    force = blank(array(24))
     forces_by = array(18, 24)
-    wrench = array(6)
-    rest = array(24)
-    right = array(6)
+    wrench = blank(array(6))
+    rest = blank(array(24))
+    right = blank(array(6))
     apart = forward_apart(model, motion, F, by)
     for i in range(6):
         out.x[i] = apart.x[i]
-        legs.given[i] = by.given[i]
-    summed = joint_slopes_sums(model, moving, legs)
+        for j in range(3):
+            legs.given[i].net[j] = by.given[i].net[j]
+            legs.given[i].turned[j] = by.given[i].turned[j]
+    joint_slopes_sums(model, moving, legs, summed)
     place_blocks_24(summed.W_ft, summed.W_fr, summed.W_mt, summed.W_mr, 6, out.A)
     place_blocks_24(summed.W_fv, summed.W_fw, summed.W_mv, summed.W_mw, 12, out.A)
     for i in range(3):
@@ -114,7 +118,7 @@ def make_rows(summed: "JointRowsSums", legs: "JointRowsLegs", by: "Rows") -> Non
     """Rows and weights: each row of A carries the root of its inertia, so that weights are of about one."""
     mass = summed.M_vv[0]
     c = array(3)
-    about = array(6)
+    about = blank(array(6))
     whole = array(6)
     heaviest = size(mass)
     length = 0.0
@@ -178,7 +182,7 @@ def pick_rows(by: "Rows") -> None:
 
     Rows and columns are exchanged: ``order`` and ``column`` say which they were.
     """
-    share = array(6)
+    share = blank(array(6))
     for i in range(24):
         by.order[i] = i
     for k in range(6):
@@ -278,8 +282,8 @@ def row_right(
     the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
     rows' forces there.
     """
-    moved = array(24)
-    balanced = array(24)
+    moved = blank(array(24))
+    balanced = blank(array(24))
     balance_rows(by, force, moved, balanced)
     for k in range(6):
         start[k] = moved[by.order[k]]
@@ -309,7 +313,7 @@ def row_right(
 
 def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "array(6)") -> None:
     """[a; alpha] from the coordinates' accelerations."""
-    x = array(6)
+    x = blank(array(6))
     for k in range(6):
         x[k] = found[k] - start[k]
         for j in range(k):
@@ -323,7 +327,7 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 
 def rows_held(by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)") -> None:
     """Of each leg the generalised forces, and the accelerations that those of the platform give to it."""
-    whole = array(24)
+    whole = blank(array(24))
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]

@@ -5,23 +5,23 @@ the singular values of J as they are, so that its triangle also says how near to
 """
 
 
-def finite_turn(turn: "Turn") -> "Integer":
+def orientation_status(found: "Orientation") -> "Integer":
     """NOT_FINITE where an orientation or its rates are not finite, else OK."""
     status = OK
     for i in range(9):
-        status = where(size(turn.R[i]) <= MAX, status, NOT_FINITE)
+        status = where(size(found.R[i]) <= MAX, status, NOT_FINITE)
     for i in range(3):
-        status = where(size(turn.omega[i]) <= MAX, status, NOT_FINITE)
-        status = where(size(turn.alpha[i]) <= MAX, status, NOT_FINITE)
+        status = where(size(found.omega[i]) <= MAX, status, NOT_FINITE)
+        status = where(size(found.alpha[i]) <= MAX, status, NOT_FINITE)
     return status
 
 
-def leg_motions(robot: "Robot", motion: "Motion") -> "LegMotions":
+def motions_of(robot: "Robot", motion: "Motion") -> "LegMotions":
     """Lengths of the legs, their rates and second rates, their directions and vectors, and a status."""
     out = LegMotions()
     status = OK
     for i in range(6):
-        leg = leg_motion(robot.leg[i], motion)
+        leg = motion_of(robot.leg[i], motion)
         fault = fault_of(leg.L, 1.0, reach_of(robot.leg[i].b, motion.t, leg.q))
         fault = where((fault != OK) | (size(leg.L_dot) <= MAX), fault, NOT_FINITE)
         fault = where((fault != OK) | (size(leg.L_ddot) <= MAX), fault, NOT_FINITE)
@@ -36,7 +36,7 @@ def leg_motions(robot: "Robot", motion: "Motion") -> "LegMotions":
     return out
 
 
-def leg_rates(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates":
+def rates_of(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates":
     """Lengths of the legs, where ``moving`` is 1 their rates, and a status."""
     out = LegRates()
     pose = Pose()
@@ -46,11 +46,11 @@ def leg_rates(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates"
     for i in range(3):
         pose.t[i] = motion.t[i]
     for i in range(6):
-        leg = leg_vectors(robot.leg[i], pose)
+        leg = vectors_of(robot.leg[i], pose)
         fault = fault_of(leg.L, 1.0, reach_of(robot.leg[i].b, pose.t, leg.q))
         out.L[i] = leg.L
         if moving == 1:
-            found = leg_rate(leg, motion)
+            found = rate_of(leg, motion)
             out.L_dot[i] = found.L_dot
             fault = where((fault != OK) | (size(found.L_dot) <= MAX), fault, NOT_FINITE)
         status = where(status == OK, fault, status)
@@ -60,7 +60,7 @@ def leg_rates(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates"
 
 def inverse_kinematics(robot: "Robot", motion: "Motion") -> "LegRates":
     """Lengths of the legs, (2), their rates, (5), and a status."""
-    found = leg_rates(robot, motion, 1)
+    found = rates_of(robot, motion, 1)
     for i in range(6):
         found.L[i] = where(found.status == OK, found.L[i], NAN)
         found.L_dot[i] = where(found.status == OK, found.L_dot[i], NAN)
@@ -72,11 +72,11 @@ def legs_at(robot: "Robot", pose: "Pose", per_size: "Real", out: "LegsAtPose") -
     status = OK
     out.reach = 0.0
     for i in range(6):
-        leg = leg_vectors(robot.leg[i], pose)
+        leg = vectors_of(robot.leg[i], pose)
         reach = reach_of(robot.leg[i].b, pose.t, leg.q)
         fault = fault_of(leg.L, 1.0, reach)
         status = where(status == OK, fault, status)
-        row = leg_row(leg)
+        row = row_of(leg)
         for j in range(3):
             out.A[i][j] = row.H_force[j]
             out.A[i][j + 3] = row.H_moment[j] * per_size
@@ -127,11 +127,9 @@ def substitute(A: "array(6, 7)", x: "array(6)") -> None:
 
 
 def is_open(A: "array(6, 7)") -> "Integer":
-    """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0.
-
-    Two poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
-    rounding: lengths known to rounding leave the pose open.
-    """
+    """1 where the triangle's condition number, by Frobenius norms, exceeds 1 / (16 sqrt(eps)), else 0. Two
+    poses with the same lengths meet where H is singular, and sqrt(eps) from there they differ by
+    rounding: lengths known to rounding leave the pose open."""
     pivot = array(6)
     inverse = array(6)
     total = 0.0
@@ -209,12 +207,10 @@ def newton_step(
     along: "array(3)",
     turn: "array(3)",
 ) -> None:
-    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted: no
-    more than a quarter of a radian and of the longest leg.
-
-    Beyond it (2) is far from the straight line that it is taken for. With it, steps need no damping: taking
-    back those that lead away loses more poses.
-    """
+    """[along; turn] by which the legs no longer miss their lengths, or as much of it as is to be trusted:
+    no more than a quarter of a radian and of the longest leg. Beyond it (2) is far from the straight
+    line that it is taken for. With it, steps need no damping: taking back those that lead away loses
+    more poses."""
     x = array(6)
     reflect(legs.A)
     substitute(legs.A, x)

@@ -85,20 +85,22 @@ _POWERS = {
     "B": (1, 0),
 }
 """Powers of the platform's size by which the last three rows and columns of six are multiplied."""
-_PARTS = {"A": ((6, 0), (6, 6)), "B": ((6, 0),)}
-"""Row and column where the parts of a matrix begin of which something is known, six by six."""
+_PARTS = {"A": {"A by pose": (6, 0), "A by twist": (6, 6)}, "B": {"B": (6, 0)}}
+"""Names of the parts of a matrix of which something is known, six by six, and where they begin."""
 
 
 def _blocks() -> dict[str, tuple[int, ...]]:
     found: dict[str, tuple[int, ...]] = {}
     start = 0
+    names = [name for outputs in closed_form.OUTPUTS.values() for name in outputs]
     for kernel, (what, outputs) in enumerate(closed_form.OUTPUTS.items()):
         for name, shape in outputs.items():
             columns = shape[1] if len(shape) > 1 else 1
-            for row, column in _PARTS.get(name, ((0, 0),)):
+            whole = name if names.count(name) == 1 else f"{name} of {what}"
+            whole = what.replace("_", " ") if len(outputs) == 1 else whole
+            for part, (row, column) in _PARTS.get(name, {whole: (0, 0)}).items():
                 place = start + row * columns + column
-                known = (kernel, place, 6, min(columns, 6), columns, *_POWERS[name])
-                found[f"{name} of {what}" + (f", column {column + 1}" if column else "")] = known
+                found[part] = (kernel, place, 6, min(columns, 6), columns, *_POWERS[name])
             start += math.prod(shape)
     return found
 

@@ -1,0 +1,522 @@
+"""Actuator forces with a bound of their rounding error: the force kernel's blocks, run with their errors.
+
+The blocks of the force kernel stand here three times: plain, in the order of operations of the forces alone,
+so that both agree to the last bit; with the error of every step (``rounding``); and backward, with the slope
+of a force along every step (``adjoint``), which tells what that error does.
+"""
+
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import reduce
+from math import prod
+
+import sympy as sp
+
+from .. import notation as n
+from ..adjoint import Adjoint, adjoint
+from ..block import Output, Quantity
+from ..prepared import ADDED, B, arm_c, c_tip, q_1
+from ..regroup import ForceKernel
+from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from . import prepare as p
+from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
+from .lower import expression, steps_of
+from .nodes import (
+    Array,
+    Assign,
+    Binary,
+    Call,
+    Comment,
+    Constant,
+    Do,
+    Element,
+    Expression,
+    Field,
+    Function,
+    Integer,
+    Let,
+    Member,
+    Name,
+    Number,
+    Real,
+    Record,
+    Statement,
+    Structure,
+    Type,
+)
+from .read import Given
+from .written import bounds as written
+from .written import lanes, legs, scale
+
+_ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
+_ARM = ("arm_x", "arm_y", "arm_z")
+"""Steps of a leg: the arm of its moment."""
+_CHECKED = (n.q, n.L, n.k3)
+"""Outputs of a leg by which its status is decided."""
+_FLAGS: dict[str, Given] = {name: Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
+
+
+# ---------------------------------------------------------------- the blocks
+
+
+class BoundedForces:
+    """A kernel's functions with error bounds: exact are the robot's and the motion's numbers but R.
+
+    structures: by the names that the written functions give them; parts: structures and functions in order.
+    """
+
+    def __init__(self, kernel: ForceKernel) -> None:
+        """Finds the errors of every block; ValueError for a kernel that is no such."""
+        if not kernel.about_tip or kernel.leg_near_pole is None:
+            raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
+        kernel = kernel.whole()
+        self.kernel = kernel
+        # R stands for the rotation nearest to it; one bound for all its entries.
+        R = dict.fromkeys(n.R.names, error_symbol(n.R.name))
+        self.prepare_leg = rounded(kernel.prepare_leg, {})
+        self.prepare_platform = rounded(kernel.prepare_platform, component_errors(ADDED))
+        prepared = self.prepare_leg, self.prepare_platform
+        made = ((block, out.quantity) for block in prepared for out in block.block.outputs)
+        constants = component_errors(q for block, q in made if block.inexact(q))
+        self.shared = rounded(kernel.shared, R | constants)
+        inexact = R | constants | component_errors((B, q_1))
+        # By the ending of the functions' names: away from the joint singularity and near it.
+        near = kernel.leg_near_pole
+        assert near is not None
+        self.legs = {"": rounded(kernel.leg, inexact), "_near_singularity": rounded(near, inexact)}
+        self.structures = {
+            "Robot": p.ROBOT,
+            "RawLeg": p.LEG,
+            "Motion": replace(p.MOTION, name="stewart_motions"),
+        } | self._structures()
+        named = self.structures | {each.name: each for each in self.structures.values()}
+        flags = _FLAGS | {"COUNT": self.model_numbers()}
+        self.texts = Written(named, flags, {p.SINGULAR_STATUS.name: p.SINGULAR_STATUS})
+
+    def _structures(self) -> dict[str, Structure]:
+        kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
+        leg = _with_errors(self.prepare_leg, kernel.leg_constants(), described)
+        platform = _with_errors(self.prepare_platform, kernel.platform_constants(), described)
+        length = "m: root mean square distance of the platform points from the reference point"
+        model = (
+            _many(f"{name}_leg", "leg"),
+            Field("platform", Record(f"{name}_platform")),
+            Field("length", Real(), length),
+            p.PER_LENGTH,
+        )
+        added, slopes = (
+            [stored(part, always=False) for q in held for part in (q, _error_of(q))]
+            for held in (ADDED, _LEGS_SLOPES.values())
+        )
+        shared = _with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
+        decides = [Field("D", Real()), *(stored(q, always=False) for q in _CHECKED[1:])]
+        decides += [Field("reach", Real()), _numbers("arm", 3)]
+        matrices = [_numbers(each, 6, 6) for each in ("H", "H_err")] + [_numbers("arm", 6, 3)]
+        vectors = [_numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
+        flags = [Field("near", Integer()), Field("close", Integer())]
+        row = tuple(stored(q, always=False) for q in (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x))
+        made = {
+            "Leg": (
+                f"{name}_leg",
+                "Constants of one leg; `_err`: bound of the error of what has this name.",
+                leg,
+            ),
+            "Platform": (f"{name}_platform", "Constants of the platform.", platform),
+            "Model": (f"{name}_model", "A robot's constants, prepared once.", model),
+            "Added": ("added_terms", "What a leg adds to the platform, and the sum of it.", added),
+            "Shared": ("shared_terms", "What a pose has for all legs.", shared),
+            "LegTerms": (
+                "leg_terms",
+                "What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis.",
+                [*decides, *_with_errors(self.legs[""], _ERRING)],
+            ),
+            "Equations": (
+                "platform_equations",
+                "The platform's equations H x = c, moments about platform point 1; c_own: what the sums in c "
+                "round away; near, close: whether a leg is near its joint singularity, or short.",
+                [*matrices, *vectors, *flags],
+            ),
+            "ForceRow": (
+                "force_row",
+                "How a force hangs on D, on c and on the column of H of one leg: D_weight D - Y (c - H x); "
+                "Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1.",
+                row,
+            ),
+            "Rows": ("force_rows", "The same of six forces.", [_many("force_row", "force")]),
+            "SlopesOfLegs": (
+                "slopes_of_legs",
+                "Slope of a force along what the pose has for all legs, as far as it goes through the legs.",
+                slopes,
+            ),
+            "Slopes": ("force_slopes", "The same of six forces.", [_many("slopes_of_legs", "force")]),
+        }
+        return {key: Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
+
+    def model_numbers(self) -> int:
+        """How many numbers the prepared model holds."""
+        known = {each.name: each for each in self.structures.values()}
+
+        def of(kind: Type) -> int:
+            if isinstance(kind, Array):
+                return prod(kind.dims) * of(kind.item)
+            return sum(of(each.type) for each in known[kind.name].members) if isinstance(kind, Record) else 1
+
+        return of(Record(self.structures["Model"].name))
+
+    def parts(self, singular: str) -> Iterable[str | Structure | Function]:
+        """Structures and functions in their order; singular: text of ``singular_status``, which they call."""
+        read = self.texts.function
+        private = list(self.structures).index("Added")
+        yield from list(self.structures.values())[private:]
+        for text in (written.least, written.root_error, written.reciprocal_error, written.add):
+            yield read(text)
+        yield read(written.rotation_error)
+        yield read(scale.scaled_axis)
+        yield read(written.prepare_leg, given={"BODY": self._prepared(self.prepare_leg)})
+        yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
+        yield p.per_length_of(self.texts)
+        yield p.size_of(self.texts, by_legs=True)
+        public = self.structures["Model"].name.removesuffix("model") + "prepare"
+        yield read(written.prepare, public, public=True, given=_sums())
+        yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
+        yield read(legs.fault_of)
+        for end, leg in self.legs.items():
+            yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
+        for row in (lanes.exchange_rows, lanes.subtract_row, lanes.solve_pose):
+            yield read(row, given={"ABOUT_TIP": 1})
+        yield singular
+        yield read(written.stretch_error)
+        yield read(written.solution_error)
+        yield read(written.norm)
+        yield read(written.reciprocal_condition)
+        yield read(written.shared_errors, given=self._shared_errors())
+        for end, leg in self.legs.items():
+            yield read(written.leg_errors, f"leg_errors{end}", given=self._leg_errors(leg))
+        yield read(written.equations_of_pose)
+        yield read(written.pose_status)
+        yield read(written.solution)
+        slopes = Element(Member(Name("slopes"), "force"), (Name("i"),))
+        held = [part for q in _LEGS_SLOPES.values() for part in (q, _error_of(q))]
+        zeros = tuple(
+            Assign(member(slopes, q).part(q, i), Number(0.0)) for q in held for i in range(len(q.keys))
+        )
+        yield read(written.bound_of_pose, given={"CLEARED": zeros})
+        yield read(written.forces_of_pose)
+
+    # ------------------------------------------------------------ blocks
+
+    def _layout(self, quantity: Quantity) -> Place:
+        """Where the functions of a pose find an input."""
+        if quantity in n.MOTION:
+            return member("at", quantity)
+        if quantity in (out.quantity for out in self.kernel.shared.outputs):
+            return member("shared", quantity)
+        return member("platform" if quantity in self.kernel.platform_constants() else "leg", quantity)
+
+    def _prepared(self, block: RoundedBlock) -> tuple[Statement, ...]:
+        """A block of preparation with its errors."""
+        return (
+            *p.axis(block.block),
+            *_loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
+            *_steps(block),
+            *_stored(block, block.block.outputs),
+        )
+
+    def _values(self, block: RoundedBlock) -> tuple[Statement, ...]:
+        """A block without its errors."""
+        return (
+            *loads(block.block.inputs, names_used(block.block), self._layout),
+            *steps_of(block.block.steps),
+            *stores(_kept(block), lambda q: member("out", q)),
+        )
+
+    def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
+        """A leg without its errors, and what decides on its status."""
+        exprs = {out.quantity: out.exprs for out in leg.block.outputs}
+        terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
+        out = Name("out")
+        arms = [Assign(Element(Member(out, "arm"), (Number(i),)), e) for i, e in enumerate(map(Name, _ARM))]
+        checked = [Output(q, exprs[q]) for q in _CHECKED[1:]]
+        return {
+            "BODY": (
+                *self._values(leg),
+                *stores(checked, lambda q: member(out, q)),
+                *arms,
+            ),
+            "REACH": reach(terms),
+        }
+
+    def _leg_errors(self, leg: RoundedBlock) -> dict[str, Given]:
+        """A leg with its errors, and what they do to a force: to D - Y (c - H x), x and Y as found."""
+        force, moment, x, D = _Y_FORCE.value, _Y_MOMENT.value, n.x.value, _D_WEIGHT.value
+        by_arm = _Y_ARM.value
+        weights = {
+            n.D: D,
+            n.c_force: -force,
+            n.c_moment: -moment,
+            arm_c: -by_arm,
+            n.H_force: x * force,
+            n.H_moment: x * by_arm,
+        }
+        given = (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x)
+        found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
+        outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
+        handed = [
+            Do(Call("add", (*_pair(_OF_LEGS, to, j), expression(outside[name]), _error_name(outside[name]))))
+            for q, to in _LEGS_SLOPES.items()
+            for j, name in enumerate(q.names)
+        ]
+        return self._weighed(leg, found, {}, outside, handed)
+
+    def _shared_errors(self) -> dict[str, Given]:
+        """The same of what a pose has for all legs; slopes of the legs are taken up."""
+        given = (_Y_FORCE, _Y_MOMENT, *_LEGS_SLOPES.values())
+        weights = {n.c_force: -_Y_FORCE.value, c_tip: -_Y_MOMENT.value}
+        weights |= {q: _LEGS_SLOPES[q].value for q in (B, q_1)}
+        more = dict(zip(n.R.names, _LEGS_SLOPES[n.R].symbols, strict=True))
+        found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
+        slopes = {name: found.slopes[name] for name in n.R.names}
+        handed = [
+            Assign(place, value)
+            for j, slope in enumerate(slopes.values())
+            for place, value in zip(
+                _pair(_OF_LEGS, _LEGS_SLOPES[n.R], j), (expression(slope), _error_name(slope)), strict=True
+            )
+        ]
+        errors = component_errors(_LEGS_SLOPES.values())
+        return self._weighed(self.shared, found, errors, slopes, handed)
+
+    def _weighed(
+        self,
+        block: RoundedBlock,
+        found: Adjoint,
+        errors: Mapping[str, sp.Expr],
+        outside: Container[str],
+        more: Sequence[Statement],
+    ) -> dict[str, Given]:
+        """``BODY`` runs a block with its errors, ``EACH`` weighs these by the slopes of each force.
+
+        errors: of what the slopes are weighed with. outside: inputs whose errors are weighed elsewhere, which
+        ``more`` sees to.
+        """
+        slopes = rounded(found.block, {**block.errors, **errors})
+        sources = {name: own for name, own in _sources(block) if name not in outside and name in found.slopes}
+        weighed = {name: found.slopes[name] for name in sources}
+        inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
+        whole = replace(block, limits=block.limits | inner.limits)
+        terms = (Binary("*", Name(f"{_only_name(weighed[name])}_max"), own) for name, own in sources.items())
+        error: Expression = Element(Name("error"), (Name("i"),))
+        ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
+        return {
+            "BODY": (
+                *_loaded(whole, self._layout),
+                *_steps(whole, weighed, _unread(whole, inner)),
+                *_stored(block, _erring(block)),
+            ),
+            "EACH": (
+                *_loaded(inner, _of_force, ready),
+                *_steps(inner),
+                Assign(error, reduce(_plus, terms, error)),
+                *more,
+            ),
+        }
+
+
+_Y_FORCE = Quantity("Y_force", (3,), "1", "row of Y, force columns")
+_Y_MOMENT = Quantity("Y_moment", (3,), "1/m", "row of Y, moment columns")
+_Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exactly zero")
+_D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
+_LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
+"""What the legs add to the slope of a force along what the pose has for all of them."""
+_OF_ROW, _OF_LEGS = (Element(Member(Name(each), "force"), (Name("i"),)) for each in ("rows", "slopes"))
+
+
+def _of_force(quantity: Quantity) -> Place:
+    """Where a row of Y and the legs' slopes are."""
+    return member(_OF_LEGS if quantity in _LEGS_SLOPES.values() else _OF_ROW, quantity)
+
+
+def _inexact_inputs(block: RoundedBlock) -> list[str]:
+    return [name for q in block.block.inputs for name in q.names if block.errors[name] != 0]
+
+
+def _sources(block: RoundedBlock) -> list[tuple[str, Expression]]:
+    """Everything that brings an error of its own: its name, and that error."""
+    inputs = [(name, expression(block.errors[name])) for name in _inexact_inputs(block)]
+    return inputs + [(each.step.name, Name(f"{each.step.name}_own")) for each in block.steps if each.rounds]
+
+
+def _unread(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
+    """Steps whose error neither another step, nor a slope, nor a limit, nor anything outside reads."""
+    read = {symbol for each in (*block.steps, *slopes.steps) for symbol in each.carried.free_symbols}
+    read |= {block.output_error(expr) for out in _erring(block) for expr in out.exprs}
+    names = {each.step.name for each in block.steps if error_symbol(each.step.name) not in read}
+    return names - block.limits
+
+
+def _only_name(slope: sp.Expr) -> str:
+    """Name of a slope, which is a symbol or a negated one."""
+    (symbol,) = slope.free_symbols
+    return str(symbol.name)
+
+
+def _error_name(slope: sp.Expr) -> Name:
+    return Name(f"{_only_name(slope)}_err")
+
+
+def _kept(block: RoundedBlock) -> tuple[Output, ...]:
+    return tuple(out for out in block.block.outputs if out.quantity not in _CHECKED)
+
+
+def _erring(block: RoundedBlock) -> tuple[Output, ...]:
+    """Outputs whose errors are handed out; that of D is weighed at once."""
+    return tuple(out for out in _kept(block) if out.quantity != n.D)
+
+
+# ---------------------------------------------------------------- structures
+
+
+def _with_errors(
+    block: RoundedBlock,
+    quantities: Iterable[Quantity],
+    made: Callable[[Quantity], Field] = lambda q: stored(q, always=False),
+) -> list[Field]:
+    """Members for values, and for errors where there are any."""
+    return [
+        field
+        for q in quantities
+        for field in (made(q), *([stored(_error_of(q), always=False)] if block.inexact(q) else []))
+    ]
+
+
+def _numbers(name: str, *dims: int) -> Field:
+    return Field(name, Array(Real(), dims))
+
+
+def _many(structure: str, name: str) -> Field:
+    return Field(name, Array(Record(structure), (6,)))
+
+
+def _error_of(quantity: Quantity) -> Quantity:
+    return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
+
+
+def _pair(owner: str | Expression, quantity: Quantity, index: int) -> tuple[Expression, Expression]:
+    """One component and its error."""
+    error = _error_of(quantity)
+    return member(owner, quantity).part(quantity, index), member(owner, error).part(error, index)
+
+
+def _sums() -> dict[str, Given]:
+    """Sums of what the legs add to the platform, with errors."""
+    total, more = (
+        [_pair(each, q, i) for q in ADDED for i in range(len(q.keys))] for each in ("sum", "found")
+    )
+    return {
+        "CLEARED": tuple(Assign(each, Number(0.0)) for pair in total for each in pair),
+        "SUMMED": tuple(Do(Call("add", (*to, *term))) for to, term in zip(total, more, strict=True)),
+    }
+
+
+# ---------------------------------------------------------------- statements of a block with errors
+
+
+def _loaded(
+    block: RoundedBlock, layout: Callable[[Quantity], Place], ready: Container[str] = ()
+) -> tuple[Statement, ...]:
+    """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
+    used = names_used(block.block) | block.limits
+    found: list[Statement] = []
+    limits: list[Statement] = []
+    for q in (q for q in block.block.inputs if q.name not in ready):
+        place = layout(q)
+        read = [(i, name) for i, name in enumerate(q.names) if name in used]
+        found += [Let(name, place.part(q, i)) for i, name in read]
+        wrong = [(i, name) for i, name in read if block.errors[name] == error_symbol(name)]
+        owner = place.array.owner if isinstance(place.array, Member) else place.array
+        found += [Let(f"{name}_err", _pair(owner, q, i)[1]) for i, name in wrong]
+        limits += [_limit(block, name) for name in q.names if name in block.limits]
+    return (*found, *limits)
+
+
+def _limit(block: RoundedBlock, name: str) -> Let:
+    size, error = Call("size", (Name(name),)), block.errors[name]
+    return Let(f"{name}_max", _plus(size, expression(error)) if error != 0 else size)
+
+
+def _steps(
+    block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()
+) -> Iterable[Statement]:
+    """Each step: its value, the bound of its error, and its largest size where that is needed.
+
+    apart: steps whose own rounding gets a name. unread: steps whose whole error nothing reads.
+    """
+    before = None
+    for each in block.steps:
+        step = each.step
+        said = (step.equation, step.meaning)
+        if any(said) and said != before:
+            yield Comment(" ".join(part for part in said if part))
+        before = said
+        yield Let(step.name, expression(step.expr))
+        own = _own_error(each)
+        if each.rounds and step.name in apart:
+            yield Let(f"{step.name}_own", own)
+            own = Name(f"{step.name}_own")
+        if not each.exact and step.name not in unread:
+            yield Let(f"{step.name}_err", _error(each, own))
+        if step.name in block.limits:
+            yield _limit(block, step.name)
+
+
+def _own_error(each: RoundedStep) -> Expression:
+    """What the step's own operations round away."""
+    value = Name(each.step.name)
+    sizes = [expression(each.rounded)] if each.rounded != 0 else []
+    if each.kind == ROOT:
+        return Call("root_error", (value, _units(sizes)))
+    return _units([*sizes, Call("size", (value,))] if each.own else sizes)
+
+
+def _error(each: RoundedStep, own: Expression) -> Expression:
+    """The bound: errors of what goes in, and the step's own."""
+    value = Name(each.step.name)
+    carried = [expression(each.carried)] if each.carried != 0 else []
+    if each.kind == RECIPROCAL:
+        return Call("reciprocal_error", (value, expression(each.step.expr.base), _total(carried)))
+    if each.kind == ROOT:
+        inner = [_units([expression(each.rounded)])] if each.rounded != 0 else []
+        return Call("root_error", (value, _total([*carried, *inner])))
+    return _total([*carried, own] if each.rounds else carried)
+
+
+def _plus(one: Expression, other: Expression) -> Expression:
+    return Binary("+", one, other)
+
+
+def _total(terms: list[Expression]) -> Expression:
+    return reduce(_plus, terms) if terms else Number(0.0)
+
+
+def _units(sizes: list[Expression]) -> Expression:
+    """Sizes times the rounding unit."""
+    return _times(Constant("UNIT"), _total(sizes)) if sizes else Number(0.0)
+
+
+def _times(factor: Expression, value: Expression) -> Expression:
+    """A product from left to right."""
+    if isinstance(value, Binary) and value.operator == "*":
+        return Binary("*", _times(factor, value.left), value.right)
+    return Binary("*", factor, value)
+
+
+def _stored(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[Statement]:
+    """Values and errors handed out."""
+    for out in outputs:
+        q = out.quantity
+        owner = "added" if q in ADDED else "out"
+        for i, expr in enumerate(out.exprs):
+            value, error = _pair(owner, q, i)
+            yield Assign(value, expression(expr))
+            if block.inexact(q) or q in ADDED:
+                yield Assign(error, expression(block.output_error(expr)))
