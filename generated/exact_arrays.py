@@ -3090,6 +3090,7 @@ def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
     mass = summed.M_vv[0]
     c = [0.0] * 3
     about = [0.0] * 6
+    inertia = [0.0] * 6
     whole = [0.0] * 6
     heaviest = on.size(mass)
     length = 0.0
@@ -3110,7 +3111,9 @@ def make_rows(on: Arithmetic, summed: Any, legs: Any, by: Any) -> None:
         by.extent[3 * i] = on.larger(along, least)
         by.extent[3 * i + 1] = theta
         by.extent[3 * i + 2] = phi
-        weigh(on, legs.leg[i].M_xi, 3 * i, by)
+        for j in range(6):
+            inertia[j] = legs.leg[i].M_xi[j]
+        weigh(on, inertia, 3 * i, by)
         for j in range(3):
             for k in range(3):
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]

@@ -2,8 +2,11 @@
 
 from . import results as results
 from . import robots as robots
+from .arrays import ArrayKernel as ArrayKernel
+from .arrays import array_kernel as array_kernel
 from .bounds import ForceBounds as ForceBounds
 from .bounds import forces_with_bounds as forces_with_bounds
+from .casadi_functions import casadi_function as casadi_function
 from .certificate import Certificate as Certificate
 from .certificate import certify_pose as certify_pose
 from .conditioning import characteristic_length as characteristic_length
@@ -78,6 +81,8 @@ from .smooth_motion import estimated_noise as estimated_noise
 from .smoothing import LogWarning as LogWarning
 from .smoothing import Smooth as Smooth
 from .smoothing import smooth as smooth
+from .symbols import Symbolic as Symbolic
+from .symbols import symbolic as symbolic
 from .trajectory import PATHS as PATHS
 from .trajectory import Smoothing as Smoothing
 from .trajectory import StraightLinePath as StraightLinePath

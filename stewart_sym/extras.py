@@ -5,9 +5,10 @@ import importlib.util
 from collections.abc import Iterator
 
 EXTRAS = {
-    "casadi": ("CasADi", "bench"),
+    "casadi": ("CasADi", "casadi"),
     "dask": ("Dask", "cluster"),
     "distributed": ("Dask", "cluster"),
+    "jax": ("JAX", "bench"),
     "matplotlib": ("Matplotlib", "plot"),
     "mpl_toolkits": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),

@@ -198,3 +198,19 @@ def _log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
 
 def _unit(vector: Array) -> Array:
     return np.asarray(vector / np.linalg.norm(vector))
+
+
+def upside_down_in_millimetres() -> Robot:
+    """A machine in millimetres, gravity along +z."""
+    robot = random_robot(np.random.default_rng(31))
+    lengths = {name: 1e3 * getattr(robot, name) for name in ("b", "p", "R_0", "r_d0", "r_u0", "g")}
+    inertias = {name: 1e6 * getattr(robot, name) for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")}
+    turned = {"g": 1e3 * np.array([0.0, 0.0, 9.81])}
+    return dataclasses.replace(robot, **{**lengths, **inertias, **turned})
+
+
+MACHINES: dict[str, Callable[[], Robot]] = {
+    "paper": dasgupta,
+    "random": lambda: random_robot(np.random.default_rng(30)),
+    "upside down, mm": upside_down_in_millimetres,
+}

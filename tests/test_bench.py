@@ -22,13 +22,14 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import forces
 from stewart_sym.cli import main
+from stewart_sym.extras import EXTRAS
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
 from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, host, timing
 from stewart_sym.studies.bench_figures import FORWARD, MOST
 from stewart_sym.studies.bench_plot import motion_picture, picture, report
-from stewart_sym.studies.peers import CASADI, PEERS, Contestant, Poses, Runner, multiply_add
+from stewart_sym.studies.peers import CASADI, JAX, PEERS, Contestant, Poses, Runner, multiply_add
 from stewart_sym.studies.peers_constraints import engines
 from stewart_sym.studies.peers_pinocchio import PinocchioMachine
 from stewart_sym.studies.peers_tree import tensors_of_bodies, tree
@@ -168,6 +169,28 @@ def test_a_contestant_computes_the_forces_of_any_machine(contestant: Contestant,
     runner.run(1)
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
     assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+
+
+@pytest.mark.slow
+def test_jax_computes_the_forces_of_any_machine(stranger: Poses) -> None:
+    test_a_contestant_computes_the_forces_of_any_machine(JAX, stranger)
+
+
+def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
+    monkeypatch: pytest.MonkeyPatch, stranger: Poses
+) -> None:
+    asked: list[tuple[str, ...]] = []
+
+    def none_of(*packages: str) -> tuple[str, ...]:
+        asked.append(packages)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bench, "absent", none_of)
+    for quick in (True, False):
+        with pytest.raises(KeyboardInterrupt):
+            bench.bench(stranger.robot, quick=quick)
+    assert ["jax" in packages for packages in asked] == [False, True]
+    assert EXTRAS["jax"] == ("JAX", "bench")
 
 
 def test_pinocchio_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:

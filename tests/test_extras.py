@@ -53,7 +53,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
 
 
 def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
-    errors = errors_without(of_extras("bench", "cluster"))
+    errors = errors_without(of_extras("bench", "casadi", "cluster"))
     assert {name.rpartition(".")[2] for name in errors} == {
         *("peers_casadi", "peers_constraints_mujoco", "peers_constraints_pinocchio", "peers_pinocchio"),
         "workspace",

@@ -49,8 +49,9 @@ FLOORS = (
     },
     {"forward", "fidelity", "certificate", "interpolation", "singular_poses", "units"},
     {"dynamics", "forces", "force_noise", "passage"},
-    {"closed_form", "bounds", "joint_space"},
-    {"equations", "laws"},
+    {"closed_form", "bounds", "joint_space", "arrays", "typesetting"},
+    {"symbols"},
+    {"equations", "laws", "casadi_functions"},
     {"simulation", "fixed_step"},
     {"scene", "budget"},
     {"parameters", "home"},
@@ -64,7 +65,9 @@ FLOORS = (
 GENERATE_ON_COMMAND = {
     f"{PACKAGE}.{name}"
     for name in (
+        "casadi_functions",
         "cli",
+        "symbols",
         "kit.files",
         "kit.languages",
         "kit.fmu",

@@ -1,5 +1,6 @@
 """Runs a kernel tree on values of any kind: floats, arrays, multiprecision numbers, symbols."""
 
+import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import SimpleNamespace
@@ -43,7 +44,8 @@ from .nodes import (
 class Arithmetic:
     """What an interpreter needs of a kind of number besides its operators.
 
-    number: from a literal; constants: EPSILON, MAX and others by name; where: the selection.
+    number: from a literal; constants: EPSILON, MAX and others by name; where: the selection; both, either: of
+    tests.
     """
 
     number: Callable[[int | float], Any]
@@ -53,6 +55,8 @@ class Arithmetic:
     larger: Callable[[Any, Any], Any] = lambda one, other: one if one > other else other
     where: Callable[[Any, Any, Any], Any] = lambda test, yes, no: yes if test else no
     anywhere: Callable[[Any], bool] = bool
+    both: Callable[[Any, Any], Any] = operator.and_
+    either: Callable[[Any, Any], Any] = operator.or_
 
 
 class _Left(Exception):  # noqa: N818
@@ -65,12 +69,18 @@ class _Finished(Exception):  # noqa: N818
 
 
 _COMPARE: dict[str, Callable[[Any, Any], Any]] = {
-    "<": lambda a, b: a < b,
-    "<=": lambda a, b: a <= b,
-    ">": lambda a, b: a > b,
-    ">=": lambda a, b: a >= b,
-    "==": lambda a, b: a == b,
-    "!=": lambda a, b: a != b,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "!=": operator.ne,
+}
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
 }
 
 
@@ -112,11 +122,12 @@ class Interpreter:
         for each in body:
             match each:
                 case Let(name, value):
-                    known[name] = self._value(value, known)
+                    known[name] = self._kept(each, self._value(value, known), known)
                 case Variable(name, kind, value):
-                    known[name] = self.zero(kind) if value is None else self._value(value, known)
+                    found = self.zero(kind) if value is None else self._value(value, known)
+                    known[name] = self._kept(each, found, known)
                 case Assign(target, value):
-                    self._store(target, self._value(value, known), known)
+                    self._store(target, self._kept(each, self._value(value, known), known), known)
                 case For():
                     self._loop(each, known)
                 case If(test, inner, otherwise):
@@ -130,6 +141,10 @@ class Interpreter:
                     raise _Left
                 case Comment():
                     pass
+
+    def _kept(self, statement: Let | Variable | Assign, value: Any, known: dict[str, Any]) -> Any:
+        """What a statement stores."""
+        return value
 
     def _loop(self, loop: For, known: dict[str, Any]) -> None:
         first, last = self._value(loop.first, known), self._value(loop.last, known)
@@ -171,9 +186,9 @@ class Interpreter:
             case Compare(operator, left, right):
                 return _COMPARE[operator](of(left, known), of(right, known))
             case Both(left, right):
-                return of(left, known) & of(right, known)
+                return self.arithmetic.both(of(left, known), of(right, known))
             case Either(left, right):
-                return of(left, known) | of(right, known)
+                return self.arithmetic.either(of(left, known), of(right, known))
             case Select(test, yes, no):
                 return self._select(of(test, known), of(yes, known), of(no, known))
             case Call(name, arguments):
@@ -210,11 +225,3 @@ class Interpreter:
         if isinstance(yes, list):
             return [self._select(test, one, other) for one, other in zip(yes, no, strict=True)]
         return self.arithmetic.where(test, yes, no)
-
-
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
-    "+": lambda a, b: a + b,
-    "-": lambda a, b: a - b,
-    "*": lambda a, b: a * b,
-    "/": lambda a, b: a / b,
-}

@@ -22,7 +22,8 @@ from .model import (
     model_functions,
     model_structures,
 )
-from .nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type
+from .nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
+from .prepare import SINGULAR_STATUS
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -63,6 +64,45 @@ def program(
     for name in needed.public:
         needed.add(name)
     return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
+
+
+def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]) -> Program:
+    """The closed form's outputs without what lanes do in another way: sums, forces and ``singular_status``,
+    which have no bodies."""
+    of_model = {each.name: each for each in model_structures(kernel)}
+    known = _texts(kernel) | _NAMED
+    model, motion = Argument("model", Record("Model")), Argument("motion", Record("Motion"))
+    for each in sums:
+        known |= _of_sums(kernel, each)
+        name = prefix_of(each)
+        legs, summed = (
+            Argument(part.lower(), Record(f"{camel(name)}{part}"), changed=True) for part in ("Legs", "Sums")
+        )
+        known[f"{name}_sums"] = partial(Function, f"{name}_sums", "", (model, motion, legs, summed), None, ())
+    for of, result in RESULTS.items():
+        known[f"check_{of}"] = partial(check_function, f"check_{of}", result, blank=False)
+    known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
+    known["singular_status"] = lambda: replace(SINGULAR_STATUS, result=Integer())
+    needed = _Needed(known, tuple(outputs), of_model, {})
+    for name in outputs:
+        needed.add(name)
+    return Program(kernel.name, tuple(needed.structures.values()), tuple(needed.functions.values()))
+
+
+def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
+    """Names of the kernels whose sums outputs need; deep: those where digits are lost as well."""
+    texts = {name: each for module in _MODULES for name, each in vars(module).items() if callable(each)}
+    names = {f"{_PREFIX.get(each, each)}_sums": each for each in m.NAMES}
+    found: set[str] = set()
+    waiting, seen = list(outputs), set()
+    while waiting:
+        name = waiting.pop()
+        if name in names:
+            found.add(names[name])
+        elif name in texts and name not in seen and (deep or not name.endswith("_apart")):
+            seen.add(name)
+            waiting += read.used(texts[name])
+    return found
 
 
 @dataclass(frozen=True)
@@ -111,11 +151,13 @@ class _Needed:
         return self.known.get(name)
 
 
+_MODULES = (legs, solve, forces, closed_form, joint_rows)
+
+
 def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     """Every written function by its name."""
-    modules = (legs, solve, forces, closed_form, joint_rows)
     found: dict[str, Definition] = {
-        name: Text(text) for module in modules for name, text in vars(module).items() if callable(text)
+        name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
     if kernel.leg_near_pole is None:
         found["find_legs"] = Text(forces.find_legs_of_one_form)
@@ -186,10 +228,20 @@ _GIVEN = (m.F_LEG, m.NET, m.TURNED)
 _PREFIX = {"forward_dynamics": "forward"}
 
 
+def prefix_of(sums: m.SumKernel) -> str:
+    """With what the names of a kernel's functions begin."""
+    return _PREFIX.get(sums.name, sums.name)
+
+
+def camel(name: str) -> str:
+    """``JointRows`` of ``joint_rows``."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
 def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     """One kernel of the closed form: blocks and sums, by their names."""
-    prefix = _PREFIX.get(sums.name, sums.name)
-    name = "".join(word.capitalize() for word in prefix.split("_"))
+    prefix = prefix_of(sums)
+    name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
     pose = _quantities(sums.pose)
     arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", _GIVEN))

@@ -5,13 +5,11 @@ import math
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
-from importlib.resources import files
-from string import Template
 from typing import Any
 
 from .. import notation as n
 from ..block import Quantity
+from ..print.template import filled_from
 
 Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""
@@ -20,14 +18,9 @@ LONGEST = 48
 """Characters of a robot's name in a C identifier."""
 
 
-@cache
-def _template(name: str) -> Template:
-    return Template((files(__package__) / "templates" / f"{name}.in").read_text(encoding="utf-8"))
-
-
 def template(name: str, values: Mapping[str, str] | None = None) -> str:
     """A file of ``templates``, its name without ``.in``, with each ``$word`` replaced."""
-    return _template(name).substitute(values or {})
+    return filled_from(__package__, name, values or {})
 
 
 def robot_symbol(name: str) -> str:

@@ -35,6 +35,7 @@ from ..kernel.nodes import (
     Structure,
     Switch,
     Table,
+    Truth,
     Type,
     Variable,
     names_in,
@@ -44,7 +45,7 @@ from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH,
 
 _BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
-_NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t"}
+_NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t", Truth: "int"}
 _LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 
 
@@ -324,7 +325,7 @@ class C(Printer):
         used = {each.name for each in names_in(function.body)}
         return [
             *([] if function.public else self.remark(function.meaning)),
-            *self._head(static, function, ""),
+            *self.head(static, function, ""),
             "{",
             *self._indices(function),
             *(f"    (void){each.name};" for each in function.arguments if each.name not in used),
@@ -335,7 +336,7 @@ class C(Printer):
     def declaration(self, function: Function) -> list[str]:
         """A function of the interface with its comment, as a header has it."""
         checked = "" if function.result is None else "STEWART_NODISCARD "
-        return [*self.remark(function.meaning), *self._head(checked, function, ";")]
+        return [*self.remark(function.meaning), *self.head(checked, function, ";")]
 
     def _enter(self, function: Function) -> None:
         """Sets which names are addresses."""
@@ -346,7 +347,8 @@ class C(Printer):
             each.name for each in arguments if each.changed and isinstance(each.type, Real | Integer | Count)
         }
 
-    def _head(self, before: str, function: Function, end: str) -> list[str]:
+    def head(self, before: str, function: Function, end: str) -> list[str]:
+        """The name, the arguments and the result of a function, between two texts."""
         result = "void" if function.result is None else self.declared(function.result, "").strip()
         arguments = ", ".join(map(self.argument, function.arguments)) or "void"
         line = f"{before}{result} {function.name}({arguments}){end}"

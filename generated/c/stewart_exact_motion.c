@@ -78,43 +78,12 @@
 #define STEWART_SUSPECT REAL(0.0001220703125)
 #endif
 #endif
-
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
 #define STEWART_KEPT ((stewart_real)0.03125)
 
 /* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
-
-/* What tells whether a leg is fit to be computed. */
-typedef struct {
-    stewart_real L[LANES], reach[LANES], k3[LANES];
-    stewart_real bad[LANES]; /* 1 where the leg is not fit, else 0 */
-} leg_judgement;
-
-static int legs_status(const leg_judgement *judged)
-{
-    int i;
-    for (i = 0; i < 6; ++i) {
-        if (judged->bad[i] > REAL(0)) {
-            if (!(judged->L[i] <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
-            return judged->L[i] > STEWART_ROUNDING * judged->reach[i] ? STEWART_POLE : STEWART_SHORT_LEG;
-        }
-    }
-    return STEWART_OK;
-}
-
-/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
-static int is_near(const leg_judgement *judged)
-{
-    int i, found = 0;
-    for (i = 0; i < 6; ++i) {
-        found = judged->k3[i] > STEWART_LEANING ? found : 1;
-    }
-    return found;
-}
 
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
@@ -127,17 +96,6 @@ STEWART_APART static void add_legs(
     }
 }
 
-static int is_finite(const stewart_real *values, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 static void copy(const stewart_real *from, int count, stewart_real *to)
 {
     int i;
@@ -146,168 +104,114 @@ static void copy(const stewart_real *from, int count, stewart_real *to)
     }
 }
 
-/* M from the first 21 sums, as rows of `width` numbers. */
-static void inertia_rows(const stewart_real *sum, int width, stewart_real *rows)
-{
-    static const int place[36] = {0, 1, 2, 6, 7, 8, 1, 3, 4, 9, 10, 11, 2, 4, 5, 12, 13, 14,
-                                  6, 9, 12, 15, 16, 17, 7, 10, 13, 16, 18, 19, 8, 11, 14, 17, 19, 20};
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            rows[i * width + j] = sum[place[6 * i + j]];
-        }
-    }
-}
+/* M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]. */
+typedef struct {
+    stewart_equations of;
+    int status; /* 0, or what is wrong */
+} equations_found;
 
-/* Four 3x3 blocks as a 6x6 matrix in rows of `width` numbers. */
-static void block_rows(const stewart_real *blocks, int width, stewart_real *rows)
-{
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            rows[i * width + j] = blocks[(i / 3 * 2 + j / 3) * 9 + i % 3 * 3 + j % 3];
-        }
-    }
-}
+/* What a leg's blocks are given. */
+typedef struct {
+    stewart_real F; /* N: actuator force of the leg */
+    stewart_real net[3]; /* N, N m: generalised forces of the leg less the actuator's, along L, theta, phi */
+    stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
+} leg_inputs;
 
-/* H from the legs' columns, in rows of `width` numbers. */
-static void column_rows(
-    stewart_real (*force)[LANES], stewart_real (*moment)[LANES], int width, stewart_real *rows)
-{
-    int i, j;
-    for (i = 0; i < 3; ++i) {
-        for (j = 0; j < 6; ++j) {
-            rows[i * width + j] = force[i][j];
-            rows[(i + 3) * width + j] = moment[i][j];
-        }
-    }
-}
+/* C [v; omega] + g + friction. */
+typedef struct {
+    stewart_real bias[6]; /* N, N m: the sum */
+    int status; /* 0, or what is wrong */
+} bias_found;
 
-/* Takes moments over a length in rows of `width` numbers, three of forces and three of moments. */
-static void scale_rows(stewart_real per_length, int width, stewart_real *rows)
+/* Accelerations of the platform. */
+typedef struct {
+    stewart_real acceleration[6];
+    int status; /* 0, or what is wrong */
+} forward_dynamics_found;
+
+/* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. */
+typedef struct {
+    leg_inputs given[6]; /* what the derivatives are given of the legs */
+    stewart_real extent[24]; /* root of the inertia in each row */
+    stewart_real weight[72]; /* 1: W in blocks of three rows */
+    stewart_real row[144]; /* A, each row times the root of its inertia; then L and U */
+    stewart_real share[144]; /* each row as a sum of the six that serve as coordinates */
+    stewart_real inertia[36]; /* M in these coordinates */
+    int order[24]; /* number of the row in each place */
+    int column[6]; /* number of the column in each place */
+    stewart_real length; /* m: moments and rotations are measured by it */
+} rows;
+
+/* What the rows give. */
+typedef struct {
+    stewart_real x[6]; /* m/s^2, rad/s^2: a and alpha */
+    int status; /* 0, or what is wrong */
+} apart_found;
+
+/* Inertia that the actuators feel. */
+typedef struct {
+    stewart_real inertia[36]; /* kg: H^-1 M H^-T */
+    int status; /* 0, or what is wrong */
+} joint_inertia_found;
+
+/* Actuator forces and their derivatives. */
+typedef struct {
+    stewart_derivatives of;
+    int status; /* 0, or what is wrong */
+} derivatives_found;
+
+/* Actuator forces of one pose. */
+typedef struct {
+    stewart_real F[6]; /* N: positive when they extend the leg, (37) */
+    int status; /* 0, or what is wrong */
+} forces_found;
+
+/* Forward dynamics and its linearisation. */
+typedef struct {
+    stewart_linearisation of;
+    int status; /* 0, or what is wrong */
+} linearisation_found;
+
+/* What the rows give of a linearisation. */
+typedef struct {
+    stewart_real x[6]; /* m/s^2, rad/s^2: a and alpha */
+    stewart_real A[144]; /* the rows solved */
+    int status; /* 0, or what is wrong */
+} slopes_found;
+
+/* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
+typedef struct {
+    stewart_real L[LANES];
+    stewart_real reach[LANES];
+    stewart_real k3[LANES];
+    stewart_real bad[LANES];
+} leg_checks;
+
+/* What is wrong with the first leg that is not fit. */
+static int legs_status(const leg_checks *checked)
 {
     int i;
-    if (per_length != REAL(1)) {
-        for (i = 3 * width; i < 6 * width; ++i) {
-            rows[i] = rows[i] * per_length;
-        }
-    }
-}
-
-#if !defined(STEWART_SINGULAR_STATUS)
-#define STEWART_SINGULAR_STATUS
-/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
- * sum of.
- *
- * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
- * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
- * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
- * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
- * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
-STEWART_APART static int singular_status(
-    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
-{
-    stewart_real Y[6][6], G[6][6], v[6], grown[6];
-    stewart_real size = REAL(0), worst = REAL(1);
-    int i, j, k, turn;
     for (i = 0; i < 6; ++i) {
-        v[i] = REAL(1);
-        for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+        if (checked->bad[i] > REAL(0)) {
+            if (!(checked->L[i] <= STEWART_MAX)) {
                 return STEWART_NOT_FINITE;
             }
-            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
-            Y[i][j] = i == j ? REAL(1) : REAL(0);
+            return checked->L[i] > STEWART_ROUNDING*checked->reach[i] ? STEWART_POLE : STEWART_SHORT_LEG;
         }
     }
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
-        }
-        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
-            return STEWART_SINGULAR;
-        }
-        for (j = 0; j < 6; ++j) {
-            const stewart_real h = H[k][j], y = Y[k][j];
-            H[k][j] = H[pivot][j];
-            H[pivot][j] = h;
-            Y[k][j] = Y[pivot][j];
-            Y[pivot][j] = y;
-        }
-        for (i = 0; i < 6; ++i) {
-            const stewart_real factor = H[i][k] / H[k][k];
-            for (j = 0; i != k && j < 6; ++j) {
-                H[i][j] = H[i][j] - factor * H[k][j];
-                Y[i][j] = Y[i][j] - factor * Y[k][j];
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
-        for (k = 0; k < 6; ++k) {
-            stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                const int next = (j + 1) % 3, last = (j + 2) % 3;
-                turned = turned + STEWART_FABS(Y[i][j]
-                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
-            }
-            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
-                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
-        }
-    }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real greatest = REAL(0);
-        worst = REAL(0);
-        for (i = 0; i < 6; ++i) {
-            grown[i] = REAL(0);
-            for (k = 0; k < 6; ++k) {
-                grown[i] = grown[i] + G[i][k] * v[k];
-            }
-            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
-            greatest = STEWART_LARGER(grown[i], greatest);
-        }
-        for (i = 0; i < 6; ++i) {
-            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
-        }
-    }
-    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+    return STEWART_OK;
 }
-#endif
 
-/* Status of a pose by its H; suspect: whether a pivot of it is small. */
-static int columns_status(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*force)[LANES],
-    stewart_real (*moment)[LANES], const leg_judgement *judged, int suspect)
+/* Whether a leg is so near its joint singularity that the shorter formulas lose digits. */
+static int is_near(const leg_checks *checked)
 {
-    stewart_real H[36], rows[6][6], arm[6][3];
-    int i, j, close = 0;
+    int i;
+    int found = 0;
     for (i = 0; i < 6; ++i) {
-        close = judged->L[i] > STEWART_SHORT_SHARE * judged->reach[i] ? close : 1;
+        found = checked->k3[i] > STEWART_LEANING ? found : 1;
     }
-    if (close == 0 && suspect == 0) {
-        return STEWART_OK;
-    }
-    column_rows(force, moment, 6, H);
-    for (i = 0; i < 36; ++i) {
-        rows[i / 6][i % 6] = H[i];
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            arm[i][j] = motion->R[3 * j] * model->p[0][i] + motion->R[3 * j + 1] * model->p[1][i]
-                + motion->R[3 * j + 2] * model->p[2][i];
-        }
-    }
-    return singular_status(rows, arm, judged->L, judged->reach);
+    return found;
 }
-
-/* ---- equations ---- */
 
 typedef struct {
     int none; /* C has no structure without members */
@@ -315,26 +219,27 @@ typedef struct {
 
 typedef struct {
     stewart_real sum[69][LANES];
-    stewart_real H_force[3][8];
-    stewart_real H_moment[3][8];
-    stewart_real H_dot_force[3][8];
-    stewart_real H_dot_moment[3][8];
-    leg_judgement judged;
+    stewart_real H_force[3][LANES];
+    stewart_real H_moment[3][LANES];
+    stewart_real H_dot_force[3][LANES];
+    stewart_real H_dot_moment[3][LANES];
+    leg_checks checked;
+    int status;
 } equations_legs;
 
-/* The platform's part: 152 (93 mul, 59 add, 0 div, 0 sqrt) operations. */
+/* The platform's part. */
 static void equations_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+    const equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     (void)out;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
@@ -353,100 +258,99 @@ static void equations_of_pose(
     const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
     const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
     const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
+        + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
     /* (31) omega x h */
     const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
     const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
     const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
-    const stewart_real half_trace = STEWART_HALF*J_base_xx + STEWART_HALF*J_base_yy
-        + STEWART_HALF*J_base_zz;
+    const stewart_real half_trace = STEWART_HALF*J_base_xx + STEWART_HALF*J_base_yy + STEWART_HALF*J_base_zz;
     const stewart_real c7 = J_base_xy*omega_z;
     const stewart_real c8 = J_base_xz*omega_y;
     const stewart_real c9 = half_trace*omega_z;
     const stewart_real c10 = half_trace*omega_y;
     const stewart_real c11 = -J_base_yz*omega_x;
     const stewart_real c12 = half_trace*omega_x;
-    sum[0] = M_P;
-    sum[1] = REAL(0);
-    sum[2] = REAL(0);
-    sum[3] = M_P;
-    sum[4] = REAL(0);
-    sum[5] = M_P;
-    sum[6] = REAL(0);
-    sum[7] = h_base_z;
-    sum[8] = -h_base_y;
-    sum[9] = -h_base_z;
-    sum[10] = REAL(0);
-    sum[11] = h_base_x;
-    sum[12] = h_base_y;
-    sum[13] = -h_base_x;
-    sum[14] = REAL(0);
-    sum[15] = J_base_xx;
-    sum[16] = J_base_xy;
-    sum[17] = J_base_xz;
-    sum[18] = J_base_yy;
-    sum[19] = J_base_yz;
-    sum[20] = J_base_zz;
-    sum[21] = REAL(0);
-    sum[22] = REAL(0);
-    sum[23] = REAL(0);
-    sum[24] = REAL(0);
-    sum[25] = REAL(0);
-    sum[26] = REAL(0);
-    sum[27] = REAL(0);
-    sum[28] = REAL(0);
-    sum[29] = REAL(0);
-    sum[30] = REAL(0);
-    sum[31] = w_h_z;
-    sum[32] = -w_h_y;
-    sum[33] = -w_h_z;
-    sum[34] = REAL(0);
-    sum[35] = w_h_x;
-    sum[36] = w_h_y;
-    sum[37] = -w_h_x;
-    sum[38] = REAL(0);
-    sum[39] = REAL(0);
-    sum[40] = REAL(0);
-    sum[41] = REAL(0);
-    sum[42] = REAL(0);
-    sum[43] = REAL(0);
-    sum[44] = REAL(0);
-    sum[45] = REAL(0);
-    sum[46] = REAL(0);
-    sum[47] = REAL(0);
-    sum[48] = c8 - c7;
-    sum[49] = J_base_yz*omega_y + c9 - J_base_yy*omega_z;
-    sum[50] = J_base_zz*omega_y - J_base_yz*omega_z - c10;
-    sum[51] = J_base_xx*omega_z - J_base_xz*omega_x - c9;
-    sum[52] = c11 + c7;
-    sum[53] = J_base_xz*omega_z + c12 - J_base_zz*omega_x;
-    sum[54] = J_base_xy*omega_x + c10 - J_base_xx*omega_y;
-    sum[55] = J_base_yy*omega_x - J_base_xy*omega_y - c12;
-    sum[56] = -c11 - c8;
-    sum[57] = -M_P*g_x;
-    sum[58] = -M_P*g_y;
-    sum[59] = -M_P*g_z;
-    sum[60] = g_y*h_base_z - g_z*h_base_y;
-    sum[61] = g_z*h_base_x - g_x*h_base_z;
-    sum[62] = g_x*h_base_y - g_y*h_base_x;
-    sum[63] = REAL(0);
-    sum[64] = REAL(0);
-    sum[65] = REAL(0);
-    sum[66] = C_P*omega_x;
-    sum[67] = C_P*omega_y;
-    sum[68] = C_P*omega_z;
+    summed[0] = M_P;
+    summed[1] = REAL(0);
+    summed[2] = REAL(0);
+    summed[3] = M_P;
+    summed[4] = REAL(0);
+    summed[5] = M_P;
+    summed[6] = REAL(0);
+    summed[7] = h_base_z;
+    summed[8] = -h_base_y;
+    summed[9] = -h_base_z;
+    summed[10] = REAL(0);
+    summed[11] = h_base_x;
+    summed[12] = h_base_y;
+    summed[13] = -h_base_x;
+    summed[14] = REAL(0);
+    summed[15] = J_base_xx;
+    summed[16] = J_base_xy;
+    summed[17] = J_base_xz;
+    summed[18] = J_base_yy;
+    summed[19] = J_base_yz;
+    summed[20] = J_base_zz;
+    summed[21] = REAL(0);
+    summed[22] = REAL(0);
+    summed[23] = REAL(0);
+    summed[24] = REAL(0);
+    summed[25] = REAL(0);
+    summed[26] = REAL(0);
+    summed[27] = REAL(0);
+    summed[28] = REAL(0);
+    summed[29] = REAL(0);
+    summed[30] = REAL(0);
+    summed[31] = w_h_z;
+    summed[32] = -w_h_y;
+    summed[33] = -w_h_z;
+    summed[34] = REAL(0);
+    summed[35] = w_h_x;
+    summed[36] = w_h_y;
+    summed[37] = -w_h_x;
+    summed[38] = REAL(0);
+    summed[39] = REAL(0);
+    summed[40] = REAL(0);
+    summed[41] = REAL(0);
+    summed[42] = REAL(0);
+    summed[43] = REAL(0);
+    summed[44] = REAL(0);
+    summed[45] = REAL(0);
+    summed[46] = REAL(0);
+    summed[47] = REAL(0);
+    summed[48] = c8 - c7;
+    summed[49] = J_base_yz*omega_y + c9 - J_base_yy*omega_z;
+    summed[50] = J_base_zz*omega_y - J_base_yz*omega_z - c10;
+    summed[51] = J_base_xx*omega_z - J_base_xz*omega_x - c9;
+    summed[52] = c11 + c7;
+    summed[53] = J_base_xz*omega_z + c12 - J_base_zz*omega_x;
+    summed[54] = J_base_xy*omega_x + c10 - J_base_xx*omega_y;
+    summed[55] = J_base_yy*omega_x - J_base_xy*omega_y - c12;
+    summed[56] = -c11 - c8;
+    summed[57] = -M_P*g_x;
+    summed[58] = -M_P*g_y;
+    summed[59] = -M_P*g_z;
+    summed[60] = g_y*h_base_z - g_z*h_base_y;
+    summed[61] = g_z*h_base_x - g_x*h_base_z;
+    summed[62] = g_x*h_base_y - g_y*h_base_x;
+    summed[63] = REAL(0);
+    summed[64] = REAL(0);
+    summed[65] = REAL(0);
+    summed[66] = C_P*omega_x;
+    summed[67] = C_P*omega_y;
+    summed[68] = C_P*omega_z;
 }
 
-/* The legs side by side: 678 (422 mul, 252 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void equations_of_legs(
+/* The legs side by side. */
+STEWART_APART static void equations_of_leg(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
     (void)pose;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
@@ -461,13 +365,12 @@ STEWART_APART static void equations_of_legs(
         const stewart_real h2_x = model->h2_x[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
-            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
@@ -498,8 +401,8 @@ STEWART_APART static void equations_of_legs(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -572,8 +475,7 @@ STEWART_APART static void equations_of_legs(
         const stewart_real C_xi_22 = L_dot*h_x;
         const stewart_real c7 = REAL(2)*L;
         const stewart_real c8 = REAL(2)*J_xz - c7*h_z;
-        const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + REAL(2)*k3*(J_zz + c7*h_x - J_xx))
-            - STEWART_HALF*c1*c8;
+        const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + REAL(2)*k3*(J_zz + c7*h_x - J_xx)) - STEWART_HALF*c1*c8;
         const stewart_real C_xi_23 = -c9*phi_dot;
         const stewart_real c10 = h_y*k1;
         const stewart_real C_xi_31 = c6*phi_dot - c10*theta_dot;
@@ -592,15 +494,11 @@ STEWART_APART static void equations_of_legs(
         const stewart_real C_leg_12 = C_xi_13*inv_rho + G_dot_22*h_z - G_dot_32*k3_h;
         const stewart_real C_leg_13 = G_dot_23*h_z - C_xi_12*inv_L - G_dot_33*k3_h;
         const stewart_real C_leg_21 = inv_rho*(C_xi_31 + G_dot_21*M_mixed + G_dot_31*M_phi);
-        const stewart_real C_leg_22 = inv_rho*(C_xi_33*inv_rho + G_dot_22*M_mixed + G_dot_32*M_phi
-            - G_dot_12*k3_h);
-        const stewart_real C_leg_23 = inv_rho*(G_dot_23*M_mixed + G_dot_33*M_phi + k3_h*theta_dot
-            - C_xi_32*inv_L);
+        const stewart_real C_leg_22 = inv_rho*(C_xi_33*inv_rho + G_dot_22*M_mixed + G_dot_32*M_phi - G_dot_12*k3_h);
+        const stewart_real C_leg_23 = inv_rho*(G_dot_23*M_mixed + G_dot_33*M_phi + k3_h*theta_dot - C_xi_32*inv_L);
         const stewart_real C_leg_31 = -inv_L*(C_xi_21 + G_dot_21*M_theta + G_dot_31*M_mixed);
-        const stewart_real C_leg_32 = -inv_L*(C_xi_23*inv_rho + G_dot_12*h_z + G_dot_22*M_theta
-            + G_dot_32*M_mixed);
-        const stewart_real C_leg_33 = -inv_L*(G_dot_23*M_theta + G_dot_33*M_mixed - C_xi_22*inv_L
-            - h_z*theta_dot);
+        const stewart_real C_leg_32 = -inv_L*(C_xi_23*inv_rho + G_dot_12*h_z + G_dot_22*M_theta + G_dot_32*M_mixed);
+        const stewart_real C_leg_33 = -inv_L*(G_dot_23*M_theta + G_dot_33*M_mixed - C_xi_22*inv_L - h_z*theta_dot);
         const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
         const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
         const stewart_real C_tip_T_xz = C_leg_13*s_x + C_leg_23*y_x + C_leg_33*z_x;
@@ -763,8 +661,7 @@ STEWART_APART static void equations_of_legs(
         out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
         out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
         out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -774,25 +671,25 @@ STEWART_APART static void equations_of_legs(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* The legs side by side: 698 (426 mul, 268 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void equations_of_legs_near(
+/* The legs side by side. */
+STEWART_APART static void equations_of_near(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
     (void)pose;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
@@ -807,13 +704,12 @@ STEWART_APART static void equations_of_legs_near(
         const stewart_real h2_x = model->h2_x[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
-            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
@@ -844,8 +740,8 @@ STEWART_APART static void equations_of_legs_near(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -933,8 +829,8 @@ STEWART_APART static void equations_of_legs_near(
         const stewart_real c21 = REAL(2)*J_xz;
         const stewart_real c22 = c18*c21;
         const stewart_real c23 = J_xx - J_zz;
-        const stewart_real C_leg_21 = W_z*c23*c3 + W_z*h_z*inv_L*inv_k3*k1 - c12*c17 - c12*c22 - c16
-            - c18*c20 - c7;
+        const stewart_real C_leg_21 = W_z*c23*c3 + W_z*h_z*inv_L*inv_k3*k1 - c12*c17 - c12*c22 - c16 - c18*c20
+            - c7;
         const stewart_real c24 = J_xy*c18;
         const stewart_real c25 = c8*h_x;
         const stewart_real c26 = c19*c5;
@@ -952,8 +848,8 @@ STEWART_APART static void equations_of_legs_near(
         const stewart_real c36 = J_xy*c30 + J_yz*c28 + c18*c29 - c13*c19;
         const stewart_real C_leg_23 = c17 + c18*c34 + c36 - c35;
         const stewart_real C_leg_31 = J_yy*c15 + c12*c24 + c14 + c31;
-        const stewart_real C_leg_32 = c11 + c12*c18*(-J_yy - c23) + c13 + c17*c19 + c35 + c36 - c11*c19
-            - c12*c9 - c17 - c22;
+        const stewart_real C_leg_32 = c11 + c12*c18*(-J_yy - c23) + c13 + c17*c19 + c35 + c36 - c11*c19 - c12*c9
+            - c17 - c22;
         const stewart_real C_leg_33 = c24 + c26 - J_yy*c28 - c25 - c32 - c33 - c6;
         const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
         const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
@@ -1117,8 +1013,7 @@ STEWART_APART static void equations_of_legs_near(
         out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
         out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
         out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -1128,36 +1023,163 @@ STEWART_APART static void equations_of_legs_near(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int equations_sums(
+/* Platform and legs together; ``status``: of the legs. */
+static void equations_sums(
     const stewart_exact_model *model, const stewart_motion *motion, equations_legs *legs,
-    stewart_real *sum)
+    stewart_real summed[69])
 {
     equations_pose pose;
-    int status;
-    equations_of_pose(model, motion, &pose, sum);
-    equations_of_legs(model, motion, &pose, legs);
-    if (is_near(&legs->judged) != 0) {
-        equations_of_legs_near(model, motion, &pose, legs);
+    equations_of_pose(model, motion, &pose, summed);
+    equations_of_leg(model, motion, &pose, legs);
+    if (is_near(&legs->checked) != 0) {
+        equations_of_near(model, motion, &pose, legs);
     }
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 69, sum);
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 69, summed);
     }
-    return status;
 }
 
-/* ---- bias ---- */
+/* A symmetric 3 x 3 block from xx xy xz yy yz zz. */
+static void place_symmetric_6(const stewart_real parts[6], int row, int column, stewart_real A[36])
+{
+    int i;
+    for (i = 0; i < 3; ++i) {
+        A[6*row + (column + i)] = parts[i];
+        A[6*(row + i) + column] = parts[i];
+    }
+    A[6*(row + 1) + (column + 1)] = parts[3];
+    A[6*(row + 1) + (column + 2)] = parts[4];
+    A[6*(row + 2) + (column + 1)] = parts[4];
+    A[6*(row + 2) + (column + 2)] = parts[5];
+}
+
+/* M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz. */
+static void place_inertia_6(
+    const stewart_real vv[6], const stewart_real vw[9], const stewart_real ww[6], int first,
+    stewart_real A[36])
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[6*i + (first + j + 3)] = vw[3*i + j];
+            A[6*(j + 3) + (first + i)] = vw[3*i + j];
+        }
+    }
+    place_symmetric_6(vv, 0, first, A);
+    place_symmetric_6(ww, 3, first + 3, A);
+}
+
+/* Four 3 x 3 blocks into six columns from ``first`` on. */
+static void place_blocks_6(
+    const stewart_real vv[9], const stewart_real vw[9], const stewart_real wv[9], const stewart_real ww[9],
+    int first, stewart_real A[36])
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[6*i + (first + j)] = vv[3*i + j];
+            A[6*i + (first + j + 3)] = vw[3*i + j];
+            A[6*(i + 3) + (first + j)] = wv[3*i + j];
+            A[6*(i + 3) + (first + j + 3)] = ww[3*i + j];
+        }
+    }
+}
+
+/* Says where a number of a result is not finite. */
+static void check_equations(equations_found *out)
+{
+    int i, j;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.M[6*i + j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.C[6*i + j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        lost = lost + REAL(0)*out->of.g[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        lost = lost + REAL(0)*out->of.friction[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        lost = lost + REAL(0)*out->of.bias[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.H[6*i + j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.H_dot[6*i + j];
+        }
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
+
+/* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
+static equations_found find_equations(const stewart_exact_model *model, const stewart_motion *motion)
+{
+    int i, j;
+    equations_found out;
+    equations_legs legs;
+    stewart_real summed[69];
+    equations_sums(model, motion, &legs, summed);
+    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out.of.M);
+    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out.of.C);
+    for (i = 0; i < 3; ++i) {
+        out.of.g[i] = summed[57 + i];
+        out.of.g[i + 3] = summed[60 + i];
+        out.of.friction[i] = summed[63 + i];
+        out.of.friction[i + 3] = summed[66 + i];
+        for (j = 0; j < 6; ++j) {
+            out.of.H[6*i + j] = legs.H_force[i][j];
+            out.of.H[6*(i + 3) + j] = legs.H_moment[i][j];
+            out.of.H_dot[6*i + j] = legs.H_dot_force[i][j];
+            out.of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        stewart_real total_bias = out.of.g[i] + out.of.friction[i];
+        for (j = 0; j < 3; ++j) {
+            total_bias = total_bias + out.of.C[6*i + j]*motion->v[j] + out.of.C[6*i + (j + 3)]*motion->omega[j];
+        }
+        out.of.bias[i] = total_bias;
+    }
+    out.status = legs.status;
+    check_equations(&out);
+    return out;
+}
+
+int stewart_exact_equations(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out)
+{
+    equations_found found;
+    if (model == NULL || motion == NULL || out == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    found = find_equations(model, motion);
+    if (found.status == STEWART_OK) {
+        *out = found.of;
+    }
+    return found.status;
+}
 
 typedef struct {
     stewart_real B_0[9];
@@ -1165,21 +1187,22 @@ typedef struct {
 
 typedef struct {
     stewart_real sum[6][LANES];
-    leg_judgement judged;
+    leg_checks checked;
+    int status;
 } bias_legs;
 
-/* The platform's part: 165 (99 mul, 66 add, 0 div, 0 sqrt) operations. */
+/* The platform's part. */
 static void bias_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+    bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
@@ -1198,8 +1221,8 @@ static void bias_of_pose(
     const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
     const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
     const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
+        + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
     /* (31) omega x h */
     const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
     const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
@@ -1228,28 +1251,27 @@ static void bias_of_pose(
     out->B_0[6] = omega_xz;
     out->B_0[7] = omega_yz;
     out->B_0[8] = B_zz;
-    sum[0] = omega_y*w_h_z - M_P*g_x - omega_z*w_h_y;
-    sum[1] = omega_z*w_h_x - M_P*g_y - omega_x*w_h_z;
-    sum[2] = omega_x*w_h_y - M_P*g_z - omega_y*w_h_x;
-    sum[3] = C_P*omega_x + J_w_z*omega_y + g_y*h_base_z - J_w_y*omega_z - g_z*h_base_y;
-    sum[4] = C_P*omega_y + J_w_x*omega_z + g_z*h_base_x - J_w_z*omega_x - g_x*h_base_z;
-    sum[5] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
+    summed[0] = omega_y*w_h_z - M_P*g_x - omega_z*w_h_y;
+    summed[1] = omega_z*w_h_x - M_P*g_y - omega_x*w_h_z;
+    summed[2] = omega_x*w_h_y - M_P*g_z - omega_y*w_h_x;
+    summed[3] = C_P*omega_x + J_w_z*omega_y + g_y*h_base_z - J_w_y*omega_z - g_z*h_base_y;
+    summed[4] = C_P*omega_y + J_w_x*omega_z + g_z*h_base_x - J_w_z*omega_x - g_x*h_base_z;
+    summed[5] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
 }
 
-/* The legs side by side: 305 (183 mul, 118 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void bias_of_legs(
+/* The legs side by side. */
+STEWART_APART static void bias_of_leg(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
-        B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
-        B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
+    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2], B_0_yx = pose->B_0[3],
+        B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6], B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -1262,13 +1284,11 @@ STEWART_APART static void bias_of_legs(
         const stewart_real h2_y = model->h2_y[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l],
-            J_yz = model->J[4][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
@@ -1299,8 +1319,8 @@ STEWART_APART static void bias_of_legs(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -1340,13 +1360,11 @@ STEWART_APART static void bias_of_legs(
         const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z;
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
         const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - L_share*two_phi_dot;
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
         const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
@@ -1374,13 +1392,12 @@ STEWART_APART static void bias_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
-            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-            - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
+            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
+            + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
+            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1389,8 +1406,7 @@ STEWART_APART static void bias_of_legs(
         const stewart_real K_y = Q_y*y_y + Q_z*z_y;
         const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
-            - k3_h*phi_ddot;
+        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
         /* force at the tip */
         const stewart_real R_tip_x = D*s_x + K_x;
         const stewart_real R_tip_y = D*s_y + K_y;
@@ -1401,8 +1417,7 @@ STEWART_APART static void bias_of_legs(
         out->sum[3][l] = R_tip_z*q_y - C_s*(k_x*phi_dot + theta_dot*y_x) - R_tip_y*q_z;
         out->sum[4][l] = R_tip_x*q_z - C_s*(k_y*phi_dot + theta_dot*y_y) - R_tip_z*q_x;
         out->sum[5][l] = R_tip_y*q_x - C_s*(k_z*phi_dot + theta_dot*y_z) - R_tip_x*q_y;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -1412,57 +1427,95 @@ STEWART_APART static void bias_of_legs(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int bias_sums(
-    const stewart_exact_model *model, const stewart_motion *motion, bias_legs *legs,
-    stewart_real *sum)
+/* Platform and legs together; ``status``: of the legs. */
+static void bias_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, bias_legs *legs, stewart_real summed[6])
 {
     bias_pose pose;
-    int status;
-    bias_of_pose(model, motion, &pose, sum);
-    bias_of_legs(model, motion, &pose, legs);
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 6, sum);
+    bias_of_pose(model, motion, &pose, summed);
+    bias_of_leg(model, motion, &pose, legs);
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 6, summed);
     }
-    return status;
 }
 
-/* ---- forward_dynamics ---- */
+/* Says where a number of a result is not finite. */
+static void check_bias(bias_found *out)
+{
+    int i;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        lost = lost + REAL(0)*out->bias[i];
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
+
+/* C [v; omega] + g + friction without C. */
+static bias_found find_bias(const stewart_exact_model *model, const stewart_motion *motion)
+{
+    int i;
+    bias_found out;
+    bias_legs legs;
+    stewart_real summed[6];
+    bias_sums(model, motion, &legs, summed);
+    for (i = 0; i < 3; ++i) {
+        out.bias[i] = summed[i];
+        out.bias[i + 3] = summed[3 + i];
+    }
+    out.status = legs.status;
+    check_bias(&out);
+    return out;
+}
+
+int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
+{
+    bias_found found;
+    if (model == NULL || motion == NULL || bias == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    found = find_bias(model, motion);
+    if (found.status == STEWART_OK) {
+        copy(found.bias, 6, bias);
+    }
+    return found.status;
+}
 
 typedef struct {
     stewart_real B_0[9];
-} forward_dynamics_pose;
+} forward_pose;
 
 typedef struct {
     stewart_real sum[27][LANES];
-    leg_judgement judged;
-} forward_dynamics_legs;
+    stewart_real F[LANES];
+    leg_checks checked;
+    int status;
+} forward_legs;
 
-/* The platform's part: 201 (117 mul, 84 add, 0 div, 0 sqrt) operations. */
-static void forward_dynamics_of_pose(
+/* The platform's part. */
+static void forward_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    forward_dynamics_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+    forward_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
@@ -1481,8 +1534,8 @@ static void forward_dynamics_of_pose(
     const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
     const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
     const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
+        + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
     /* (31) omega x h */
     const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
     const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
@@ -1511,49 +1564,51 @@ static void forward_dynamics_of_pose(
     out->B_0[6] = omega_xz;
     out->B_0[7] = omega_yz;
     out->B_0[8] = B_zz;
-    sum[0] = M_P;
-    sum[1] = REAL(0);
-    sum[2] = REAL(0);
-    sum[3] = M_P;
-    sum[4] = REAL(0);
-    sum[5] = M_P;
-    sum[6] = REAL(0);
-    sum[7] = h_base_z;
-    sum[8] = -h_base_y;
-    sum[9] = -h_base_z;
-    sum[10] = REAL(0);
-    sum[11] = h_base_x;
-    sum[12] = h_base_y;
-    sum[13] = -h_base_x;
-    sum[14] = REAL(0);
-    sum[15] = J_base_xx;
-    sum[16] = J_base_xy;
-    sum[17] = J_base_xz;
-    sum[18] = J_base_yy;
-    sum[19] = J_base_yz;
-    sum[20] = J_base_zz;
-    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
-    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
-    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
-    sum[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y - g_y*h_base_z;
-    sum[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z - g_z*h_base_x;
-    sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
+    summed[0] = M_P;
+    summed[1] = REAL(0);
+    summed[2] = REAL(0);
+    summed[3] = M_P;
+    summed[4] = REAL(0);
+    summed[5] = M_P;
+    summed[6] = REAL(0);
+    summed[7] = h_base_z;
+    summed[8] = -h_base_y;
+    summed[9] = -h_base_z;
+    summed[10] = REAL(0);
+    summed[11] = h_base_x;
+    summed[12] = h_base_y;
+    summed[13] = -h_base_x;
+    summed[14] = REAL(0);
+    summed[15] = J_base_xx;
+    summed[16] = J_base_xy;
+    summed[17] = J_base_xz;
+    summed[18] = J_base_yy;
+    summed[19] = J_base_yz;
+    summed[20] = J_base_zz;
+    summed[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
+    summed[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
+    summed[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
+    summed[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y
+        - g_y*h_base_z;
+    summed[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z
+        - g_z*h_base_x;
+    summed[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x
+        - g_x*h_base_y;
 }
 
-/* The legs side by side: 425 (260 mul, 161 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void forward_dynamics_of_legs(
+/* The legs side by side. */
+STEWART_APART static void forward_of_leg(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const forward_dynamics_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, forward_dynamics_legs *STEWART_RESTRICT out)
+    const forward_pose *STEWART_RESTRICT pose, forward_legs *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
-        B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
-        B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
+    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2], B_0_yx = pose->B_0[3],
+        B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6], B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -1566,15 +1621,13 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real h2_y = model->h2_y[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l],
-            J_yz = model->J[4][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real F = force[l];
+        const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -1604,8 +1657,8 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -1645,13 +1698,11 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z;
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
         const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
             + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - L_share*two_phi_dot;
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
         const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
@@ -1679,13 +1730,12 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real w_k = k1*w_x + k3*w_z;
         const stewart_real w_n = k3*w_x - k1*w_z;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
-            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-            - STEWART_HALF*c2)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-            - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
+            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
+            + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
+            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1694,8 +1744,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         const stewart_real K_y = Q_y*y_y + Q_z*z_y;
         const stewart_real K_z = Q_y*y_z + Q_z*z_z;
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2
-            - k3_h*phi_ddot;
+        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
         const stewart_real c4 = F - D;
         /* force on the platform at the tip */
         const stewart_real push_x = c4*s_x - K_x;
@@ -1763,8 +1812,7 @@ STEWART_APART static void forward_dynamics_of_legs(
         out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x) + push_z*q_y - push_y*q_z;
         out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y) + push_x*q_z - push_z*q_x;
         out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z) + push_y*q_x - push_x*q_y;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -1774,38 +1822,1216 @@ STEWART_APART static void forward_dynamics_of_legs(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int forward_dynamics_sums(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], forward_dynamics_legs *legs,
-    stewart_real *sum)
+/* Platform and legs together; ``status``: of the legs. */
+static void forward_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, forward_legs *legs,
+    stewart_real summed[27])
 {
-    forward_dynamics_pose pose;
-    int status;
-    stewart_real force[LANES];
+    int l;
+    forward_pose pose;
+    forward_of_pose(model, motion, &pose, summed);
+    for (l = 6; l < 8; ++l) {
+        legs->F[l] = legs->F[5];
+    }
+    forward_of_leg(model, motion, &pose, legs);
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 27, summed);
+    }
+}
+
+/* A symmetric 3 x 3 block from xx xy xz yy yz zz. */
+static void place_symmetric_8(const stewart_real parts[6], int row, int column, stewart_real A[48])
+{
     int i;
-    forward_dynamics_of_pose(model, motion, &pose, sum);
-    for (i = 0; i < LANES; ++i) {
-        force[i] = F[i < 6 ? i : 5];
+    for (i = 0; i < 3; ++i) {
+        A[8*row + (column + i)] = parts[i];
+        A[8*(row + i) + column] = parts[i];
     }
-    forward_dynamics_of_legs(model, motion, &pose, force, legs);
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 27, sum);
+    A[8*(row + 1) + (column + 1)] = parts[3];
+    A[8*(row + 1) + (column + 2)] = parts[4];
+    A[8*(row + 2) + (column + 1)] = parts[4];
+    A[8*(row + 2) + (column + 2)] = parts[5];
+}
+
+/* M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz. */
+static void place_inertia_8(
+    const stewart_real vv[6], const stewart_real vw[9], const stewart_real ww[6], int first,
+    stewart_real A[48])
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[8*i + (first + j + 3)] = vw[3*i + j];
+            A[8*(j + 3) + (first + i)] = vw[3*i + j];
+        }
     }
+    place_symmetric_8(vv, 0, first, A);
+    place_symmetric_8(ww, 3, first + 3, A);
+}
+
+/* Back substitution; inverse: of the pivots. */
+static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
+{
+    int i, j, k;
+    for (k = 5; k > -1; --k) {
+        for (j = 6; j < 8; ++j) {
+            A[8*k + j] = A[8*k + j]*inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[8*i + k];
+            for (j = 6; j < 8; ++j) {
+                A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+            }
+        }
+    }
+}
+
+/* Takes row k from those below it so that column k is zero there, which is not stored. */
+static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
+{
+    int i, j;
+    for (i = k + 1; i < 6; ++i) {
+        const stewart_real factor = A[8*i + k]*inverse;
+        for (j = 0; j < 8; ++j) {
+            A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+        }
+    }
+}
+
+/* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+ *
+ * INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+static int solve_definite_8(stewart_real A[48], stewart_real kept)
+{
+    int k;
+    stewart_real scale[6];
+    stewart_real inverse[6];
+    int status = STEWART_OK;
+    for (k = 0; k < 6; ++k) {
+        scale[k] = A[8*k + k];
+    }
+    for (k = 0; k < 6; ++k) {
+        int fault = STEWART_FABS(A[8*k + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        fault = A[8*k + k] > kept*scale[k] ? STEWART_OK : fault;
+        status = status == STEWART_OK ? fault : status;
+        inverse[k] = REAL(1)/A[8*k + k];
+        clear_below_8(A, k, inverse[k]);
+    }
+    substitute_back_8(A, inverse);
     return status;
 }
 
-/* ---- derivatives ---- */
+/* Says where a number of a result is not finite. */
+static void check_forward_dynamics(forward_dynamics_found *out)
+{
+    int i;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 3; ++i) {
+        lost = lost + REAL(0)*out->acceleration[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        lost = lost + REAL(0)*out->acceleration[3 + i];
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
+
+typedef struct {
+    stewart_real B_0[9];
+} joint_rows_pose;
+
+typedef struct {
+    stewart_real sum[27][LANES];
+    stewart_real F[LANES];
+    stewart_real M_xi[6][LANES];
+    stewart_real row_v[9][LANES];
+    stewart_real row_w[9][LANES];
+    stewart_real tau[3][LANES];
+    leg_checks checked;
+    int status;
+} joint_rows_legs;
+
+/* The platform's part. */
+static void joint_rows_of_pose(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real M = model->M;
+    const stewart_real R_0_x = model->R_0[0], R_0_y = model->R_0[1], R_0_z = model->R_0[2];
+    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2], I_p_yy = model->I_p[3],
+        I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
+    const stewart_real c1 = R_0_y*R_0_y;
+    const stewart_real c2 = R_0_z*R_0_z;
+    const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
+    const stewart_real c3 = M*R_0_x;
+    const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
+    const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
+    const stewart_real c4 = R_0_x*R_0_x;
+    const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
+    const stewart_real c5 = M*R_0_y;
+    const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
+    const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
+    const stewart_real c6 = M*R_0_z;
+    /* (30) first moment of the platform, base frame */
+    const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
+    const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
+    const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
+    const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
+    const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
+    const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
+    const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
+    const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
+    const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
+    /* (32) inertia of the platform, base frame */
+    const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
+    const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
+    const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
+    const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
+    const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
+    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy
+        + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
+    /* (31) omega x h */
+    const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
+    const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
+    const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+    /* (34) I omega */
+    const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
+    const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
+    const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    out->B_0[0] = B_xx;
+    out->B_0[1] = omega_xy;
+    out->B_0[2] = omega_xz;
+    out->B_0[3] = omega_xy;
+    out->B_0[4] = B_yy;
+    out->B_0[5] = omega_yz;
+    out->B_0[6] = omega_xz;
+    out->B_0[7] = omega_yz;
+    out->B_0[8] = B_zz;
+    summed[0] = M;
+    summed[1] = REAL(0);
+    summed[2] = REAL(0);
+    summed[3] = M;
+    summed[4] = REAL(0);
+    summed[5] = M;
+    summed[6] = REAL(0);
+    summed[7] = h_base_z;
+    summed[8] = -h_base_y;
+    summed[9] = -h_base_z;
+    summed[10] = REAL(0);
+    summed[11] = h_base_x;
+    summed[12] = h_base_y;
+    summed[13] = -h_base_x;
+    summed[14] = REAL(0);
+    summed[15] = J_base_xx;
+    summed[16] = J_base_xy;
+    summed[17] = J_base_xz;
+    summed[18] = J_base_yy;
+    summed[19] = J_base_yz;
+    summed[20] = J_base_zz;
+    summed[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M*g_x + omega_z*w_h_y - omega_y*w_h_z;
+    summed[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M*g_y + omega_x*w_h_z - omega_z*w_h_x;
+    summed[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M*g_z + omega_y*w_h_x - omega_x*w_h_y;
+    summed[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y
+        - g_y*h_base_z;
+    summed[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z
+        - g_z*h_base_x;
+    summed[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x
+        - g_x*h_base_y;
+}
+
+/* The legs side by side. */
+STEWART_APART static void joint_rows_of_leg(
+    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
+    const joint_rows_pose *STEWART_RESTRICT pose, joint_rows_legs *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2], B_0_yx = pose->B_0[3],
+        B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6], B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real m_u = model->m_u[l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
+        const stewart_real h2_x = model->h2_x[l];
+        const stewart_real h2_y = model->h2_y[l];
+        const stewart_real h2_z = model->h2_z[l];
+        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l], J_yz = model->J[4][l];
+        const stewart_real J2_xz = model->J2_xz[l];
+        const stewart_real dJ_zx = model->dJ_zx[l];
+        const stewart_real g_k = model->g_k[l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
+        const stewart_real C_us = model->C_us[l];
+        const stewart_real F = out->F[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = q_x + t_b_x;
+        const stewart_real S_y = q_y + t_b_y;
+        const stewart_real S_z = q_z + t_b_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
+        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
+        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
+        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
+        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
+        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = s_z*z_y - s_y*z_z;
+        const stewart_real y_y = s_x*z_z - s_z*z_x;
+        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (10) k1 / k3 */
+        const stewart_real kappa = inv_rho*zeta;
+        /* (4) omega x q */
+        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = v_x + w_q_x;
+        const stewart_real S_dot_y = v_y + w_q_y;
+        const stewart_real S_dot_z = v_z + w_q_z;
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
+        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        /* L_dot / L */
+        const stewart_real L_share = L_dot*inv_L;
+        const stewart_real lean = kappa*theta_dot;
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real two_phi_dot = REAL(2)*phi_dot;
+        const stewart_real c1 = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
+        const stewart_real c2 = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
+        const stewart_real c3 = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        /* (7) acceleration of the platform point, a = alpha = 0 */
+        const stewart_real S_ddot_x = c1;
+        const stewart_real S_ddot_y = c2;
+        const stewart_real S_ddot_z = c3;
+        const stewart_real c4 = k3*k3;
+        const stewart_real k33 = c4;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
+        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
+            + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real c5 = k1*k3;
+        /* (9) accelerations of the joint coordinates */
+        const stewart_real theta_ddot = c5*phi_dot2 + own_theta_ddot;
+        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real k13 = c5;
+        const stewart_real L_h2 = L*h2_x;
+        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real c6 = L*h2_z;
+        const stewart_real c7 = J2_xz - c6;
+        const stewart_real a2 = c7;
+        const stewart_real a3 = J_xy - L*h_y;
+        /* (19) inertia of the joint coordinates */
+        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_theta = J_yy + L_h2;
+        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real k3_h = h_y*k3;
+        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
+        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
+        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real bend = L_dot*theta_dot;
+        /* gravity along k x y and along y */
+        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
+        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        /* first moment along k and against k x y */
+        const stewart_real w_k = k1*w_x + k3*w_z;
+        const stewart_real w_n = k3*w_x - k1*w_z;
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
+            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c7*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
+            + omega_y*y_y + omega_z*y_z);
+        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
+            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c6)) - C_s*(k_x*omega_x
+            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        /* of the platform point, from free fall */
+        const stewart_real fall_x = c1 - g_x;
+        const stewart_real fall_y = c2 - g_y;
+        const stewart_real fall_z = c3 - g_z;
+        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z;
+        const stewart_real fall_T_y = fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z;
+        const stewart_real row_v_yx = -inv_L*z_x;
+        const stewart_real row_v_yy = -inv_L*z_y;
+        const stewart_real row_v_yz = -inv_L*z_z;
+        const stewart_real row_v_zx = inv_rho*y_x;
+        const stewart_real row_v_zy = inv_rho*y_y;
+        const stewart_real row_v_zz = inv_rho*y_z;
+        const stewart_real c8 = m_u*L*L;
+        const stewart_real c9 = L*m_u;
+        out->sum[0][l] = REAL(0);
+        out->sum[1][l] = REAL(0);
+        out->sum[2][l] = REAL(0);
+        out->sum[3][l] = REAL(0);
+        out->sum[4][l] = REAL(0);
+        out->sum[5][l] = REAL(0);
+        out->sum[6][l] = REAL(0);
+        out->sum[7][l] = REAL(0);
+        out->sum[8][l] = REAL(0);
+        out->sum[9][l] = REAL(0);
+        out->sum[10][l] = REAL(0);
+        out->sum[11][l] = REAL(0);
+        out->sum[12][l] = REAL(0);
+        out->sum[13][l] = REAL(0);
+        out->sum[14][l] = REAL(0);
+        out->sum[15][l] = REAL(0);
+        out->sum[16][l] = REAL(0);
+        out->sum[17][l] = REAL(0);
+        out->sum[18][l] = REAL(0);
+        out->sum[19][l] = REAL(0);
+        out->sum[20][l] = REAL(0);
+        out->sum[21][l] = REAL(0);
+        out->sum[22][l] = REAL(0);
+        out->sum[23][l] = REAL(0);
+        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
+        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
+        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
+        out->M_xi[0][l] = m_u;
+        out->M_xi[1][l] = h_z;
+        out->M_xi[2][l] = -k3_h;
+        out->M_xi[3][l] = M_theta + c8;
+        out->M_xi[4][l] = M_mixed;
+        out->M_xi[5][l] = M_phi + c4*c8;
+        out->row_v[0][l] = s_x;
+        out->row_v[1][l] = s_y;
+        out->row_v[2][l] = s_z;
+        out->row_v[3][l] = row_v_yx;
+        out->row_v[4][l] = row_v_yy;
+        out->row_v[5][l] = row_v_yz;
+        out->row_v[6][l] = row_v_zx;
+        out->row_v[7][l] = row_v_zy;
+        out->row_v[8][l] = row_v_zz;
+        out->row_w[0][l] = q_y*s_z - q_z*s_y;
+        out->row_w[1][l] = q_z*s_x - q_x*s_z;
+        out->row_w[2][l] = q_x*s_y - q_y*s_x;
+        out->row_w[3][l] = q_y*row_v_yz - q_z*row_v_yy;
+        out->row_w[4][l] = q_z*row_v_yx - q_x*row_v_yz;
+        out->row_w[5][l] = q_x*row_v_yy - q_y*row_v_yx;
+        out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
+        out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
+        out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
+        out->tau[0][l] = C_p*L_dot + fall_T_x*m_u + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+        out->tau[1][l] = tau_y - c9*fall_T_z;
+        out->tau[2][l] = c9*fall_T_y*k3 + tau_k;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        out->checked.bad[l] = fault;
+    }
+}
+
+/* Platform and legs together; ``status``: of the legs. */
+static void joint_rows_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_rows_legs *legs,
+    stewart_real summed[27])
+{
+    int l;
+    joint_rows_pose pose;
+    joint_rows_of_pose(model, motion, &pose, summed);
+    for (l = 6; l < 8; ++l) {
+        legs->F[l] = legs->F[5];
+    }
+    joint_rows_of_leg(model, motion, &pose, legs);
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 27, summed);
+    }
+}
+
+/* Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of their sizes. */
+static void weigh(const stewart_real inertia[6], int first, rows *by)
+{
+    int i;
+    for (i = 0; i < 3; ++i) {
+        by->weight[3*first + i] = inertia[i]/by->extent[first]/by->extent[first + i];
+        by->weight[3*(first + i) + 0] = inertia[i]/by->extent[first + i]/by->extent[first];
+    }
+    by->weight[3*(first + 1) + 1] = inertia[3]/by->extent[first + 1]/by->extent[first + 1];
+    by->weight[3*(first + 1) + 2] = inertia[4]/by->extent[first + 1]/by->extent[first + 2];
+    by->weight[3*(first + 2) + 1] = inertia[4]/by->extent[first + 2]/by->extent[first + 1];
+    by->weight[3*(first + 2) + 2] = inertia[5]/by->extent[first + 2]/by->extent[first + 2];
+}
+
+/* Rows and weights: each row of A carries the root of its inertia, so that weights are of about one. */
+static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs, rows *by)
+{
+    int i, j, k;
+    const stewart_real mass = summed[0];
+    stewart_real c[3] = {REAL(0)};
+    stewart_real about[6];
+    stewart_real inertia[6];
+    stewart_real whole[6] = {REAL(0)};
+    stewart_real heaviest = STEWART_FABS(mass);
+    stewart_real length = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real rho = legs->checked.L[i]*legs->checked.k3[i];
+        for (j = 0; j < 3; ++j) {
+            length = STEWART_LARGER(STEWART_FABS(legs->row_w[j][i]), length);
+        }
+        heaviest = STEWART_LARGER(STEWART_FABS(legs->M_xi[3][i])/legs->checked.L[i]/legs->checked.L[i],
+            heaviest);
+        heaviest = STEWART_LARGER(STEWART_FABS(legs->M_xi[5][i])/rho/rho, heaviest);
+    }
+    const stewart_real least = STEWART_LARGER(STEWART_EPSILON*STEWART_SQRT(heaviest), STEWART_SHORTEST);
+    by->length = length > REAL(0) ? length : REAL(1);
+    for (i = 0; i < 6; ++i) {
+        const stewart_real reach = least*legs->checked.L[i];
+        const stewart_real theta = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(legs->M_xi[3][i])), reach);
+        const stewart_real phi = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(legs->M_xi[5][i])),
+            reach*legs->checked.k3[i]);
+        stewart_real along = STEWART_LARGER(STEWART_FABS(legs->M_xi[1][i])/theta,
+            STEWART_FABS(legs->M_xi[2][i])/phi);
+        along = STEWART_LARGER(along, STEWART_SQRT(STEWART_FABS(legs->M_xi[0][i])));
+        by->extent[3*i] = STEWART_LARGER(along, least);
+        by->extent[3*i + 1] = theta;
+        by->extent[3*i + 2] = phi;
+        for (j = 0; j < 6; ++j) {
+            inertia[j] = legs->M_xi[j][i];
+        }
+        weigh(inertia, 3*i, by);
+        for (j = 0; j < 3; ++j) {
+            for (k = 0; k < 3; ++k) {
+                by->row[6*(3*i + j) + k] = by->extent[3*i + j]*legs->row_v[3*j + k][i];
+                const stewart_real turn = legs->row_w[3*j + k][i]/by->length;
+                by->row[6*(3*i + j) + (k + 3)] = by->extent[3*i + j]*turn;
+            }
+        }
+    }
+    const stewart_real heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
+    const stewart_real per_mass = mass > REAL(0) ? REAL(1)/mass : REAL(0);
+    c[0] = summed[11]*per_mass;
+    c[1] = (-summed[8])*per_mass;
+    c[2] = summed[7]*per_mass;
+    const stewart_real square = c[0]*c[0] + c[1]*c[1] + c[2]*c[2];
+    about[0] = summed[15] - mass*(square - c[0]*c[0]);
+    about[1] = summed[16] + mass*(c[0]*c[1]);
+    about[2] = summed[17] + mass*(c[0]*c[2]);
+    about[3] = summed[18] - mass*(square - c[1]*c[1]);
+    about[4] = summed[19] + mass*(c[1]*c[2]);
+    about[5] = summed[20] - mass*(square - c[2]*c[2]);
+    whole[0] = mass;
+    whole[3] = mass;
+    whole[5] = mass;
+    by->extent[21] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(about[0])), least*by->length);
+    by->extent[22] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(about[3])), least*by->length);
+    by->extent[23] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(about[5])), least*by->length);
+    for (i = 0; i < 3; ++i) {
+        by->extent[18 + i] = heft;
+        by->row[6*(18 + i) + i] = heft;
+        by->row[6*(21 + i) + (i + 3)] = by->extent[21 + i]/by->length;
+    }
+    by->row[112] = heft*(c[2]/by->length);
+    by->row[113] = (-heft)*(c[1]/by->length);
+    by->row[119] = heft*(c[0]/by->length);
+    by->row[117] = (-heft)*(c[2]/by->length);
+    by->row[123] = heft*(c[1]/by->length);
+    by->row[124] = (-heft)*(c[0]/by->length);
+    weigh(whole, 18, by);
+    weigh(about, 21, by);
+}
+
+/* Picks six rows as coordinates by elimination with complete pivoting; the others are sums of them.
+ *
+ * Rows and columns are exchanged: ``order`` and ``column`` say which they were. */
+static void pick_rows(rows *by)
+{
+    int i, j, k;
+    stewart_real share[6];
+    for (i = 0; i < 24; ++i) {
+        by->order[i] = i;
+    }
+    for (k = 0; k < 6; ++k) {
+        by->column[k] = k;
+    }
+    for (k = 0; k < 6; ++k) {
+        int best = k;
+        int across = k;
+        stewart_real most = STEWART_FABS(by->row[6*k + k]);
+        for (i = k; i < 24; ++i) {
+            for (j = k; j < 6; ++j) {
+                const stewart_real entry = STEWART_FABS(by->row[6*i + j]);
+                best = entry > most ? i : best;
+                across = entry > most ? j : across;
+                most = entry > most ? entry : most;
+            }
+        }
+        const int row = by->order[k];
+        by->order[k] = by->order[best];
+        by->order[best] = row;
+        const int column = by->column[k];
+        by->column[k] = by->column[across];
+        by->column[across] = column;
+        for (j = 0; j < 6; ++j) {
+            const stewart_real upper = by->row[6*k + j];
+            by->row[6*k + j] = by->row[6*best + j];
+            by->row[6*best + j] = upper;
+        }
+        for (i = 0; i < 24; ++i) {
+            const stewart_real left = by->row[6*i + k];
+            by->row[6*i + k] = by->row[6*i + across];
+            by->row[6*i + across] = left;
+        }
+        for (i = k + 1; i < 24; ++i) {
+            by->row[6*i + k] = by->row[6*i + k]/by->row[6*k + k];
+            for (j = k + 1; j < 6; ++j) {
+                by->row[6*i + j] = by->row[6*i + j] - by->row[6*i + k]*by->row[6*k + j];
+            }
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            by->share[6*by->order[i] + j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (i = 6; i < 24; ++i) {
+        for (j = 5; j > -1; --j) {
+            share[j] = by->row[6*i + j];
+            for (k = j + 1; k < 6; ++k) {
+                share[j] = share[j] - share[k]*by->row[6*k + j];
+            }
+            by->share[6*by->order[i] + j] = share[j];
+        }
+    }
+}
+
+/* M in the coordinates. */
+static void weigh_rows(rows *by)
+{
+    int b, i, j, k, n;
+    for (b = 0; b < 8; ++b) {
+        for (i = 0; i < 3; ++i) {
+            for (j = 0; j < 3; ++j) {
+                for (k = 0; k < 6; ++k) {
+                    const stewart_real part = by->share[6*(3*b + i) + k]*by->weight[3*(3*b + i) + j];
+                    for (n = 0; n < 6; ++n) {
+                        by->inertia[6*k + n] = by->inertia[6*k + n] + part*by->share[6*(3*b + j) + n];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* Accelerations of the coordinates' rows under which the inertia of each block balances their forces.
+ *
+ * ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
+ * them, else 0; ``moved`` is 0 of all others. */
+static void balance_rows(
+    const rows *by, const stewart_real force[24], stewart_real moved[24], stewart_real balanced[24])
+{
+    int b, i, j, k;
+    stewart_real W[3][3];
+    for (i = 0; i < 24; ++i) {
+        moved[i] = force[i];
+        balanced[i] = REAL(0);
+    }
+    for (k = 0; k < 6; ++k) {
+        balanced[by->order[k]] = REAL(1);
+    }
+    for (b = 0; b < 8; ++b) {
+        for (i = 0; i < 3; ++i) {
+            for (j = 0; j < 3; ++j) {
+                W[i][j] = by->weight[3*(3*b + i) + j];
+            }
+        }
+        for (k = 0; k < 3; ++k) {
+            const stewart_real own = W[k][k] > STEWART_KEPT ? balanced[3*b + k] : REAL(0);
+            balanced[3*b + k] = own;
+            if (own > REAL(0)) {
+                for (i = k + 1; i < 3; ++i) {
+                    const stewart_real factor = own > REAL(0) ? W[i][k]/W[k][k] : REAL(0);
+                    moved[3*b + i] = moved[3*b + i] - factor*moved[3*b + k];
+                    for (j = k + 1; j < 3; ++j) {
+                        W[i][j] = W[i][j] - factor*W[k][j];
+                    }
+                }
+            }
+        }
+        for (k = 2; k > -1; --k) {
+            for (j = k + 1; j < 3; ++j) {
+                moved[3*b + k] = moved[3*b + k] - W[k][j]*moved[3*b + j];
+            }
+            moved[3*b + k] = balanced[3*b + k] > REAL(0) ? moved[3*b + k]/W[k][k] : REAL(0);
+        }
+    }
+}
+
+/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+ *
+ * force: of each row, as its generalised force over its size, without accelerations. start:
+ * accelerations of the coordinates that balance their own large forces, from which the unknown ones are
+ * measured; rest: the rows' forces there. */
+static void row_right(
+    const rows *by, const stewart_real force[24], const stewart_real wrench[6], stewart_real start[6],
+    stewart_real rest[24], stewart_real right[6])
+{
+    int b, i, j, k;
+    stewart_real moved[24];
+    stewart_real balanced[24];
+    balance_rows(by, force, moved, balanced);
+    for (k = 0; k < 6; ++k) {
+        start[k] = moved[by->order[k]];
+        right[k] = wrench[by->column[k]]/(by->column[k] < 3 ? REAL(1) : by->length);
+    }
+    for (i = 0; i < 24; ++i) {
+        moved[i] = REAL(0);
+        for (k = 0; k < 6; ++k) {
+            moved[i] = moved[i] + by->share[6*i + k]*start[k];
+        }
+    }
+    for (b = 0; b < 8; ++b) {
+        for (i = 0; i < 3; ++i) {
+            rest[3*b + i] = balanced[3*b + i] > REAL(0) ? REAL(0) : force[3*b + i];
+            for (j = 0; j < 3; ++j) {
+                const int own = balanced[3*b + i] > REAL(0) && balanced[3*b + j] > REAL(0);
+                const stewart_real less = rest[3*b + i] - by->weight[3*(3*b + i) + j]*moved[3*b + j];
+                rest[3*b + i] = own ? rest[3*b + i] : less;
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        for (j = 0; j < k; ++j) {
+            right[k] = right[k] - by->row[6*j + k]*right[j];
+        }
+        right[k] = right[k]/by->row[6*k + k];
+    }
+    for (k = 5; k > -1; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            right[k] = right[k] - by->row[6*j + k]*right[j];
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        for (i = 0; i < 24; ++i) {
+            right[k] = right[k] - by->share[6*i + k]*rest[i];
+        }
+    }
+}
+
+/* [a; alpha] from the coordinates' accelerations. */
+static void row_back(
+    const rows *by, const stewart_real found[6], const stewart_real start[6], stewart_real acceleration[6])
+{
+    int j, k;
+    stewart_real x[6];
+    for (k = 0; k < 6; ++k) {
+        x[k] = found[k] - start[k];
+        for (j = 0; j < k; ++j) {
+            x[k] = x[k] - by->row[6*k + j]*x[j];
+        }
+    }
+    for (k = 5; k > -1; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            x[k] = x[k] - by->row[6*k + j]*x[j];
+        }
+        x[k] = x[k]/by->row[6*k + k];
+        acceleration[by->column[k]] = x[k]/(by->column[k] < 3 ? REAL(1) : by->length);
+    }
+}
+
+/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
+static void rows_held(
+    rows *by, const stewart_real found[6], const stewart_real start[6], const stewart_real rest[24])
+{
+    int b, i, j;
+    stewart_real whole[24] = {REAL(0)};
+    for (i = 0; i < 24; ++i) {
+        for (j = 0; j < 6; ++j) {
+            whole[i] = whole[i] + by->share[6*i + j]*found[j];
+        }
+    }
+    for (b = 0; b < 6; ++b) {
+        for (i = 0; i < 3; ++i) {
+            stewart_real force = rest[3*b + i];
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                force = force + by->weight[3*(3*b + i) + j]*whole[3*b + j];
+            }
+            for (j = 0; j < 6; ++j) {
+                turned = turned + by->share[6*(3*b + i) + j]*(found[j] - start[j]);
+            }
+            by->given[b].net[i] = force*by->extent[3*b + i];
+            by->given[b].turned[i] = turned/by->extent[3*b + i];
+        }
+    }
+}
+
+/* Forward dynamics in the accelerations of the six stiffest rows; by: the rows, what legs are given. */
+static apart_found forward_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], rows *by)
+{
+    int i, j;
+    apart_found out = {0};
+    joint_rows_legs legs;
+    stewart_real summed[27];
+    stewart_real force[24] = {REAL(0)};
+    stewart_real wrench[6];
+    stewart_real start[6];
+    stewart_real rest[24];
+    stewart_real right[6];
+    stewart_real A[48] = {REAL(0)};
+    for (i = 0; i < 6; ++i) {
+        legs.F[i] = F[i];
+    }
+    joint_rows_sums(model, motion, &legs, summed);
+    make_rows(summed, &legs, by);
+    pick_rows(by);
+    weigh_rows(by);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            force[3*i + j] = legs.tau[j][i]/by->extent[3*i + j];
+        }
+    }
+    for (i = 0; i < 3; ++i) {
+        wrench[i] = summed[21 + i];
+        wrench[i + 3] = summed[24 + i];
+    }
+    row_right(by, force, wrench, start, rest, right);
+    for (i = 0; i < 6; ++i) {
+        A[8*i + 6] = right[i];
+        for (j = 0; j < 6; ++j) {
+            A[8*i + j] = by->inertia[6*i + j];
+        }
+    }
+    const int fault = solve_definite_8(A, STEWART_ROUNDING);
+    for (i = 0; i < 6; ++i) {
+        right[i] = A[8*i + 6];
+    }
+    row_back(by, right, start, out.x);
+    rows_held(by, right, start, rest);
+    out.status = legs.status == STEWART_OK ? fault : legs.status;
+    for (i = 0; i < 6; ++i) {
+        out.status = (out.status != STEWART_OK || STEWART_FABS(out.x[i]) <= STEWART_MAX) ? out.status : STEWART_NOT_FINITE;
+    }
+    return out;
+}
+
+/* Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read. */
+static forward_dynamics_found find_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+{
+    int i;
+    forward_dynamics_found out;
+    forward_legs legs;
+    stewart_real summed[27];
+    stewart_real A[48] = {REAL(0)};
+    for (i = 0; i < 6; ++i) {
+        legs.F[i] = F[i];
+    }
+    forward_sums(model, motion, &legs, summed);
+    const int status = legs.status;
+    place_inertia_8(&summed[0], &summed[6], &summed[15], 0, A);
+    for (i = 0; i < 3; ++i) {
+        A[8*i + 6] = summed[21 + i];
+        A[8*(i + 3) + 6] = summed[24 + i];
+    }
+    int fault = solve_definite_8(A, STEWART_KEPT);
+    if (status == STEWART_OK && fault == STEWART_INDEFINITE) {
+        rows by = {0};
+        const apart_found apart = forward_apart(model, motion, F, &by);
+        for (i = 0; i < 6; ++i) {
+            A[8*i + 6] = fault == STEWART_INDEFINITE ? apart.x[i] : A[8*i + 6];
+        }
+        fault = fault == STEWART_INDEFINITE ? apart.status : fault;
+    }
+    for (i = 0; i < 3; ++i) {
+        out.acceleration[i] = A[8*i + 6];
+        out.acceleration[3 + i] = A[8*(i + 3) + 6];
+    }
+    out.status = status == STEWART_OK ? fault : status;
+    check_forward_dynamics(&out);
+    return out;
+}
+
+int stewart_exact_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_real acceleration[6])
+{
+    forward_dynamics_found found;
+    if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    found = find_forward_dynamics(model, motion, F);
+    if (found.status == STEWART_OK) {
+        copy(found.acceleration, 6, acceleration);
+    }
+    return found.status;
+}
+
+/* A symmetric 3 x 3 block from xx xy xz yy yz zz. */
+static void place_symmetric_12(const stewart_real parts[6], int row, int column, stewart_real A[72])
+{
+    int i;
+    for (i = 0; i < 3; ++i) {
+        A[12*row + (column + i)] = parts[i];
+        A[12*(row + i) + column] = parts[i];
+    }
+    A[12*(row + 1) + (column + 1)] = parts[3];
+    A[12*(row + 1) + (column + 2)] = parts[4];
+    A[12*(row + 2) + (column + 1)] = parts[4];
+    A[12*(row + 2) + (column + 2)] = parts[5];
+}
+
+/* M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz. */
+static void place_inertia_12(
+    const stewart_real vv[6], const stewart_real vw[9], const stewart_real ww[6], int first,
+    stewart_real A[72])
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[12*i + (first + j + 3)] = vw[3*i + j];
+            A[12*(j + 3) + (first + i)] = vw[3*i + j];
+        }
+    }
+    place_symmetric_12(vv, 0, first, A);
+    place_symmetric_12(ww, 3, first + 3, A);
+}
+
+/* Takes moments over a length. */
+static void scale_moments_12(stewart_real per_length, stewart_real A[72])
+{
+    int i, j;
+    if (per_length != REAL(1)) {
+        for (i = 3; i < 6; ++i) {
+            for (j = 0; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j]*per_length;
+            }
+        }
+    }
+}
+
+/* Back substitution; inverse: of the pivots. */
+static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
+{
+    int i, j, k;
+    for (k = 5; k > -1; --k) {
+        for (j = 6; j < 12; ++j) {
+            A[12*k + j] = A[12*k + j]*inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[12*i + k];
+            for (j = 6; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+            }
+        }
+    }
+}
+
+/* Takes row k from those below it so that column k is zero there, which is not stored. */
+static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
+{
+    int i, j;
+    for (i = k + 1; i < 6; ++i) {
+        const stewart_real factor = A[12*i + k]*inverse;
+        for (j = 0; j < 12; ++j) {
+            A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+        }
+    }
+}
+
+/* Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+ * where a pivot is small. */
+static int solve_pivoted_12(stewart_real A[72])
+{
+    int i, j, k;
+    stewart_real inverse[6];
+    int suspect = 0;
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real most = STEWART_FABS(A[12*k + k]);
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real entry = STEWART_FABS(A[12*i + k]);
+            pivot = entry > most ? i : pivot;
+            most = entry > most ? entry : most;
+        }
+        if (pivot != k) {
+            for (j = 0; j < 12; ++j) {
+                const stewart_real upper = A[12*k + j];
+                A[12*k + j] = A[12*pivot + j];
+                A[12*pivot + j] = upper;
+            }
+        }
+        suspect = STEWART_FABS(A[12*k + k]) > STEWART_SUSPECT ? suspect : 1;
+        inverse[k] = REAL(1)/A[12*k + k];
+        clear_below_12(A, k, inverse[k]);
+    }
+    substitute_back_12(A, inverse);
+    return suspect;
+}
+
+/* Says where a number of a result is not finite. */
+static void check_joint_inertia(joint_inertia_found *out)
+{
+    int i, j;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->inertia[6*i + j];
+        }
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
+
+#if !defined(STEWART_SINGULAR_STATUS)
+#define STEWART_SINGULAR_STATUS
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
+ *
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
+STEWART_APART static int singular_status(
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
+{
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+        for (k = 0; k < 6; ++k) {
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
+            }
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            greatest = STEWART_LARGER(grown[i], greatest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+#endif
+
+/* Whether H is singular to rounding. */
+static int columns_status(
+    const stewart_exact_model *model, const stewart_motion *motion, const equations_legs *legs)
+{
+    int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
+    stewart_real L[6];
+    for (i = 0; i < 6; ++i) {
+        L[i] = legs->checked.L[i];
+        for (j = 0; j < 3; ++j) {
+            H[j][i] = legs->H_force[j][i];
+            H[j + 3][i] = legs->H_moment[j][i];
+            const stewart_real plane = motion->R[3*j]*model->p[0][i] + motion->R[3*j + 1]*model->p[1][i];
+            arm[i][j] = plane + motion->R[3*j + 2]*model->p[2][i];
+        }
+    }
+    return singular_status(H, arm, L, legs->checked.reach);
+}
+
+/* Inertia that the actuators feel, H^-1 M H^-T. */
+static joint_inertia_found find_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion)
+{
+    int i, j;
+    joint_inertia_found out;
+    equations_legs legs;
+    stewart_real summed[69];
+    stewart_real A[72];
+    stewart_real half[6][6];
+    equations_sums(model, motion, &legs, summed);
+    int status = legs.status;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[12*i + j] = legs.H_force[i][j];
+            A[12*(i + 3) + j] = legs.H_moment[i][j];
+        }
+    }
+    place_inertia_12(&summed[0], &summed[6], &summed[15], 6, A);
+    scale_moments_12(model->per_length, A);
+    int close = solve_pivoted_12(A);
+    for (i = 0; i < 6; ++i) {
+        close = legs.checked.L[i] > STEWART_SHORT_SHARE*legs.checked.reach[i] ? close : 1;
+        for (j = 0; j < 6; ++j) {
+            half[i][j] = A[12*i + (j + 6)];
+        }
+    }
+    if (status == STEWART_OK && close == 1) {
+        const int found = columns_status(model, motion, &legs);
+        status = (status == STEWART_OK && close == 1) ? found : status;
+    }
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[12*i + j] = legs.H_force[i][j];
+            A[12*(i + 3) + j] = legs.H_moment[i][j];
+            A[12*i + (j + 6)] = half[j][i];
+            A[12*(i + 3) + (j + 6)] = half[j][i + 3];
+        }
+    }
+    scale_moments_12(model->per_length, A);
+    solve_pivoted_12(A);
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
+        }
+    }
+    out.status = status;
+    check_joint_inertia(&out);
+    return out;
+}
+
+int stewart_exact_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36])
+{
+    joint_inertia_found found;
+    if (model == NULL || motion == NULL || inertia == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    found = find_joint_inertia(model, motion);
+    if (found.status == STEWART_OK) {
+        copy(found.inertia, 36, inertia);
+    }
+    return found.status;
+}
+
+/* Actuator forces. */
+static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
+{
+    forces_found out = {0};
+    out.status = stewart_exact_forces(model, motion, out.F);
+    return out;
+}
 
 typedef struct {
     stewart_real B[9];
@@ -1813,18 +3039,20 @@ typedef struct {
 
 typedef struct {
     stewart_real sum[93][LANES];
-    stewart_real H_force[3][8];
-    stewart_real H_moment[3][8];
-    leg_judgement judged;
+    stewart_real F[LANES];
+    stewart_real H_force[3][LANES];
+    stewart_real H_moment[3][LANES];
+    leg_checks checked;
+    int status;
 } derivatives_legs;
 
-/* The platform's part: 338 (168 mul, 170 add, 0 div, 0 sqrt) operations. */
+/* The platform's part. */
 static void derivatives_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+    derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -1832,8 +3060,8 @@ static void derivatives_of_pose(
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = model->M_P;
     const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2],
-        J_P_yy = model->J_P[3], J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
+    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
+        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* (30) first moment of the platform, base frame */
@@ -1852,8 +3080,8 @@ static void derivatives_of_pose(
     const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
     const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
     const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx
-        + J_P_yy*R_zy + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+    const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
+        + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
     const stewart_real c7 = h_base_y*omega_z;
     const stewart_real c8 = h_base_z*omega_y;
     const stewart_real c9 = h_base_x*omega_z;
@@ -1948,115 +3176,115 @@ static void derivatives_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    sum[0] = M_P;
-    sum[1] = REAL(0);
-    sum[2] = REAL(0);
-    sum[3] = M_P;
-    sum[4] = REAL(0);
-    sum[5] = M_P;
-    sum[6] = REAL(0);
-    sum[7] = h_base_z;
-    sum[8] = -h_base_y;
-    sum[9] = -h_base_z;
-    sum[10] = REAL(0);
-    sum[11] = h_base_x;
-    sum[12] = h_base_y;
-    sum[13] = -h_base_x;
-    sum[14] = REAL(0);
-    sum[15] = J_base_xx;
-    sum[16] = J_base_xy;
-    sum[17] = J_base_xz;
-    sum[18] = J_base_yy;
-    sum[19] = J_base_yz;
-    sum[20] = J_base_zz;
-    sum[21] = REAL(0);
-    sum[22] = REAL(0);
-    sum[23] = REAL(0);
-    sum[24] = REAL(0);
-    sum[25] = REAL(0);
-    sum[26] = REAL(0);
-    sum[27] = REAL(0);
-    sum[28] = REAL(0);
-    sum[29] = REAL(0);
-    sum[30] = B_xz*h_base_y - B_xy*h_base_z;
-    sum[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
-    sum[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
-    sum[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
-    sum[34] = B_yx*h_base_z - B_yz*h_base_x;
-    sum[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
-    sum[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
-    sum[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
-    sum[38] = B_zy*h_base_x - B_zx*h_base_y;
-    sum[39] = REAL(0);
-    sum[40] = REAL(0);
-    sum[41] = REAL(0);
-    sum[42] = REAL(0);
-    sum[43] = REAL(0);
-    sum[44] = REAL(0);
-    sum[45] = REAL(0);
-    sum[46] = REAL(0);
-    sum[47] = REAL(0);
-    sum[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
-    sum[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
-    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
-    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24 - omega_x*spin_zx;
-    sum[52] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
-    sum[53] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
-    sum[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
-    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
-    sum[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
-    sum[57] = REAL(0);
-    sum[58] = REAL(0);
-    sum[59] = REAL(0);
-    sum[60] = REAL(0);
-    sum[61] = REAL(0);
-    sum[62] = REAL(0);
-    sum[63] = REAL(0);
-    sum[64] = REAL(0);
-    sum[65] = REAL(0);
-    sum[66] = c43 + c44;
-    sum[67] = w_h_z - c11;
-    sum[68] = -c9 - w_h_y;
-    sum[69] = -c12 - w_h_z;
-    sum[70] = c44 + c45;
-    sum[71] = w_h_x - c7;
-    sum[72] = w_h_y - c10;
-    sum[73] = -c8 - w_h_x;
-    sum[74] = c43 + c45;
-    sum[75] = REAL(0);
-    sum[76] = REAL(0);
-    sum[77] = REAL(0);
-    sum[78] = REAL(0);
-    sum[79] = REAL(0);
-    sum[80] = REAL(0);
-    sum[81] = REAL(0);
-    sum[82] = REAL(0);
-    sum[83] = REAL(0);
-    sum[84] = C_P + c26 - c25;
-    sum[85] = c30;
-    sum[86] = -c35;
-    sum[87] = -c28;
-    sum[88] = C_P + c33;
-    sum[89] = c36;
-    sum[90] = c29;
-    sum[91] = -c34;
-    sum[92] = C_P + c31 - c26;
+    summed[0] = M_P;
+    summed[1] = REAL(0);
+    summed[2] = REAL(0);
+    summed[3] = M_P;
+    summed[4] = REAL(0);
+    summed[5] = M_P;
+    summed[6] = REAL(0);
+    summed[7] = h_base_z;
+    summed[8] = -h_base_y;
+    summed[9] = -h_base_z;
+    summed[10] = REAL(0);
+    summed[11] = h_base_x;
+    summed[12] = h_base_y;
+    summed[13] = -h_base_x;
+    summed[14] = REAL(0);
+    summed[15] = J_base_xx;
+    summed[16] = J_base_xy;
+    summed[17] = J_base_xz;
+    summed[18] = J_base_yy;
+    summed[19] = J_base_yz;
+    summed[20] = J_base_zz;
+    summed[21] = REAL(0);
+    summed[22] = REAL(0);
+    summed[23] = REAL(0);
+    summed[24] = REAL(0);
+    summed[25] = REAL(0);
+    summed[26] = REAL(0);
+    summed[27] = REAL(0);
+    summed[28] = REAL(0);
+    summed[29] = REAL(0);
+    summed[30] = B_xz*h_base_y - B_xy*h_base_z;
+    summed[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
+    summed[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+    summed[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
+    summed[34] = B_yx*h_base_z - B_yz*h_base_x;
+    summed[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+    summed[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
+    summed[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
+    summed[38] = B_zy*h_base_x - B_zx*h_base_y;
+    summed[39] = REAL(0);
+    summed[40] = REAL(0);
+    summed[41] = REAL(0);
+    summed[42] = REAL(0);
+    summed[43] = REAL(0);
+    summed[44] = REAL(0);
+    summed[45] = REAL(0);
+    summed[46] = REAL(0);
+    summed[47] = REAL(0);
+    summed[48] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
+    summed[49] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
+    summed[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c21 - omega_z*spin_yz;
+    summed[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c24 - omega_x*spin_zx;
+    summed[52] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
+    summed[53] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
+    summed[54] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
+    summed[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c20 - omega_y*spin_xy;
+    summed[56] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
+    summed[57] = REAL(0);
+    summed[58] = REAL(0);
+    summed[59] = REAL(0);
+    summed[60] = REAL(0);
+    summed[61] = REAL(0);
+    summed[62] = REAL(0);
+    summed[63] = REAL(0);
+    summed[64] = REAL(0);
+    summed[65] = REAL(0);
+    summed[66] = c43 + c44;
+    summed[67] = w_h_z - c11;
+    summed[68] = -c9 - w_h_y;
+    summed[69] = -c12 - w_h_z;
+    summed[70] = c44 + c45;
+    summed[71] = w_h_x - c7;
+    summed[72] = w_h_y - c10;
+    summed[73] = -c8 - w_h_x;
+    summed[74] = c43 + c45;
+    summed[75] = REAL(0);
+    summed[76] = REAL(0);
+    summed[77] = REAL(0);
+    summed[78] = REAL(0);
+    summed[79] = REAL(0);
+    summed[80] = REAL(0);
+    summed[81] = REAL(0);
+    summed[82] = REAL(0);
+    summed[83] = REAL(0);
+    summed[84] = C_P + c26 - c25;
+    summed[85] = c30;
+    summed[86] = -c35;
+    summed[87] = -c28;
+    summed[88] = C_P + c33;
+    summed[89] = c36;
+    summed[90] = c29;
+    summed[91] = -c34;
+    summed[92] = C_P + c31 - c26;
 }
 
-/* The legs side by side: 1718 (1020 mul, 694 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void derivatives_of_legs(
+/* The legs side by side. */
+STEWART_APART static void derivatives_of_leg(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
+    const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
-        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3], B_yy = pose->B[4],
+        B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -2068,15 +3296,14 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real h2_x = model->h2_x[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
-            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real F = force[l];
+        const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -2106,8 +3333,8 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -2153,14 +3380,11 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real c6 = k3*k3;
         const stewart_real k33 = c6;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z;
+        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
         const stewart_real c7 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
         const stewart_real c8 = k1*k3;
         /* (9) accelerations of the joint coordinates */
         const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
@@ -2267,17 +3491,16 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real G_ddot_21 = REAL(2)*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot;
         const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c41*c5*k3 - c43*c50;
         const stewart_real c52 = c4*k1*k1;
-        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L
-            - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
-        const stewart_real G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47)
-            - c40*c46 - c49*inv_rho;
+        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
+        const stewart_real G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47) - c40*c46
+            - c49*inv_rho;
         const stewart_real c53 = inv_rho*kappa;
         const stewart_real c54 = -c1 - c2;
         const stewart_real c55 = inv_rho*theta_dot;
-        const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54
-            - c55*(-kappa*kappa - REAL(1))) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
-        const stewart_real G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44
-            - c47*kappa) - c42*c45;
+        const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54 - c55*(-kappa*kappa
+            - REAL(1))) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
+        const stewart_real G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44 - c47*kappa)
+            - c42*c45;
         const stewart_real tau_rate_12 = -c18;
         const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
@@ -2295,17 +3518,17 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real tau_place_21 = c56*theta_ddot - c4*c60 - c57*k1;
         const stewart_real c61 = c30*(REAL(2)*J_zz + L*c59 - REAL(2)*J_xx) - c25*k3;
         const stewart_real c62 = c26 + c28;
-        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61)
-            - k3*(c9*phi_ddot + gamma_n*w_x - c4*c62 - g_k*w_z);
+        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61) - k3*(c9*phi_ddot
+            + gamma_n*w_x - c4*c62 - g_k*w_z);
         const stewart_real tau_place_23 = -C_s*w_n_omega - c21*gamma_y;
         const stewart_real c63 = c60*phi_dot;
-        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(REAL(2)*c15 - REAL(2)*c8*h_z)
-            + theta_dot*(c11*theta_dot + c63) - h_y*k1*theta_ddot;
+        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(REAL(2)*c15 - REAL(2)*c8*h_z) + theta_dot*(c11*theta_dot
+            + c63) - h_y*k1*theta_ddot;
         const stewart_real c64 = L_dot*c58;
-        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot
-            + phi_dot*(c61*theta_dot + c64) + theta_dot*(c61*phi_dot - c9*theta_dot) - L_ddot*h_y
-            - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z) + c25*c49 + c9*theta_ddot + gamma_y*w_z
-            + phi_dot*(c62*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot + c62*phi_dot - c37));
+        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot + phi_dot*(c61*theta_dot
+            + c64) + theta_dot*(c61*phi_dot - c9*theta_dot) - L_ddot*h_y - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z)
+            + c25*c49 + c9*theta_ddot + gamma_y*w_z + phi_dot*(c62*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot
+            + c62*phi_dot - c37));
         const stewart_real tau_place_33 = c22*gamma_n + gamma_y*w_y;
         const stewart_real c65 = inv_rho*tau_phi;
         const stewart_real c66 = inv_L*tau_theta;
@@ -2389,30 +3612,25 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real A_0_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13
-            - G_ddot_31*k3_h;
-        const stewart_real A_0_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12
-            + G_dot_32*tau_rate_13 - G_ddot_32*k3_h - c12*k3*tau_phi;
+        const stewart_real A_0_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13 - G_ddot_31*k3_h;
+        const stewart_real A_0_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12 + G_dot_32*tau_rate_13
+            - G_ddot_32*k3_h - c12*k3*tau_phi;
         const stewart_real c74 = c14*tau_theta;
-        const stewart_real A_0_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c74
-            - C_p*theta_dot - G_ddot_33*k3_h - inv_L*tau_place_12;
+        const stewart_real A_0_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c74 - C_p*theta_dot
+            - G_ddot_33*k3_h - inv_L*tau_place_12;
         const stewart_real c75 = c13*tau_phi;
         const stewart_real A_0_leg_21 = inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
             + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h) - c75;
-        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c67*inv_rho*k3 + inv_rho*(G_ddot_22*M_mixed
-            + G_ddot_32*M_phi + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33
-            + inv_rho*tau_place_33 - G_ddot_12*k3_h);
-        const stewart_real A_0_leg_23 = c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi
-            + G_dot_23*tau_rate_32 + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32
-            - tau_rate_31*theta_dot);
-        const stewart_real A_0_leg_31 = c74 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed
-            + G_dot_21*tau_rate_22 + G_dot_31*tau_rate_23 + tau_place_21);
-        const stewart_real A_0_leg_32 = c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta
-            + G_ddot_32*M_mixed + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23
-            + inv_rho*tau_place_23);
-        const stewart_real A_0_leg_33 = c67*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta
-            + G_ddot_33*M_mixed + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22
-            - tau_rate_21*theta_dot);
+        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c67*inv_rho*k3 + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi
+            + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h);
+        const stewart_real A_0_leg_23 = c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
+            + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32 - tau_rate_31*theta_dot);
+        const stewart_real A_0_leg_31 = c74 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed + G_dot_21*tau_rate_22
+            + G_dot_31*tau_rate_23 + tau_place_21);
+        const stewart_real A_0_leg_32 = c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed
+            + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23);
+        const stewart_real A_0_leg_33 = c67*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed
+            + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot);
         const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
         const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
         const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
@@ -2440,13 +3658,11 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real c78 = REAL(2)*M_mixed;
         const stewart_real c79 = REAL(2)*M_phi;
         const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c78 + G_dot_31*c79 + tau_rate_31);
-        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c78 + G_dot_32*c79 + inv_rho*tau_rate_33
-            - G_dot_12*c77);
+        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c78 + G_dot_32*c79 + inv_rho*tau_rate_33 - G_dot_12*c77);
         const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c78 + G_dot_33*c79 + c7*k3_h - inv_L*tau_rate_32);
         const stewart_real c80 = REAL(2)*M_theta;
         const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c80 + G_dot_31*c78 + tau_rate_21);
-        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c76 + G_dot_22*c80 + G_dot_32*c78
-            + inv_rho*tau_rate_23);
+        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c76 + G_dot_22*c80 + G_dot_32*c78 + inv_rho*tau_rate_23);
         const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c80 + G_dot_33*c78 - c7*h_z - inv_L*tau_rate_22);
         const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
         const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
@@ -2468,24 +3684,15 @@ STEWART_APART static void derivatives_of_legs(
         const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
         const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
         /* force by rotation about the tip */
-        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz
-            - A_1_xz*omega_y;
-        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz
-            - A_1_xx*omega_z;
-        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz
-            - A_1_xy*omega_x;
-        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz
-            - A_1_yz*omega_y;
-        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz
-            - A_1_yx*omega_z;
-        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz
-            - A_1_yy*omega_x;
-        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz
-            - A_1_zz*omega_y;
-        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz
-            - A_1_zx*omega_z;
-        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
-            - A_1_zy*omega_x;
+        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y;
+        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z;
+        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz - A_1_xy*omega_x;
+        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz - A_1_yz*omega_y;
+        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz - A_1_yx*omega_z;
+        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz - A_1_yy*omega_x;
+        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y;
+        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z;
+        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x;
         const stewart_real c81 = m_xy*omega_z;
         const stewart_real c82 = m_xz*omega_y;
         const stewart_real Y_xx = A_1_xx + c81 - c82;
@@ -2643,8 +3850,7 @@ STEWART_APART static void derivatives_of_legs(
         out->H_moment[0][l] = q_y*s_z - q_z*s_y;
         out->H_moment[1][l] = q_z*s_x - q_x*s_z;
         out->H_moment[2][l] = q_x*s_y - q_y*s_x;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -2654,30 +3860,30 @@ STEWART_APART static void derivatives_of_legs(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* The legs side by side: 2155 (1283 mul, 868 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void derivatives_of_legs_near(
+/* The legs side by side. */
+STEWART_APART static void derivatives_of_near(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const derivatives_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, derivatives_legs *STEWART_RESTRICT out)
+    const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
-    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
-        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3], B_yy = pose->B[4],
+        B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -2689,15 +3895,14 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real h2_x = model->h2_x[l];
         const stewart_real h2_z = model->h2_z[l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
-            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
         const stewart_real J2_xz = model->J2_xz[l];
         const stewart_real dJ_zx = model->dJ_zx[l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real F = force[l];
+        const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -2727,8 +3932,8 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -2772,8 +3977,7 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
         const stewart_real c4 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(c4*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z;
+        const stewart_real L_ddot = L*(c4*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
         const stewart_real c5 = REAL(2)*L_share;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
         const stewart_real own_y = -c5*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
@@ -2872,9 +4076,8 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c53 = J_xx - J_zz;
         const stewart_real c54 = J_yy + c53;
         const stewart_real c55 = c54*k1;
-        const stewart_real tau_theta = L*c19*c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35*c36
-            + c37*h_x + c42 + c44 + c45*c49 + c51*c55 - c19*c35 - c26 - c34*c49 - c39 - c40*c48 - c45 - c47
-            - c50;
+        const stewart_real tau_theta = L*c19*c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35*c36 + c37*h_x
+            + c42 + c44 + c45*c49 + c51*c55 - c19*c35 - c26 - c34*c49 - c39 - c40*c48 - c45 - c47 - c50;
         const stewart_real c56 = C_s*w_k_omega;
         const stewart_real c57 = gamma_n*w_y;
         const stewart_real c58 = c41*own_y;
@@ -2897,9 +4100,9 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c76 = c49*c75;
         const stewart_real c77 = W_z*theta_dot;
         const stewart_real tau_phi = C_us*c16 + J_xx*c40 + L_dot*W_z*c69*k3 + c12*c72 + c3*c72 + c35*c67*h_x
-            + c35*c73*h_z + c58 + c59 + c60*c61 + c63 + c64 + c65 + c7*own_y - L_ddot*c8 - L_dot*c68*c70
-            - c15*c37 - c16*c66 - c27*gamma_y - c35*c68*own_z - c48*own_y - c51*c6 - c53*c67 - c56 - c57
-            - c62*k3 - c71*k3 - c76*c77*k1;
+            + c35*c73*h_z + c58 + c59 + c60*c61 + c63 + c64 + c65 + c7*own_y - L_ddot*c8 - L_dot*c68*c70 - c15*c37
+            - c16*c66 - c27*gamma_y - c35*c68*own_z - c48*own_y - c51*c6 - c53*c67 - c56 - c57 - c62*k3 - c71*k3
+            - c76*c77*k1;
         const stewart_real c78 = inv_rho*tau_phi;
         const stewart_real c79 = inv_L*tau_theta;
         const stewart_real c80 = tau_L - F;
@@ -3003,8 +4206,7 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c99 = c87*c98;
         const stewart_real c100 = W_z*c99;
         const stewart_real c101 = c100 + REAL(4)*c15*c16*c85 - c97;
-        const stewart_real A_0_leg_11 = REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L - c101 - c92 - c94
-            - REAL(4)*c96;
+        const stewart_real A_0_leg_11 = REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L - c101 - c92 - c94 - REAL(4)*c96;
         const stewart_real c102 = h_x*inv_L;
         const stewart_real c103 = c102*c60;
         const stewart_real c104 = J_yz*c10;
@@ -3035,13 +4237,11 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c129 = c10*c62;
         const stewart_real c130 = c129*c49;
         const stewart_real c131 = inv_k3*inv_k3*inv_k3;
-        const stewart_real A_0_leg_12 = C_p*W_z + C_s*c10*inv_k3*w_k_omega
-            + REAL(2)*J_xx*W_z*c10*c131*k1*theta_dot + J_xy*c10*c12 + J_xy*c10*c3
-            + REAL(2)*J_xz*W_z*c10*c49*theta_dot + REAL(2)*L_ddot*c10*h_y + REAL(2)*W_z*h_z*inv_L*theta_dot
-            + c10*c53*own_z + c10*gamma_n*inv_k3*w_y + c10*gamma_y*w_x + REAL(3)*c12*c49*h_y*inv_L
-            + REAL(2)*h_y*inv_L*inv_k3*k1*own_y + REAL(3)*h_z*inv_L*inv_k3*k1*own_z - c103 - c105 - c108
-            - c110 - c111 - c115 - c117 - c118*c119 - c120*c121 - REAL(6)*c122*c77 - c123*c124 - c125 - c126
-            - c127*c128 - c130;
+        const stewart_real A_0_leg_12 = C_p*W_z + C_s*c10*inv_k3*w_k_omega + REAL(2)*J_xx*W_z*c10*c131*k1*theta_dot
+            + J_xy*c10*c12 + J_xy*c10*c3 + REAL(2)*J_xz*W_z*c10*c49*theta_dot + REAL(2)*L_ddot*c10*h_y + REAL(2)*W_z*h_z*inv_L*theta_dot
+            + c10*c53*own_z + c10*gamma_n*inv_k3*w_y + c10*gamma_y*w_x + REAL(3)*c12*c49*h_y*inv_L + REAL(2)*h_y*inv_L*inv_k3*k1*own_y
+            + REAL(3)*h_z*inv_L*inv_k3*k1*own_z - c103 - c105 - c108 - c110 - c111 - c115 - c117 - c118*c119
+            - c120*c121 - REAL(6)*c122*c77 - c123*c124 - c125 - c126 - c127*c128 - c130;
         const stewart_real c132 = c10*c22;
         const stewart_real c133 = c10*c23;
         const stewart_real c134 = c10*c24;
@@ -3061,10 +4261,10 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c148 = REAL(4)*W_z;
         const stewart_real c149 = c148*c85;
         const stewart_real c150 = c149*h_y;
-        const stewart_real c151 = c10*c28 + c10*c30 + c10*c32 + c128*c99 + c146 + c150*c49
-            + REAL(2)*c36*inv_L - c10*c39 - c143 - c147 - c150 - c20*c97;
-        const stewart_real A_0_leg_13 = c132 + c133 + c134 + c137 + REAL(2)*c138 + c141 + c143*c49 + c144
-            + c145*c55*inv_k3 + c151 - C_p*theta_dot - c10*c47 - c136 - c139 - c141*c49;
+        const stewart_real c151 = c10*c28 + c10*c30 + c10*c32 + c128*c99 + c146 + c150*c49 + REAL(2)*c36*inv_L
+            - c10*c39 - c143 - c147 - c150 - c20*c97;
+        const stewart_real A_0_leg_13 = c132 + c133 + c134 + c137 + REAL(2)*c138 + c141 + c143*c49 + c144 + c145*c55*inv_k3
+            + c151 - C_p*theta_dot - c10*c47 - c136 - c139 - c141*c49;
         const stewart_real c152 = L_ddot*c10;
         const stewart_real c153 = c152*h_y;
         const stewart_real c154 = c10*gamma_y;
@@ -3085,11 +4285,10 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c169 = c168 + c75;
         const stewart_real c170 = c131*k1;
         const stewart_real c171 = J_xx*c170;
-        const stewart_real A_0_leg_21 = J_xz*c167*c49 + J_yz*c157 + REAL(3)*c10*c71 + c108*c49 + c109*c56
-            + c109*c57 + c118*c169 + c120*c95 + c153 + c154*w_x + c155*c20 + c157*c161 + c158 + c162*c163
-            + c164*c20 + c165*c76 + c167*c171 - c103 - REAL(2)*c105 - c107 - REAL(2)*c110 - c111
-            - REAL(2)*c117 - c118*c76 - c122*c160 - c123 - REAL(3)*c125 - REAL(3)*c126 - REAL(3)*c130
-            - c159*c40 - c165*c169;
+        const stewart_real A_0_leg_21 = J_xz*c167*c49 + J_yz*c157 + REAL(3)*c10*c71 + c108*c49 + c109*c56 + c109*c57
+            + c118*c169 + c120*c95 + c153 + c154*w_x + c155*c20 + c157*c161 + c158 + c162*c163 + c164*c20 + c165*c76
+            + c167*c171 - c103 - REAL(2)*c105 - c107 - REAL(2)*c110 - c111 - REAL(2)*c117 - c118*c76 - c122*c160
+            - c123 - REAL(3)*c125 - REAL(3)*c126 - REAL(3)*c130 - c159*c40 - c165*c169;
         const stewart_real c173 = L_ddot*c112;
         const stewart_real c174 = c14*inv_L;
         const stewart_real c175 = c113*inv_L*inv_L*inv_L*inv_L;
@@ -3132,15 +4331,13 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c212 = c211*theta_dot;
         const stewart_real c213 = c131*c149*c15;
         const stewart_real c214 = c10*g_k;
-        const stewart_real c215 = C_p*c2 + c135*h_x + c193 + c214*c29 + c214*c31 - F*inv_L - c152*c69
-            - c192*c27;
-        const stewart_real A_0_leg_22 = c132*c20 + REAL(3)*c138*c20 + c143*c170 + c156*c203 + c156*c212
-            + c173*c53 + c174 + c175*c206 + c175*c76 + c176*c188 + c176*c198 + c180*c49 + c183 + c184*w_y
-            + c185*(J_yy + c75 - J_zz) + c190 + c191*c49 + c193*c49 + c194*c55 + c197*c204 + c20*c205 + c213
-            + c215 + c94 - c109*g_k*w_z - c119*c173 - c119*c176 - c132*c170 - c136*c20 - c145*c188
-            - c146*c202 - c146*c21 - c147*c20 - c169*c175 - REAL(3)*c170*c195 - c171*c181 - c173*c198
-            - c176*c53 - c177 - c178 - c180 - c183*c49 - c186*c49 - REAL(2)*c189 - c196 - c201 - c208 - c210
-            - c92;
+        const stewart_real c215 = C_p*c2 + c135*h_x + c193 + c214*c29 + c214*c31 - F*inv_L - c152*c69 - c192*c27;
+        const stewart_real A_0_leg_22 = c132*c20 + REAL(3)*c138*c20 + c143*c170 + c156*c203 + c156*c212 + c173*c53
+            + c174 + c175*c206 + c175*c76 + c176*c188 + c176*c198 + c180*c49 + c183 + c184*w_y + c185*(J_yy
+            + c75 - J_zz) + c190 + c191*c49 + c193*c49 + c194*c55 + c197*c204 + c20*c205 + c213 + c215 + c94
+            - c109*g_k*w_z - c119*c173 - c119*c176 - c132*c170 - c136*c20 - c145*c188 - c146*c202 - c146*c21
+            - c147*c20 - c169*c175 - REAL(3)*c170*c195 - c171*c181 - c173*c198 - c176*c53 - c177 - c178 - c180
+            - c183*c49 - c186*c49 - REAL(2)*c189 - c196 - c201 - c208 - c210 - c92;
         const stewart_real c216 = c104*c3;
         const stewart_real c217 = c104*c12;
         const stewart_real c218 = J_xy*c49;
@@ -3160,30 +4357,29 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c232 = c223*c49;
         const stewart_real c233 = REAL(2)*c161;
         const stewart_real c234 = c182*c49;
-        const stewart_real c235 = J_yz*c173 + W_z*c231 + c159*c73 + c160*c170*c9 + c161*c173 + c184*w_z
-            + c230*c49 - c124*c229 - c162*c207 - c165*c234 - c166*c169 - c175*c228 - c175*c233 - c232*c56
-            - c232*c57;
-        const stewart_real A_0_leg_23 = c107*c20 + c118*c211 + c119*c167 + c123*c20 + c129*c202 + c155
-            + c161*c176 + c164 + c181*c218 + c216 + c219 + c220 + c225*c70 + c227 + c235 - J_xx*c167*c187
-            - c108*c170 - c128*c226 - c153*c20 - c164*c49 - c165*c211 - c217 - c221 - c222 - c224;
+        const stewart_real c235 = J_yz*c173 + W_z*c231 + c159*c73 + c160*c170*c9 + c161*c173 + c184*w_z + c230*c49
+            - c124*c229 - c162*c207 - c165*c234 - c166*c169 - c175*c228 - c175*c233 - c232*c56 - c232*c57;
+        const stewart_real A_0_leg_23 = c107*c20 + c118*c211 + c119*c167 + c123*c20 + c129*c202 + c155 + c161*c176
+            + c164 + c181*c218 + c216 + c219 + c220 + c225*c70 + c227 + c235 - J_xx*c167*c187 - c108*c170 - c128*c226
+            - c153*c20 - c164*c49 - c165*c211 - c217 - c221 - c222 - c224;
         const stewart_real c236 = REAL(2)*J_yy;
         const stewart_real c237 = c236*theta_dot;
         const stewart_real c238 = REAL(2)*c41;
-        const stewart_real A_0_leg_31 = J_xy*c167 + c124*c142 + REAL(2)*c132 + REAL(2)*c133 + c138
-            + REAL(2)*c144 + c145*c20*(REAL(3)*J_xx + REAL(3)*J_yy - REAL(3)*J_zz) + c151 + REAL(6)*c195
-            + c205 - REAL(6)*c10*c46*c73 - REAL(3)*c139 - c156*c237 - c163*c238 - c165*c228 - c167*c218;
+        const stewart_real A_0_leg_31 = J_xy*c167 + c124*c142 + REAL(2)*c132 + REAL(2)*c133 + c138 + REAL(2)*c144
+            + c145*c20*(REAL(3)*J_xx + REAL(3)*J_yy - REAL(3)*J_zz) + c151 + REAL(6)*c195 + c205 - REAL(6)*c10*c46*c73
+            - REAL(3)*c139 - c156*c237 - c163*c238 - c165*c228 - c167*c218;
         const stewart_real c239 = c179*c181;
         const stewart_real c240 = REAL(4)*J_xz;
         const stewart_real c242 = c169 + c236;
         const stewart_real c243 = REAL(4)*c128*c9;
-        const stewart_real A_0_leg_32 = C_s*c109*w_n_omega + W_z*c225 + c108*c20 + c115*c20 + c118*c171
-            + c123*c202 + c128*c156*c242 + REAL(2)*c155 + c158*c170 + c165*c240 + c166*c49*(REAL(4)*J_xx
-            + c168 + c236) + c194*c209 + REAL(3)*c219 + c222 + c229 + c235 + c239*c49 - REAL(3)*c107*c170
-            - c116*c128 - REAL(2)*c153*c20 - c166*c188 - c204*c238 - REAL(2)*c217 - c220 - REAL(2)*c221
-            - c222*c49 - c223*c40*c54 - REAL(2)*c224 - c227 - c230 - c239 - c243*theta_dot - c70*c93;
-        const stewart_real A_0_leg_33 = c101 + c137*c170 + c175*c236 + c177 + c178 + c189 + c191 + c196
-            + c201 + c208 + c210 + c215 + REAL(2)*c96 - J_yy*c173 - J_yy*c176 - c10*c18*c41 - c100*c49
-            - c118*c218 - c142*c202 - c174 - c185*c54 - c186 - c190 - c200 - c213;
+        const stewart_real A_0_leg_32 = C_s*c109*w_n_omega + W_z*c225 + c108*c20 + c115*c20 + c118*c171 + c123*c202
+            + c128*c156*c242 + REAL(2)*c155 + c158*c170 + c165*c240 + c166*c49*(REAL(4)*J_xx + c168 + c236)
+            + c194*c209 + REAL(3)*c219 + c222 + c229 + c235 + c239*c49 - REAL(3)*c107*c170 - c116*c128 - REAL(2)*c153*c20
+            - c166*c188 - c204*c238 - REAL(2)*c217 - c220 - REAL(2)*c221 - c222*c49 - c223*c40*c54 - REAL(2)*c224
+            - c227 - c230 - c239 - c243*theta_dot - c70*c93;
+        const stewart_real A_0_leg_33 = c101 + c137*c170 + c175*c236 + c177 + c178 + c189 + c191 + c196 + c201
+            + c208 + c210 + c215 + REAL(2)*c96 - J_yy*c173 - J_yy*c176 - c10*c18*c41 - c100*c49 - c118*c218
+            - c142*c202 - c174 - c185*c54 - c186 - c190 - c200 - c213;
         const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
         const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
         const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
@@ -3220,17 +4416,17 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real c253 = c10*c16;
         const stewart_real c254 = c209*c253;
         const stewart_real c255 = c250*c49;
-        const stewart_real A_1_leg_22 = C_us*c10*c49 + REAL(2)*L_dot*c10*h_z*inv_k3*k1 + L_dot*c112*c169
-            + c254 + c255 + REAL(2)*c49*h_z*inv_L*theta_dot - c10*c203 - c10*c212 - c156*c206 - c156*c76
-            - c250 - c251 - c252;
+        const stewart_real A_1_leg_22 = C_us*c10*c49 + REAL(2)*L_dot*c10*h_z*inv_k3*k1 + L_dot*c112*c169 + c254
+            + c255 + REAL(2)*c49*h_z*inv_L*theta_dot - c10*c203 - c10*c212 - c156*c206 - c156*c76 - c250 - c251
+            - c252;
         const stewart_real c256 = c10*c33;
         const stewart_real c257 = c249*c46;
         const stewart_real c258 = c70*c9;
         const stewart_real c259 = c140*c234 + c156*c228 + c156*c233 - c258*c49;
         const stewart_real A_1_leg_23 = c140*c211 + c256 + c259 - c257;
         const stewart_real A_1_leg_31 = c10*c237 + c104*c70 + c238*c253 + c248;
-        const stewart_real A_1_leg_32 = c247 + c256*c49 + c257 + c258 + c259 - c140*c240 - c16*c223*c242
-            - c20*c99 - c247*c49 - c256;
+        const stewart_real A_1_leg_32 = c247 + c256*c49 + c257 + c258 + c259 - c140*c240 - c16*c223*c242 - c20*c99
+            - c247*c49 - c256;
         const stewart_real A_1_leg_33 = C_us*c10 + c250 + c252 - c156*c236 - c245 - c251 - c254 - c255;
         const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
         const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
@@ -3252,24 +4448,15 @@ STEWART_APART static void derivatives_of_legs_near(
         const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
         const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
         /* force by rotation about the tip */
-        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz
-            - A_1_xz*omega_y;
-        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz
-            - A_1_xx*omega_z;
-        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz
-            - A_1_xy*omega_x;
-        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz
-            - A_1_yz*omega_y;
-        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz
-            - A_1_yx*omega_z;
-        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz
-            - A_1_yy*omega_x;
-        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz
-            - A_1_zz*omega_y;
-        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz
-            - A_1_zx*omega_z;
-        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz
-            - A_1_zy*omega_x;
+        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y;
+        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z;
+        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz - A_1_xy*omega_x;
+        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz - A_1_yz*omega_y;
+        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz - A_1_yx*omega_z;
+        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz - A_1_yy*omega_x;
+        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y;
+        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z;
+        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x;
         const stewart_real c260 = m_xy*omega_z;
         const stewart_real c261 = m_xz*omega_y;
         const stewart_real Y_xx = A_1_xx + c260 - c261;
@@ -3427,8 +4614,7 @@ STEWART_APART static void derivatives_of_legs_near(
         out->H_moment[0][l] = q_y*s_z - q_z*s_y;
         out->H_moment[1][l] = q_z*s_x - q_x*s_z;
         out->H_moment[2][l] = q_x*s_y - q_y*s_x;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -3438,422 +4624,299 @@ STEWART_APART static void derivatives_of_legs_near(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int derivatives_sums(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], derivatives_legs *legs,
-    stewart_real *sum)
-{
-    derivatives_pose pose;
-    int status;
-    stewart_real force[LANES];
-    int i;
-    derivatives_of_pose(model, motion, &pose, sum);
-    for (i = 0; i < LANES; ++i) {
-        force[i] = F[i < 6 ? i : 5];
-    }
-    derivatives_of_legs(model, motion, &pose, force, legs);
-    if (is_near(&legs->judged) != 0) {
-        derivatives_of_legs_near(model, motion, &pose, force, legs);
-    }
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 93, sum);
-    }
-    return status;
-}
-
-/* ---- joint_rows ---- */
-
-typedef struct {
-    stewart_real B_0[9];
-} joint_rows_pose;
-
-typedef struct {
-    stewart_real sum[27][LANES];
-    stewart_real M_xi[6][8];
-    stewart_real row_v[9][8];
-    stewart_real row_w[9][8];
-    stewart_real tau[3][8];
-    leg_judgement judged;
-} joint_rows_legs;
-
-/* The platform's part: 222 (129 mul, 93 add, 0 div, 0 sqrt) operations. */
-static void joint_rows_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
-{
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
-    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
-    const stewart_real C_P = model->C_P;
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    const stewart_real M = model->M;
-    const stewart_real R_0_x = model->R_0[0], R_0_y = model->R_0[1], R_0_z = model->R_0[2];
-    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2],
-        I_p_yy = model->I_p[3], I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
-    const stewart_real c1 = R_0_y*R_0_y;
-    const stewart_real c2 = R_0_z*R_0_z;
-    const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
-    const stewart_real c3 = M*R_0_x;
-    const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
-    const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
-    const stewart_real c4 = R_0_x*R_0_x;
-    const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
-    const stewart_real c5 = M*R_0_y;
-    const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
-    const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
-    const stewart_real c6 = M*R_0_z;
-    /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
-    const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
-    const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
-    const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
-    const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
-    const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
-    const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
-    const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
-    const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
-    /* (32) inertia of the platform, base frame */
-    const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
-    const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-    const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-    const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
-    const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
-    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx
-        + J_0_yy*R_zy + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
-    /* (31) omega x h */
-    const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
-    const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
-    const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
-    /* (34) I omega */
-    const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
-    const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
-    const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
-    /* products of omega */
-    const stewart_real omega_xx = omega_x*omega_x;
-    const stewart_real omega_xy = omega_x*omega_y;
-    const stewart_real omega_xz = omega_x*omega_z;
-    const stewart_real omega_yy = omega_y*omega_y;
-    const stewart_real omega_yz = omega_y*omega_z;
-    const stewart_real omega_zz = omega_z*omega_z;
-    /* (7) S_ddot = B q + a */
-    const stewart_real B_xx = -omega_yy - omega_zz;
-    const stewart_real B_yy = -omega_xx - omega_zz;
-    const stewart_real B_zz = -omega_xx - omega_yy;
-    out->B_0[0] = B_xx;
-    out->B_0[1] = omega_xy;
-    out->B_0[2] = omega_xz;
-    out->B_0[3] = omega_xy;
-    out->B_0[4] = B_yy;
-    out->B_0[5] = omega_yz;
-    out->B_0[6] = omega_xz;
-    out->B_0[7] = omega_yz;
-    out->B_0[8] = B_zz;
-    sum[0] = M;
-    sum[1] = REAL(0);
-    sum[2] = REAL(0);
-    sum[3] = M;
-    sum[4] = REAL(0);
-    sum[5] = M;
-    sum[6] = REAL(0);
-    sum[7] = h_base_z;
-    sum[8] = -h_base_y;
-    sum[9] = -h_base_z;
-    sum[10] = REAL(0);
-    sum[11] = h_base_x;
-    sum[12] = h_base_y;
-    sum[13] = -h_base_x;
-    sum[14] = REAL(0);
-    sum[15] = J_base_xx;
-    sum[16] = J_base_xy;
-    sum[17] = J_base_xz;
-    sum[18] = J_base_yy;
-    sum[19] = J_base_yz;
-    sum[20] = J_base_zz;
-    sum[21] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M*g_x + omega_z*w_h_y - omega_y*w_h_z;
-    sum[22] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M*g_y + omega_x*w_h_z - omega_z*w_h_x;
-    sum[23] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M*g_z + omega_y*w_h_x - omega_x*w_h_y;
-    sum[24] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x - J_w_z*omega_y - g_y*h_base_z;
-    sum[25] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y - J_w_x*omega_z - g_z*h_base_x;
-    sum[26] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z - J_w_y*omega_x - g_x*h_base_y;
-}
-
-/* The legs side by side: 341 (207 mul, 130 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void joint_rows_of_legs(
-    const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const joint_rows_pose *STEWART_RESTRICT pose, const stewart_real *STEWART_RESTRICT force, joint_rows_legs *STEWART_RESTRICT out)
+/* Platform and legs together; ``status``: of the legs. */
+static void derivatives_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, derivatives_legs *legs,
+    stewart_real summed[93])
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
-    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
-    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
-    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real B_0_xx = pose->B_0[0], B_0_xy = pose->B_0[1], B_0_xz = pose->B_0[2],
-        B_0_yx = pose->B_0[3], B_0_yy = pose->B_0[4], B_0_yz = pose->B_0[5], B_0_zx = pose->B_0[6],
-        B_0_zy = pose->B_0[7], B_0_zz = pose->B_0[8];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    for (l = 0; l < LANES; ++l) {
-        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
-        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
-        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
-        const stewart_real m_u = model->m_u[l];
-        const stewart_real C_p = model->C_p[l];
-        const stewart_real C_s = model->C_s[l];
-        const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
-        const stewart_real h2_x = model->h2_x[l];
-        const stewart_real h2_y = model->h2_y[l];
-        const stewart_real h2_z = model->h2_z[l];
-        const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_yy = model->J[3][l],
-            J_yz = model->J[4][l];
-        const stewart_real J2_xz = model->J2_xz[l];
-        const stewart_real dJ_zx = model->dJ_zx[l];
-        const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
-        const stewart_real C_us = model->C_us[l];
-        const stewart_real F = force[l];
-        /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-        /* (1) reference point from base point, base frame */
-        const stewart_real t_b_x = t_x - b_x;
-        const stewart_real t_b_y = t_y - b_y;
-        const stewart_real t_b_z = t_z - b_z;
-        /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
-        /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
-        const stewart_real inv_L = REAL(1)/L;
-        /* (3) unit vector along the leg */
-        const stewart_real s_x = S_x*inv_L;
-        const stewart_real s_y = S_y*inv_L;
-        const stewart_real s_z = S_z*inv_L;
-        /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-        /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = REAL(1)/rho;
-        /* (10) third axis of the leg frame */
-        const stewart_real z_x = inv_rho*s_cross_normal_x;
-        const stewart_real z_y = inv_rho*s_cross_normal_y;
-        const stewart_real z_z = inv_rho*s_cross_normal_z;
-        /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
-        /* (10) k = (k1, 0, k3) in the leg frame */
-        const stewart_real k1 = inv_L*zeta;
-        const stewart_real k3 = inv_L*rho;
-        /* (10) k1 / k3 */
-        const stewart_real kappa = inv_rho*zeta;
-        /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
-        /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = v_x + w_q_x;
-        const stewart_real S_dot_y = v_y + w_q_y;
-        const stewart_real S_dot_z = v_z + w_q_z;
-        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
-        /* L_dot / L */
-        const stewart_real L_share = L_dot*inv_L;
-        const stewart_real lean = kappa*theta_dot;
-        const stewart_real theta_dot2 = theta_dot*theta_dot;
-        const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real two_phi_dot = REAL(2)*phi_dot;
-        const stewart_real c1 = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
-        const stewart_real c2 = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
-        const stewart_real c3 = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
-        /* (7) acceleration of the platform point, a = alpha = 0 */
-        const stewart_real S_ddot_x = c1;
-        const stewart_real S_ddot_y = c2;
-        const stewart_real S_ddot_z = c3;
-        const stewart_real c4 = k3*k3;
-        const stewart_real k33 = c4;
-        /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z;
-        /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
-            - L_share*two_phi_dot;
-        const stewart_real c5 = k1*k3;
-        /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c5*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
-        const stewart_real k13 = c5;
-        const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real c6 = L*h2_z;
-        const stewart_real c7 = J2_xz - c6;
-        const stewart_real a2 = c7;
-        const stewart_real a3 = J_xy - L*h_y;
-        /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-        const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
-        const stewart_real k3_h = h_y*k3;
-        /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
-        const stewart_real bend = L_dot*theta_dot;
-        /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-        /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
-        /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot
-            + bend*h2_x + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c7*(STEWART_HALF - k33))
-            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2
-            + M_phi*own_phi_ddot + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa
-            - STEWART_HALF*c6)) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1
-            - gamma_n*w_y - gamma_y*w_n;
-        /* of the platform point, from free fall */
-        const stewart_real fall_x = c1 - g_x;
-        const stewart_real fall_y = c2 - g_y;
-        const stewart_real fall_z = c3 - g_z;
-        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z;
-        const stewart_real fall_T_y = fall_x*y_x + fall_y*y_y + fall_z*y_z;
-        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z;
-        const stewart_real row_v_yx = -inv_L*z_x;
-        const stewart_real row_v_yy = -inv_L*z_y;
-        const stewart_real row_v_yz = -inv_L*z_z;
-        const stewart_real row_v_zx = inv_rho*y_x;
-        const stewart_real row_v_zy = inv_rho*y_y;
-        const stewart_real row_v_zz = inv_rho*y_z;
-        const stewart_real c8 = m_u*L*L;
-        const stewart_real c9 = L*m_u;
-        out->sum[0][l] = REAL(0);
-        out->sum[1][l] = REAL(0);
-        out->sum[2][l] = REAL(0);
-        out->sum[3][l] = REAL(0);
-        out->sum[4][l] = REAL(0);
-        out->sum[5][l] = REAL(0);
-        out->sum[6][l] = REAL(0);
-        out->sum[7][l] = REAL(0);
-        out->sum[8][l] = REAL(0);
-        out->sum[9][l] = REAL(0);
-        out->sum[10][l] = REAL(0);
-        out->sum[11][l] = REAL(0);
-        out->sum[12][l] = REAL(0);
-        out->sum[13][l] = REAL(0);
-        out->sum[14][l] = REAL(0);
-        out->sum[15][l] = REAL(0);
-        out->sum[16][l] = REAL(0);
-        out->sum[17][l] = REAL(0);
-        out->sum[18][l] = REAL(0);
-        out->sum[19][l] = REAL(0);
-        out->sum[20][l] = REAL(0);
-        out->sum[21][l] = REAL(0);
-        out->sum[22][l] = REAL(0);
-        out->sum[23][l] = REAL(0);
-        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
-        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
-        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
-        out->M_xi[0][l] = m_u;
-        out->M_xi[1][l] = h_z;
-        out->M_xi[2][l] = -k3_h;
-        out->M_xi[3][l] = M_theta + c8;
-        out->M_xi[4][l] = M_mixed;
-        out->M_xi[5][l] = M_phi + c4*c8;
-        out->row_v[0][l] = s_x;
-        out->row_v[1][l] = s_y;
-        out->row_v[2][l] = s_z;
-        out->row_v[3][l] = row_v_yx;
-        out->row_v[4][l] = row_v_yy;
-        out->row_v[5][l] = row_v_yz;
-        out->row_v[6][l] = row_v_zx;
-        out->row_v[7][l] = row_v_zy;
-        out->row_v[8][l] = row_v_zz;
-        out->row_w[0][l] = q_y*s_z - q_z*s_y;
-        out->row_w[1][l] = q_z*s_x - q_x*s_z;
-        out->row_w[2][l] = q_x*s_y - q_y*s_x;
-        out->row_w[3][l] = q_y*row_v_yz - q_z*row_v_yy;
-        out->row_w[4][l] = q_z*row_v_yx - q_x*row_v_yz;
-        out->row_w[5][l] = q_x*row_v_yy - q_y*row_v_yx;
-        out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
-        out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
-        out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
-        out->tau[0][l] = C_p*L_dot + fall_T_x*m_u + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2
-            - k3_h*phi_ddot;
-        out->tau[1][l] = tau_y - c9*fall_T_z;
-        out->tau[2][l] = c9*fall_T_y*k3 + tau_k;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+    derivatives_pose pose;
+    derivatives_of_pose(model, motion, &pose, summed);
+    for (l = 6; l < 8; ++l) {
+        legs->F[l] = legs->F[5];
+    }
+    derivatives_of_leg(model, motion, &pose, legs);
+    if (is_near(&legs->checked) != 0) {
+        derivatives_of_near(model, motion, &pose, legs);
+    }
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 93, summed);
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int joint_rows_sums(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6], joint_rows_legs *legs,
-    stewart_real *sum)
+/* Four 3 x 3 blocks into six columns from ``first`` on. */
+static void place_blocks_24(
+    const stewart_real vv[9], const stewart_real vw[9], const stewart_real wv[9], const stewart_real ww[9],
+    int first, stewart_real A[144])
 {
-    joint_rows_pose pose;
-    int status;
-    stewart_real force[LANES];
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[24*i + (first + j)] = vv[3*i + j];
+            A[24*i + (first + j + 3)] = vw[3*i + j];
+            A[24*(i + 3) + (first + j)] = wv[3*i + j];
+            A[24*(i + 3) + (first + j + 3)] = ww[3*i + j];
+        }
+    }
+}
+
+/* A symmetric 3 x 3 block from xx xy xz yy yz zz. */
+static void place_symmetric_24(const stewart_real parts[6], int row, int column, stewart_real A[144])
+{
     int i;
-    joint_rows_of_pose(model, motion, &pose, sum);
-    for (i = 0; i < LANES; ++i) {
-        force[i] = F[i < 6 ? i : 5];
+    for (i = 0; i < 3; ++i) {
+        A[24*row + (column + i)] = parts[i];
+        A[24*(row + i) + column] = parts[i];
     }
-    joint_rows_of_legs(model, motion, &pose, force, legs);
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 27, sum);
+    A[24*(row + 1) + (column + 1)] = parts[3];
+    A[24*(row + 1) + (column + 2)] = parts[4];
+    A[24*(row + 2) + (column + 1)] = parts[4];
+    A[24*(row + 2) + (column + 2)] = parts[5];
+}
+
+/* M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz zz. */
+static void place_inertia_24(
+    const stewart_real vv[6], const stewart_real vw[9], const stewart_real ww[6], int first,
+    stewart_real A[144])
+{
+    int i, j;
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 3; ++j) {
+            A[24*i + (first + j + 3)] = vw[3*i + j];
+            A[24*(j + 3) + (first + i)] = vw[3*i + j];
+        }
     }
+    place_symmetric_24(vv, 0, first, A);
+    place_symmetric_24(ww, 3, first + 3, A);
+}
+
+/* Takes moments over a length. */
+static void scale_moments_24(stewart_real per_length, stewart_real A[144])
+{
+    int i, j;
+    if (per_length != REAL(1)) {
+        for (i = 3; i < 6; ++i) {
+            for (j = 0; j < 24; ++j) {
+                A[24*i + j] = A[24*i + j]*per_length;
+            }
+        }
+    }
+}
+
+/* Back substitution; inverse: of the pivots. */
+static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
+{
+    int i, j, k;
+    for (k = 5; k > -1; --k) {
+        for (j = 6; j < 24; ++j) {
+            A[24*k + j] = A[24*k + j]*inverse[k];
+        }
+        for (i = 0; i < k; ++i) {
+            const stewart_real factor = A[24*i + k];
+            for (j = 6; j < 24; ++j) {
+                A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+            }
+        }
+    }
+}
+
+/* Takes row k from those below it so that column k is zero there, which is not stored. */
+static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
+{
+    int i, j;
+    for (i = k + 1; i < 6; ++i) {
+        const stewart_real factor = A[24*i + k]*inverse;
+        for (j = 0; j < 24; ++j) {
+            A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+        }
+    }
+}
+
+/* Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
+ * where a pivot is small. */
+static int solve_pivoted_24(stewart_real A[144])
+{
+    int i, j, k;
+    stewart_real inverse[6];
+    int suspect = 0;
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        stewart_real most = STEWART_FABS(A[24*k + k]);
+        for (i = k + 1; i < 6; ++i) {
+            const stewart_real entry = STEWART_FABS(A[24*i + k]);
+            pivot = entry > most ? i : pivot;
+            most = entry > most ? entry : most;
+        }
+        if (pivot != k) {
+            for (j = 0; j < 24; ++j) {
+                const stewart_real upper = A[24*k + j];
+                A[24*k + j] = A[24*pivot + j];
+                A[24*pivot + j] = upper;
+            }
+        }
+        suspect = STEWART_FABS(A[24*k + k]) > STEWART_SUSPECT ? suspect : 1;
+        inverse[k] = REAL(1)/A[24*k + k];
+        clear_below_24(A, k, inverse[k]);
+    }
+    substitute_back_24(A, inverse);
+    return suspect;
+}
+
+/* Says where a number of a result is not finite. */
+static void check_derivatives(derivatives_found *out)
+{
+    int i, j;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 6; ++i) {
+        lost = lost + REAL(0)*out->of.F[i];
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.by_pose[6*i + j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.by_twist[6*i + j];
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.by_acceleration[6*i + j];
+        }
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
+
+/* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
+static derivatives_found find_derivatives(const stewart_exact_model *model, const stewart_motion *motion)
+{
+    int i, j;
+    derivatives_found out;
+    derivatives_legs legs;
+    stewart_real summed[93];
+    stewart_real A[144];
+    const forces_found acting = find_forces(model, motion);
+    for (i = 0; i < 6; ++i) {
+        legs.F[i] = acting.F[i];
+    }
+    derivatives_sums(model, motion, &legs, summed);
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[24*i + j] = legs.H_force[i][j];
+            A[24*(i + 3) + j] = legs.H_moment[i][j];
+        }
+    }
+    place_blocks_24(&summed[21], &summed[30], &summed[39], &summed[48], 6, A);
+    place_blocks_24(&summed[57], &summed[66], &summed[75], &summed[84], 12, A);
+    place_inertia_24(&summed[0], &summed[6], &summed[15], 18, A);
+    scale_moments_24(model->per_length, A);
+    solve_pivoted_24(A);
+    for (i = 0; i < 6; ++i) {
+        out.of.F[i] = acting.F[i];
+        for (j = 0; j < 6; ++j) {
+            out.of.by_pose[6*i + j] = A[24*i + (j + 6)];
+            out.of.by_twist[6*i + j] = A[24*i + (j + 12)];
+            out.of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
+        }
+    }
+    out.status = acting.status == STEWART_OK ? legs.status : acting.status;
+    check_derivatives(&out);
+    return out;
+}
+
+int stewart_exact_derivatives(
+    const stewart_exact_model *model, const stewart_motion *motion, stewart_derivatives *out)
+{
+    derivatives_found found;
+    if (model == NULL || motion == NULL || out == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    found = find_derivatives(model, motion);
+    if (found.status == STEWART_OK) {
+        *out = found.of;
+    }
+    return found.status;
+}
+
+/* The motion with these accelerations. */
+static stewart_motion with_acceleration(
+    const stewart_motion *motion, const stewart_real a[3], const stewart_real alpha[3])
+{
+    int i;
+    stewart_motion out;
+    for (i = 0; i < 9; ++i) {
+        out.R[i] = motion->R[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        out.t[i] = motion->t[i];
+        out.omega[i] = motion->omega[i];
+        out.v[i] = motion->v[i];
+        out.alpha[i] = alpha[i];
+        out.a[i] = a[i];
+        out.F_ext[i] = motion->F_ext[i];
+        out.M_ext[i] = motion->M_ext[i];
+    }
+    return out;
+}
+
+/* Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+ *
+ * INDEFINITE where a pivot is not more than ``kept`` of its diagonal number. */
+static int solve_definite_24(stewart_real A[144], stewart_real kept)
+{
+    int k;
+    stewart_real scale[6];
+    stewart_real inverse[6];
+    int status = STEWART_OK;
+    for (k = 0; k < 6; ++k) {
+        scale[k] = A[24*k + k];
+    }
+    for (k = 0; k < 6; ++k) {
+        int fault = STEWART_FABS(A[24*k + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
+        fault = A[24*k + k] > kept*scale[k] ? STEWART_OK : fault;
+        status = status == STEWART_OK ? fault : status;
+        inverse[k] = REAL(1)/A[24*k + k];
+        clear_below_24(A, k, inverse[k]);
+    }
+    substitute_back_24(A, inverse);
     return status;
 }
 
-/* ---- joint_slopes ---- */
+/* Says where a number of a result is not finite. */
+static void check_linearisation(linearisation_found *out)
+{
+    int i, j;
+    stewart_real lost = REAL(0);
+    for (i = 0; i < 3; ++i) {
+        lost = lost + REAL(0)*out->of.acceleration[i];
+    }
+    for (i = 0; i < 3; ++i) {
+        lost = lost + REAL(0)*out->of.acceleration[3 + i];
+    }
+    for (i = 0; i < 12; ++i) {
+        for (j = 0; j < 12; ++j) {
+            lost = lost + REAL(0)*out->of.A[12*i + j];
+        }
+    }
+    for (i = 0; i < 12; ++i) {
+        for (j = 0; j < 6; ++j) {
+            lost = lost + REAL(0)*out->of.B[6*i + j];
+        }
+    }
+    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+}
 
 typedef struct {
     stewart_real B[9];
@@ -3861,22 +4924,25 @@ typedef struct {
 
 typedef struct {
     stewart_real sum[93][LANES];
-    stewart_real tau_t[9][8];
-    stewart_real tau_r[9][8];
-    stewart_real tau_v[9][8];
-    stewart_real tau_w[9][8];
-    stewart_real H_force[3][8];
-    stewart_real H_moment[3][8];
-    leg_judgement judged;
+    stewart_real net[3][LANES];
+    stewart_real turned[3][LANES];
+    stewart_real tau_t[9][LANES];
+    stewart_real tau_r[9][LANES];
+    stewart_real tau_v[9][LANES];
+    stewart_real tau_w[9][LANES];
+    stewart_real H_force[3][LANES];
+    stewart_real H_moment[3][LANES];
+    leg_checks checked;
+    int status;
 } joint_slopes_legs;
 
-/* The platform's part: 359 (180 mul, 179 add, 0 div, 0 sqrt) operations. */
+/* The platform's part. */
 static void joint_slopes_of_pose(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT sum)
+    joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
@@ -3886,8 +4952,8 @@ static void joint_slopes_of_pose(
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     const stewart_real M = model->M;
     const stewart_real R_0_x = model->R_0[0], R_0_y = model->R_0[1], R_0_z = model->R_0[2];
-    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2],
-        I_p_yy = model->I_p[3], I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
+    const stewart_real I_p_xx = model->I_p[0], I_p_xy = model->I_p[1], I_p_xz = model->I_p[2], I_p_yy = model->I_p[3],
+        I_p_yz = model->I_p[4], I_p_zz = model->I_p[5];
     const stewart_real c1 = R_0_y*R_0_y;
     const stewart_real c2 = R_0_z*R_0_z;
     const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
@@ -3916,8 +4982,8 @@ static void joint_slopes_of_pose(
     const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
     const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
     const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
-    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx
-        + J_0_yy*R_zy + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
+    const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy
+        + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
     const stewart_real c13 = h_base_y*omega_z;
     const stewart_real c14 = h_base_z*omega_y;
     const stewart_real c15 = h_base_x*omega_z;
@@ -4012,114 +5078,114 @@ static void joint_slopes_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    sum[0] = M;
-    sum[1] = REAL(0);
-    sum[2] = REAL(0);
-    sum[3] = M;
-    sum[4] = REAL(0);
-    sum[5] = M;
-    sum[6] = REAL(0);
-    sum[7] = h_base_z;
-    sum[8] = -h_base_y;
-    sum[9] = -h_base_z;
-    sum[10] = REAL(0);
-    sum[11] = h_base_x;
-    sum[12] = h_base_y;
-    sum[13] = -h_base_x;
-    sum[14] = REAL(0);
-    sum[15] = J_base_xx;
-    sum[16] = J_base_xy;
-    sum[17] = J_base_xz;
-    sum[18] = J_base_yy;
-    sum[19] = J_base_yz;
-    sum[20] = J_base_zz;
-    sum[21] = REAL(0);
-    sum[22] = REAL(0);
-    sum[23] = REAL(0);
-    sum[24] = REAL(0);
-    sum[25] = REAL(0);
-    sum[26] = REAL(0);
-    sum[27] = REAL(0);
-    sum[28] = REAL(0);
-    sum[29] = REAL(0);
-    sum[30] = B_xz*h_base_y - B_xy*h_base_z;
-    sum[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
-    sum[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
-    sum[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
-    sum[34] = B_yx*h_base_z - B_yz*h_base_x;
-    sum[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
-    sum[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
-    sum[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
-    sum[38] = B_zy*h_base_x - B_zx*h_base_y;
-    sum[39] = REAL(0);
-    sum[40] = REAL(0);
-    sum[41] = REAL(0);
-    sum[42] = REAL(0);
-    sum[43] = REAL(0);
-    sum[44] = REAL(0);
-    sum[45] = REAL(0);
-    sum[46] = REAL(0);
-    sum[47] = REAL(0);
-    sum[48] = c46 + omega_y*spin_zx - c43 - c44 - c45 - omega_z*spin_yx;
-    sum[49] = J_alpha_z + c29 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
-    sum[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c27 - omega_z*spin_yz;
-    sum[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c30 - omega_x*spin_zx;
-    sum[52] = c48 + omega_z*spin_xy - c45 - c46 - c47 - omega_x*spin_zy;
-    sum[53] = J_alpha_x + c25 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
-    sum[54] = J_alpha_y + c28 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
-    sum[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c26 - omega_y*spin_xy;
-    sum[56] = c43 + omega_x*spin_yz - c44 - c47 - c48 - omega_y*spin_xz;
-    sum[57] = REAL(0);
-    sum[58] = REAL(0);
-    sum[59] = REAL(0);
-    sum[60] = REAL(0);
-    sum[61] = REAL(0);
-    sum[62] = REAL(0);
-    sum[63] = REAL(0);
-    sum[64] = REAL(0);
-    sum[65] = REAL(0);
-    sum[66] = c49 + c50;
-    sum[67] = w_h_z - c17;
-    sum[68] = -c15 - w_h_y;
-    sum[69] = -c18 - w_h_z;
-    sum[70] = c50 + c51;
-    sum[71] = w_h_x - c13;
-    sum[72] = w_h_y - c16;
-    sum[73] = -c14 - w_h_x;
-    sum[74] = c49 + c51;
-    sum[75] = REAL(0);
-    sum[76] = REAL(0);
-    sum[77] = REAL(0);
-    sum[78] = REAL(0);
-    sum[79] = REAL(0);
-    sum[80] = REAL(0);
-    sum[81] = REAL(0);
-    sum[82] = REAL(0);
-    sum[83] = REAL(0);
-    sum[84] = C_P + c32 - c31;
-    sum[85] = c36;
-    sum[86] = -c41;
-    sum[87] = -c34;
-    sum[88] = C_P + c39;
-    sum[89] = c42;
-    sum[90] = c35;
-    sum[91] = -c40;
-    sum[92] = C_P + c37 - c32;
+    summed[0] = M;
+    summed[1] = REAL(0);
+    summed[2] = REAL(0);
+    summed[3] = M;
+    summed[4] = REAL(0);
+    summed[5] = M;
+    summed[6] = REAL(0);
+    summed[7] = h_base_z;
+    summed[8] = -h_base_y;
+    summed[9] = -h_base_z;
+    summed[10] = REAL(0);
+    summed[11] = h_base_x;
+    summed[12] = h_base_y;
+    summed[13] = -h_base_x;
+    summed[14] = REAL(0);
+    summed[15] = J_base_xx;
+    summed[16] = J_base_xy;
+    summed[17] = J_base_xz;
+    summed[18] = J_base_yy;
+    summed[19] = J_base_yz;
+    summed[20] = J_base_zz;
+    summed[21] = REAL(0);
+    summed[22] = REAL(0);
+    summed[23] = REAL(0);
+    summed[24] = REAL(0);
+    summed[25] = REAL(0);
+    summed[26] = REAL(0);
+    summed[27] = REAL(0);
+    summed[28] = REAL(0);
+    summed[29] = REAL(0);
+    summed[30] = B_xz*h_base_y - B_xy*h_base_z;
+    summed[31] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
+    summed[32] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+    summed[33] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
+    summed[34] = B_yx*h_base_z - B_yz*h_base_x;
+    summed[35] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+    summed[36] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
+    summed[37] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
+    summed[38] = B_zy*h_base_x - B_zx*h_base_y;
+    summed[39] = REAL(0);
+    summed[40] = REAL(0);
+    summed[41] = REAL(0);
+    summed[42] = REAL(0);
+    summed[43] = REAL(0);
+    summed[44] = REAL(0);
+    summed[45] = REAL(0);
+    summed[46] = REAL(0);
+    summed[47] = REAL(0);
+    summed[48] = c46 + omega_y*spin_zx - c43 - c44 - c45 - omega_z*spin_yx;
+    summed[49] = J_alpha_z + c29 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z - omega_z*spin_yy;
+    summed[50] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y - c27 - omega_z*spin_yz;
+    summed[51] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z - c30 - omega_x*spin_zx;
+    summed[52] = c48 + omega_z*spin_xy - c45 - c46 - c47 - omega_x*spin_zy;
+    summed[53] = J_alpha_x + c25 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x - omega_x*spin_zz;
+    summed[54] = J_alpha_y + c28 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y - omega_y*spin_xx;
+    summed[55] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x - c26 - omega_y*spin_xy;
+    summed[56] = c43 + omega_x*spin_yz - c44 - c47 - c48 - omega_y*spin_xz;
+    summed[57] = REAL(0);
+    summed[58] = REAL(0);
+    summed[59] = REAL(0);
+    summed[60] = REAL(0);
+    summed[61] = REAL(0);
+    summed[62] = REAL(0);
+    summed[63] = REAL(0);
+    summed[64] = REAL(0);
+    summed[65] = REAL(0);
+    summed[66] = c49 + c50;
+    summed[67] = w_h_z - c17;
+    summed[68] = -c15 - w_h_y;
+    summed[69] = -c18 - w_h_z;
+    summed[70] = c50 + c51;
+    summed[71] = w_h_x - c13;
+    summed[72] = w_h_y - c16;
+    summed[73] = -c14 - w_h_x;
+    summed[74] = c49 + c51;
+    summed[75] = REAL(0);
+    summed[76] = REAL(0);
+    summed[77] = REAL(0);
+    summed[78] = REAL(0);
+    summed[79] = REAL(0);
+    summed[80] = REAL(0);
+    summed[81] = REAL(0);
+    summed[82] = REAL(0);
+    summed[83] = REAL(0);
+    summed[84] = C_P + c32 - c31;
+    summed[85] = c36;
+    summed[86] = -c41;
+    summed[87] = -c34;
+    summed[88] = C_P + c39;
+    summed[89] = c42;
+    summed[90] = c35;
+    summed[91] = -c40;
+    summed[92] = C_P + c37 - c32;
 }
 
-/* The legs side by side: 1983 (1250 mul, 729 add, 2 div, 2 sqrt) operations each. */
-STEWART_APART static void joint_slopes_of_legs(
+/* The legs side by side. */
+STEWART_APART static void joint_slopes_of_leg(
     const stewart_exact_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
-    const joint_slopes_pose *STEWART_RESTRICT pose, stewart_real (*STEWART_RESTRICT apart)[LANES], joint_slopes_legs *STEWART_RESTRICT out)
+    const joint_slopes_pose *STEWART_RESTRICT pose, joint_slopes_legs *STEWART_RESTRICT out)
 {
     int l;
-    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3],
-        R_yy = at->R[4], R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
     const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
     const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
-    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3],
-        B_yy = pose->B[4], B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
+    const stewart_real B_xx = pose->B[0], B_xy = pose->B[1], B_xz = pose->B[2], B_yx = pose->B[3], B_yy = pose->B[4],
+        B_yz = pose->B[5], B_zx = pose->B[6], B_zy = pose->B[7], B_zz = pose->B[8];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
@@ -4130,18 +5196,13 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real C_s = model->C_s[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
         const stewart_real w_x = model->w[0][l], w_y = model->w[1][l], w_z = model->w[2][l];
-        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l],
-            J_yy = model->J[3][l], J_yz = model->J[4][l], J_zz = model->J[5][l];
+        const stewart_real J_xx = model->J[0][l], J_xy = model->J[1][l], J_xz = model->J[2][l], J_yy = model->J[3][l],
+            J_yz = model->J[4][l], J_zz = model->J[5][l];
         const stewart_real g_k = model->g_k[l];
-        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l],
-            g_x_k_z = model->g_x_k[2][l];
+        const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         const stewart_real C_us = model->C_us[l];
-        const stewart_real net_x = apart[0][l];
-        const stewart_real net_y = apart[1][l];
-        const stewart_real net_z = apart[2][l];
-        const stewart_real turned_x = apart[3][l];
-        const stewart_real turned_y = apart[4][l];
-        const stewart_real turned_z = apart[5][l];
+        const stewart_real net_x = out->net[0][l], net_y = out->net[1][l], net_z = out->net[2][l];
+        const stewart_real turned_x = out->turned[0][l], turned_y = out->turned[1][l], turned_z = out->turned[2][l];
         /* (1) platform point from the reference point */
         const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
         const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
@@ -4171,8 +5232,8 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x
-            + s_cross_normal_y*s_cross_normal_y + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
+            + s_cross_normal_z*s_cross_normal_z);
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
@@ -4218,13 +5279,12 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real S_ddot_y = -c5;
         const stewart_real S_ddot_z = omega_x*w_q_y - c6;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y
-            + S_ddot_z*s_z + turned_x;
+        const stewart_real L_ddot = L*(phi_dot2*k3*k3 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+            + turned_x;
         const stewart_real c7 = REAL(2)*L_share;
         const stewart_real c8 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
+        const stewart_real own_y = turned_y - c7*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
         const stewart_real own_z = c8 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c7;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
@@ -4262,8 +5322,8 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c22 = c12*h_z;
         const stewart_real c23 = c22*inv_L;
         const stewart_real c24 = REAL(4)*c18;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c13*h_z*theta_dot + REAL(2)*c12*h_x*inv_L
-            + REAL(2)*c3*h_x*inv_L + h_y*inv_L*own_z - c11*inv_L - c14*c16 - c19*c21 - c23*c24;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c13*h_z*theta_dot + REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L
+            + h_y*inv_L*own_z - c11*inv_L - c14*c16 - c19*c21 - c23*c24;
         const stewart_real c25 = fall_T_y*m_u;
         const stewart_real c26 = L_ddot*c13;
         const stewart_real c27 = c17*c3;
@@ -4294,8 +5354,8 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c50 = REAL(2)*h_z;
         const stewart_real c51 = REAL(2)*W_z;
         const stewart_real c52 = c44*c51;
-        const stewart_real tau_S_leg_13 = c14*c52 + c23*c42 + c26*h_z + c41*c48 + c45*inv_L + c46*inv_L
-            - C_p*theta_dot - c14*c49 - c23 - c40*c50 - c48;
+        const stewart_real tau_S_leg_13 = c14*c52 + c23*c42 + c26*h_z + c41*c48 + c45*inv_L + c46*inv_L - C_p*theta_dot
+            - c14*c49 - c23 - c40*c50 - c48;
         const stewart_real c53 = C_us*inv_L;
         const stewart_real c54 = c53*theta_dot;
         const stewart_real c55 = J_yy*inv_L;
@@ -4312,12 +5372,10 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c66 = REAL(2)*J_xx;
         const stewart_real c67 = c66 - REAL(2)*J_zz;
         const stewart_real c68 = c65 + c67;
-        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c13*inv_k3*k1
-            + REAL(4)*J_xy*W_z*c41*inv_L*theta_dot + REAL(2)*J_xz*c12*c41*inv_L
-            + REAL(2)*J_yy*L_dot*c13*theta_dot + REAL(2)*J_yz*L_dot*W_z*c13
-            + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot + REAL(2)*L_dot*h_x*inv_L*theta_dot
-            + REAL(2)*W_z*h_y*theta_dot + c12*h_z - W_z*c41*c64 - c12*c68*inv_L*inv_k3*k1 - c2*c52 - c20*c58
-            - c22*c41 - c45 - c46 - c54 - c55*own_y - c56*own_z - c61*own_z - c62*c63;
+        const stewart_real tau_S_leg_21 = REAL(2)*J_xy*L_dot*W_z*c13*inv_k3*k1 + REAL(4)*J_xy*W_z*c41*inv_L*theta_dot
+            + REAL(2)*J_xz*c12*c41*inv_L + REAL(2)*J_yy*L_dot*c13*theta_dot + REAL(2)*J_yz*L_dot*W_z*c13 + REAL(4)*J_yz*W_z*inv_L*inv_k3*k1*theta_dot
+            + REAL(2)*L_dot*h_x*inv_L*theta_dot + REAL(2)*W_z*h_y*theta_dot + c12*h_z - W_z*c41*c64 - c12*c68*inv_L*inv_k3*k1
+            - c2*c52 - c20*c58 - c22*c41 - c45 - c46 - c54 - c55*own_y - c56*own_z - c61*own_z - c62*c63;
         const stewart_real c70 = c59*own_y;
         const stewart_real c71 = W_z*c49;
         const stewart_real c72 = inv_L*w_z;
@@ -4368,25 +5426,24 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c117 = c13*c38;
         const stewart_real c118 = W_z*c41;
         const stewart_real c119 = c118*c57;
-        const stewart_real tau_S_leg_22 = L_ddot*c19 + W_z*c57*c67 + c103*c110*c111 + c106*c107 + c108*c60
-            + c112*c85 + c113*inv_k3 + c116*c14 + c18*c96 + c2*c64 + c2*c77 + c3*c44 + c31*c41 + c34
-            + c41*c90 + c42*c82 + c55*c78*inv_k3 + c60*c93 + c70 + c74*inv_k3 + c75 + c77*c85 + c79*inv_k3
-            + c80*k1 + c98 - c100*c99 - c102*c2 - c103*c105 - c107*c114 - c108*c43 - REAL(2)*c117*c44
-            - c119*c68 - c18*c94 - c2*c41*c64 - c3*c61 - c31 - c37*c68*inv_k3*k1 - c41*c70 - c42*c75
-            - c43*c93 - c71 - c73 - c76*inv_k3*w_n_omega - c81 - c82 - c84*inv_k3 - c88*inv_k3 - c90 - c92;
+        const stewart_real tau_S_leg_22 = L_ddot*c19 + W_z*c57*c67 + c103*c110*c111 + c106*c107 + c108*c60 + c112*c85
+            + c113*inv_k3 + c116*c14 + c18*c96 + c2*c64 + c2*c77 + c3*c44 + c31*c41 + c34 + c41*c90 + c42*c82
+            + c55*c78*inv_k3 + c60*c93 + c70 + c74*inv_k3 + c75 + c77*c85 + c79*inv_k3 + c80*k1 + c98 - c100*c99
+            - c102*c2 - c103*c105 - c107*c114 - c108*c43 - REAL(2)*c117*c44 - c119*c68 - c18*c94 - c2*c41*c64
+            - c3*c61 - c31 - c37*c68*inv_k3*k1 - c41*c70 - c42*c75 - c43*c93 - c71 - c73 - c76*inv_k3*w_n_omega
+            - c81 - c82 - c84*inv_k3 - c88*inv_k3 - c90 - c92;
         const stewart_real c120 = h_y*own_z;
         const stewart_real c121 = c103*c57;
         const stewart_real c122 = W_z*c112;
         const stewart_real c123 = c51*c89;
         const stewart_real c124 = c110*c62;
         const stewart_real c125 = J_xx - J_zz;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c13 + REAL(2)*J_xy*L_dot*W_z*c13
-            + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot + J_xy*c41*inv_L*own_z + J_yy*L_ddot*c13
-            + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c13 + REAL(2)*J_xy*L_dot*W_z*c13 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
+            + J_xy*c41*inv_L*own_z + J_yy*L_ddot*c13 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
             + REAL(2)*L_dot*W_z*c41*h_y*inv_L + REAL(4)*W_z*c103*h_y*k1*theta_dot + REAL(2)*c103*c12*h_z*k1
             + c12*c41*inv_L*(J_yy + c125) + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c100*c121*c20 - c103*c124
-            - c11 - c117*c36 - c12*c36 - c12*c55 - c120*c41 - c122*c18 - c123*c41 - c16*c2 - c40*c65
-            - c41*c47*c56 - c44*c47 - c72*g_k*k3 - c72*gamma_n*k1 - c87*g_k;
+            - c11 - c117*c36 - c12*c36 - c12*c55 - c120*c41 - c122*c18 - c123*c41 - c16*c2 - c40*c65 - c41*c47*c56
+            - c44*c47 - c72*g_k*k3 - c72*gamma_n*k1 - c87*g_k;
         const stewart_real c126 = J_xx*inv_L;
         const stewart_real c127 = c126*inv_k3;
         const stewart_real c128 = c110*inv_L;
@@ -4405,10 +5462,9 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c141 = c41*k1;
         const stewart_real c142 = c141*c57;
         const stewart_real c144 = -c67*k3;
-        const stewart_real tau_S_leg_31 = c12*c135 + c125*c136*own_z + c131*c91 + c133*c2 + c135*c3
-            + c137*c37 + c138*theta_dot + c139*theta_dot + c140*c142 + c144*c37 + c25*k3 + c92*k1 + c93*h_y
-            - c104*c2 - c109*c75 - c109*c82 - c127*own_z - c128*own_z - c129*own_y - c130*theta_dot
-            - REAL(2)*c59*c93 - c70*k1 - c80;
+        const stewart_real tau_S_leg_31 = c12*c135 + c125*c136*own_z + c131*c91 + c133*c2 + c135*c3 + c137*c37
+            + c138*theta_dot + c139*theta_dot + c140*c142 + c144*c37 + c25*k3 + c92*k1 + c93*h_y - c104*c2 - c109*c75
+            - c109*c82 - c127*own_z - c128*own_z - c129*own_y - c130*theta_dot - REAL(2)*c59*c93 - c70*k1 - c80;
         const stewart_real c145 = REAL(2)*J_xz;
         const stewart_real c146 = c109*c46;
         const stewart_real c147 = c109*c58;
@@ -4416,27 +5472,23 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real c149 = c2*k3;
         const stewart_real c150 = c126*c41;
         const stewart_real c151 = c50*k1;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c13*c41*k1*theta_dot
-            + REAL(2)*J_xx*c103*c3*inv_L + J_xx*c12*inv_L*inv_k3 + REAL(2)*J_xx*c38*c39*inv_k3
-            + REAL(2)*J_xy*L_dot*W_z*c13*k3 + J_xy*inv_L*inv_k3*own_z
-            + REAL(2)*J_xz*L_dot*c13*inv_k3*theta_dot + REAL(2)*J_xz*c3*c41*inv_L*k1
-            + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c38*c39*k1 + REAL(2)*J_xz*inv_L*k3*own_y
-            + J_yz*inv_L*k1*own_z + L_ddot*c125*c13*k3 + REAL(2)*L_ddot*h_z*inv_L*k1
-            + REAL(2)*W_z*c41*h_y*k1*theta_dot + c12*c125*inv_L*k3 + REAL(2)*c12*c41*h_z*k1
-            + c125*inv_L*k1*own_y + REAL(2)*c13*c38*h_x*k3 + REAL(2)*c3*h_x*k3 + fall_T_z*k1*m_u
-            + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y
-            - C_us*c14*inv_k3 - J_xx*c99 - L_ddot*c132*inv_L - W_z*c147 - c103*c62*c66 - REAL(2)*c11*k3
-            - c110*c26 - c110*c41*c62 - c117*c151 - c118*c147 - c120*inv_k3 - c122*k1 - c123*inv_k3 - c124
-            - c125*c3*inv_L*k3 - c127*c3 - c129*c47 - c141*c54 - c145*c32*own_y - c146*c41 - c146
-            - c148*c149 - c150*c83 - c2*c49*k1 - c36*c83 - c38*c39*c67*k3 - c59*k3*own_z - c86*gamma_n
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c13*c41*k1*theta_dot + REAL(2)*J_xx*c103*c3*inv_L
+            + J_xx*c12*inv_L*inv_k3 + REAL(2)*J_xx*c38*c39*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c13*k3 + J_xy*inv_L*inv_k3*own_z
+            + REAL(2)*J_xz*L_dot*c13*inv_k3*theta_dot + REAL(2)*J_xz*c3*c41*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1
+            + REAL(4)*J_xz*c38*c39*k1 + REAL(2)*J_xz*inv_L*k3*own_y + J_yz*inv_L*k1*own_z + L_ddot*c125*c13*k3
+            + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c41*h_y*k1*theta_dot + c12*c125*inv_L*k3 + REAL(2)*c12*c41*h_z*k1
+            + c125*inv_L*k1*own_y + REAL(2)*c13*c38*h_x*k3 + REAL(2)*c3*h_x*k3 + fall_T_z*k1*m_u + gamma_n*inv_L*inv_k3*k1*w_z
+            + gamma_y*inv_L*inv_k3*w_y + REAL(2)*h_z*inv_k3*own_y - C_us*c14*inv_k3 - J_xx*c99 - L_ddot*c132*inv_L
+            - W_z*c147 - c103*c62*c66 - REAL(2)*c11*k3 - c110*c26 - c110*c41*c62 - c117*c151 - c118*c147 - c120*inv_k3
+            - c122*k1 - c123*inv_k3 - c124 - c125*c3*inv_L*k3 - c127*c3 - c129*c47 - c141*c54 - c145*c32*own_y
+            - c146*c41 - c146 - c148*c149 - c150*c83 - c2*c49*k1 - c36*c83 - c38*c39*c67*k3 - c59*k3*own_z - c86*gamma_n
             - fall_T_x*k3*m_u;
         const stewart_real c153 = c118*k1;
         const stewart_real c154 = k1*theta_dot;
-        const stewart_real tau_S_leg_33 = c100*c26 + c102*c154 + c111*c144 + c112*c154 + c114*c41
-            + c125*c78*inv_L + c130*c2 + c131*c140 + c134*c82 + c136*c145*own_z + c150*c78 + c153*c53
-            + REAL(2)*c3*c60 + c70*k3 + c71*k3 + c73*k3 + c81*k3 + c88 + c94*k1 - c101*c149 - c105
-            - c106*c41 - c110*c119 - c113 - c115*c14*inv_k3 - c121*c140 - c134*c34 - c134*c89*theta_dot
-            - c141*c37*c66 - c74 - c79 - c84 - c96*k1 - c98*k3;
+        const stewart_real tau_S_leg_33 = c100*c26 + c102*c154 + c111*c144 + c112*c154 + c114*c41 + c125*c78*inv_L
+            + c130*c2 + c131*c140 + c134*c82 + c136*c145*own_z + c150*c78 + c153*c53 + REAL(2)*c3*c60 + c70*k3
+            + c71*k3 + c73*k3 + c81*k3 + c88 + c94*k1 - c101*c149 - c105 - c106*c41 - c110*c119 - c113 - c115*c14*inv_k3
+            - c121*c140 - c134*c34 - c134*c89*theta_dot - c141*c37*c66 - c74 - c79 - c84 - c96*k1 - c98*k3;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -4454,40 +5506,28 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c49 - c51*c56 - c51*c61 - c57*c65;
         const stewart_real c156 = c109*c56;
         const stewart_real c157 = c156*theta_dot;
-        const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L
-            + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1 + REAL(2)*W_z*c41*h_z + W_z*c68*inv_L*inv_k3*k1
-            + REAL(2)*c41*h_y*theta_dot - c101 - c112 - c116*inv_L - c138*inv_k3 - c157*inv_k3
-            - REAL(2)*c41*c58 - c64;
+        const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
+            + REAL(2)*W_z*c41*h_z + W_z*c68*inv_L*inv_k3*k1 + REAL(2)*c41*h_y*theta_dot - c101 - c112 - c116*inv_L
+            - c138*inv_k3 - c157*inv_k3 - REAL(2)*c41*c58 - c64;
         const stewart_real c158 = c51*c59;
         const stewart_real tau_S_dot_leg_23 = W_z*c156*inv_k3 + c14*c65 + c158*c41 + c16 + c95 - c148 - c158
             - c16*c41 - c53;
         const stewart_real tau_S_dot_leg_31 = W_z*c67*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c32*c66 - c129*c29
             - c133 - c147 - c91*inv_L*k1;
-        const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3
-            + REAL(2)*J_yz*W_z*inv_L*k1 + L_dot*c13*c67*k3 + REAL(2)*L_dot*h_z*inv_L*k1
-            + REAL(2)*h_z*inv_k3*theta_dot - W_z*c135 - c131*c145 - c132*c2 - c137*c14 - c14*c63*k1
-            - c142*c66 - c16*inv_k3;
-        const stewart_real tau_S_dot_leg_33 = c115*c32 + c134*c58 + c138 + c139 + c153*c66*inv_L - c130
-            - c157;
+        const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
+            + L_dot*c13*c67*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c135 - c131*c145
+            - c132*c2 - c137*c14 - c14*c63*k1 - c142*c66 - c16*inv_k3;
+        const stewart_real tau_S_dot_leg_33 = c115*c32 + c134*c58 + c138 + c139 + c153*c66*inv_L - c130 - c157;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x
-            + tau_S_dot_leg_13*z_x;
-        const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y
-            + tau_S_dot_leg_13*z_y;
-        const stewart_real tau_S_dot_xz = s_z*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_z
-            + tau_S_dot_leg_13*z_z;
-        const stewart_real tau_S_dot_yx = s_x*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_x
-            + tau_S_dot_leg_23*z_x;
-        const stewart_real tau_S_dot_yy = s_y*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_y
-            + tau_S_dot_leg_23*z_y;
-        const stewart_real tau_S_dot_yz = s_z*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_z
-            + tau_S_dot_leg_23*z_z;
-        const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x
-            + tau_S_dot_leg_33*z_x;
-        const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y
-            + tau_S_dot_leg_33*z_y;
-        const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z
-            + tau_S_dot_leg_33*z_z;
+        const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
+        const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
+        const stewart_real tau_S_dot_xz = s_z*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_z + tau_S_dot_leg_13*z_z;
+        const stewart_real tau_S_dot_yx = s_x*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_x + tau_S_dot_leg_23*z_x;
+        const stewart_real tau_S_dot_yy = s_y*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_y + tau_S_dot_leg_23*z_y;
+        const stewart_real tau_S_dot_yz = s_z*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_z + tau_S_dot_leg_23*z_z;
+        const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x;
+        const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
+        const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
         const stewart_real tau_S_ddot_leg_12 = -c17;
         const stewart_real tau_S_ddot_leg_13 = -c28;
         const stewart_real tau_S_ddot_leg_22 = c56 + c61 - c44;
@@ -4503,30 +5543,27 @@ STEWART_APART static void joint_slopes_of_legs(
         const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
         const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
         const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
-        const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x
-            + tau_S_ddot_leg_33*z_x;
-        const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y
-            + tau_S_ddot_leg_33*z_y;
-        const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z
-            + tau_S_ddot_leg_33*z_z;
-        const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz
-            + omega_z*tau_S_dot_xy + tau_S_xx - omega_y*tau_S_dot_xz;
-        const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz
-            + omega_x*tau_S_dot_xz + tau_S_xy - omega_z*tau_S_dot_xx;
-        const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz
-            + omega_y*tau_S_dot_xx + tau_S_xz - omega_x*tau_S_dot_xy;
-        const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz
-            + omega_z*tau_S_dot_yy + tau_S_yx - omega_y*tau_S_dot_yz;
-        const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz
-            + omega_x*tau_S_dot_yz + tau_S_yy - omega_z*tau_S_dot_yx;
-        const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz
-            + omega_y*tau_S_dot_yx + tau_S_yz - omega_x*tau_S_dot_yy;
-        const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz
-            + omega_z*tau_S_dot_zy + tau_S_zx - omega_y*tau_S_dot_zz;
-        const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz
-            + omega_x*tau_S_dot_zz + tau_S_zy - omega_z*tau_S_dot_zx;
-        const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz
-            + omega_y*tau_S_dot_zx + tau_S_zz - omega_x*tau_S_dot_zy;
+        const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x;
+        const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y;
+        const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z;
+        const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz + omega_z*tau_S_dot_xy
+            + tau_S_xx - omega_y*tau_S_dot_xz;
+        const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz + omega_x*tau_S_dot_xz
+            + tau_S_xy - omega_z*tau_S_dot_xx;
+        const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz + omega_y*tau_S_dot_xx
+            + tau_S_xz - omega_x*tau_S_dot_xy;
+        const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz + omega_z*tau_S_dot_yy
+            + tau_S_yx - omega_y*tau_S_dot_yz;
+        const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz + omega_x*tau_S_dot_yz
+            + tau_S_yy - omega_z*tau_S_dot_yx;
+        const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz + omega_y*tau_S_dot_yx
+            + tau_S_yz - omega_x*tau_S_dot_yy;
+        const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz + omega_z*tau_S_dot_zy
+            + tau_S_zx - omega_y*tau_S_dot_zz;
+        const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz + omega_x*tau_S_dot_zz
+            + tau_S_zy - omega_z*tau_S_dot_zx;
+        const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz + omega_y*tau_S_dot_zx
+            + tau_S_zz - omega_x*tau_S_dot_zy;
         const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
         const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
         const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
@@ -4791,8 +5828,7 @@ STEWART_APART static void joint_slopes_of_legs(
         out->H_moment[0][l] = q_y*s_z - q_z*s_y;
         out->H_moment[1][l] = q_z*s_x - q_x*s_z;
         out->H_moment[2][l] = q_x*s_y - q_y*s_x;
-        stewart_real fault;
-        stewart_real reach = STEWART_SHORTEST / STEWART_ROUNDING;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
@@ -4802,839 +5838,193 @@ STEWART_APART static void joint_slopes_of_legs(
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        out->judged.reach[l] = reach;
-        out->judged.L[l] = L;
-        out->judged.k3[l] = k3;
-        fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING * reach ? fault : REAL(1);
+        out->checked.reach[l] = reach;
+        out->checked.L[l] = L;
+        out->checked.k3[l] = k3;
+        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
+        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
         fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
-        out->judged.bad[l] = fault;
+        out->checked.bad[l] = fault;
     }
 }
 
-/* Platform and legs together; returns a status. */
-static int joint_slopes_sums(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_real (*apart)[LANES], joint_slopes_legs *legs,
-    stewart_real *sum)
+/* Platform and legs together; ``status``: of the legs. */
+static void joint_slopes_sums(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_slopes_legs *legs,
+    stewart_real summed[93])
 {
+    int l;
     joint_slopes_pose pose;
-    int status;
-    joint_slopes_of_pose(model, motion, &pose, sum);
-    joint_slopes_of_legs(model, motion, &pose, apart, legs);
-    status = legs_status(&legs->judged);
-    if (status == STEWART_OK) {
-        add_legs(legs->sum, 93, sum);
+    joint_slopes_of_pose(model, motion, &pose, summed);
+    for (l = 6; l < 8; ++l) {
+        legs->net[0][l] = legs->net[0][5];
+        legs->net[1][l] = legs->net[1][5];
+        legs->net[2][l] = legs->net[2][5];
+        legs->turned[0][l] = legs->turned[0][5];
+        legs->turned[1][l] = legs->turned[1][5];
+        legs->turned[2][l] = legs->turned[2][5];
     }
-    return status;
-}
-
-/* Solves for X the rows [M | Y] of 8 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
- * Returns a status. */
-static int solve_definite_8(stewart_real A[6 * 8], stewart_real least)
-{
-    stewart_real scale[6], inverse[6];
-    int i, j, k;
-    for (k = 0; k < 6; ++k) {
-        scale[k] = A[k * 8 + k];
-    }
-    for (k = 0; k < 6; ++k) {
-        if (!(A[k * 8 + k] > least * scale[k])) {
-            return STEWART_FABS(A[k * 8 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
-        }
-        inverse[k] = REAL(1) / A[k * 8 + k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i * 8 + k] * inverse[k];
-            for (j = 0; j < 8; ++j) {
-                A[i * 8 + j] = A[i * 8 + j] - factor * A[k * 8 + j];
-            }
-        }
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 8; ++j) {
-            A[k * 8 + j] = A[k * 8 + j] * inverse[k];
-        }
-        for (i = 0; i < k; ++i) {
-            const stewart_real factor = A[i * 8 + k];
-            for (j = 6; j < 8; ++j) {
-                A[i * 8 + j] = A[i * 8 + j] - factor * A[k * 8 + j];
-            }
-        }
-    }
-    return STEWART_OK;
-}
-
-/* Solves for X the rows [M | Y] of 24 numbers by L D L^T, M positive definite, a pivot more than `least` of its diagonal number, leaving X in place of Y.
- * Returns a status. */
-static int solve_definite_24(stewart_real A[6 * 24], stewart_real least)
-{
-    stewart_real scale[6], inverse[6];
-    int i, j, k;
-    for (k = 0; k < 6; ++k) {
-        scale[k] = A[k * 24 + k];
-    }
-    for (k = 0; k < 6; ++k) {
-        if (!(A[k * 24 + k] > least * scale[k])) {
-            return STEWART_FABS(A[k * 24 + k]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
-        }
-        inverse[k] = REAL(1) / A[k * 24 + k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i * 24 + k] * inverse[k];
-            for (j = 0; j < 24; ++j) {
-                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
-            }
-        }
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 24; ++j) {
-            A[k * 24 + j] = A[k * 24 + j] * inverse[k];
-        }
-        for (i = 0; i < k; ++i) {
-            const stewart_real factor = A[i * 24 + k];
-            for (j = 6; j < 24; ++j) {
-                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
-            }
-        }
-    }
-    return STEWART_OK;
-}
-
-/* Solves for X the rows [H | Y] of 12 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns 1 where a pivot is small, else 0. */
-static int solve_pivoted_12(stewart_real A[6 * 12])
-{
-    stewart_real inverse[6];
-    int i, j, k, suspect = 0;
-
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i * 12 + k]) > STEWART_FABS(A[pivot * 12 + k])) {
-                pivot = i;
-            }
-        }
-        for (j = 0; pivot != k && j < 12; ++j) {
-            const stewart_real moved = A[k * 12 + j];
-            A[k * 12 + j] = A[pivot * 12 + j];
-            A[pivot * 12 + j] = moved;
-        }
-        suspect = STEWART_FABS(A[k * 12 + k]) > STEWART_SUSPECT ? suspect : 1;
-        inverse[k] = REAL(1) / A[k * 12 + k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i * 12 + k] * inverse[k];
-            for (j = 0; j < 12; ++j) {
-                A[i * 12 + j] = A[i * 12 + j] - factor * A[k * 12 + j];
-            }
-        }
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 12; ++j) {
-            A[k * 12 + j] = A[k * 12 + j] * inverse[k];
-        }
-        for (i = 0; i < k; ++i) {
-            const stewart_real factor = A[i * 12 + k];
-            for (j = 6; j < 12; ++j) {
-                A[i * 12 + j] = A[i * 12 + j] - factor * A[k * 12 + j];
-            }
-        }
-    }
-    return suspect;
-}
-
-/* Solves for X the rows [H | Y] of 24 numbers by elimination with partial pivoting, leaving X in place of Y.
- * Returns 1 where a pivot is small, else 0. */
-static int solve_pivoted_24(stewart_real A[6 * 24])
-{
-    stewart_real inverse[6];
-    int i, j, k, suspect = 0;
-
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i * 24 + k]) > STEWART_FABS(A[pivot * 24 + k])) {
-                pivot = i;
-            }
-        }
-        for (j = 0; pivot != k && j < 24; ++j) {
-            const stewart_real moved = A[k * 24 + j];
-            A[k * 24 + j] = A[pivot * 24 + j];
-            A[pivot * 24 + j] = moved;
-        }
-        suspect = STEWART_FABS(A[k * 24 + k]) > STEWART_SUSPECT ? suspect : 1;
-        inverse[k] = REAL(1) / A[k * 24 + k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i * 24 + k] * inverse[k];
-            for (j = 0; j < 24; ++j) {
-                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
-            }
-        }
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 24; ++j) {
-            A[k * 24 + j] = A[k * 24 + j] * inverse[k];
-        }
-        for (i = 0; i < k; ++i) {
-            const stewart_real factor = A[i * 24 + k];
-            for (j = 6; j < 24; ++j) {
-                A[i * 24 + j] = A[i * 24 + j] - factor * A[k * 24 + j];
-            }
-        }
-    }
-    return suspect;
-}
-
-/* M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform. Each row of A carries the
- * root of its inertia, so that blocks of weights are of about one. Six rows serve as coordinates. */
-#define ROWS 24
-
-typedef struct {
-    stewart_real weight[8][9];   /* of three rows each */
-    stewart_real size[ROWS];     /* root of the inertia that is in the row */
-    stewart_real share[ROWS][6]; /* the row as a sum of the six that serve as coordinates */
-    stewart_real factors[6][6];  /* L and U of these six, columns in the order of `column` */
-    stewart_real inertia[6][6];  /* M in these coordinates */
-    stewart_real length;         /* m: moments and rotations are measured by it */
-    int pivot[6], column[6];
-} row_factors;
-
-/* Inertia of three coordinates, xx xy xz yy yz zz, as weights of rows of these sizes. */
-static void weigh(const stewart_real *inertia, const stewart_real *size, stewart_real *weight)
-{
-    static const int place[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-    int i;
-    for (i = 0; i < 9; ++i) {
-        weight[i] = inertia[place[i]] / size[i / 3] / size[i % 3];
+    joint_slopes_of_leg(model, motion, &pose, legs);
+    legs->status = legs_status(&legs->checked);
+    if (legs->status == STEWART_OK) {
+        add_legs(legs->sum, 93, summed);
     }
 }
 
-/* Rows and weights of the legs. `least` is far below the root of any mass that counts. */
-static void leg_rows(
-    const joint_rows_legs *legs, stewart_real least, stewart_real (*row)[6], row_factors *by)
+/* M^-1 times the derivatives of the wrench and H, columns 6 to 23 of A, as ``forward_apart`` solves. */
+static slopes_found slopes_apart(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_motion *moving,
+    const stewart_real F[6])
 {
-    int l, i, j;
-    for (l = 0; l < 6; ++l) {
-        stewart_real *size = &by->size[3 * l];
-        stewart_real inertia[6];
-        const stewart_real reach = least * legs->judged.L[l];
-        for (i = 0; i < 6; ++i) {
-            inertia[i] = legs->M_xi[i][l];
-        }
-        size[1] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[3])), reach);
-        size[2] = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(inertia[5])), reach * legs->judged.k3[l]);
-        size[0] = STEWART_LARGER(STEWART_FABS(inertia[1]) / size[1], STEWART_FABS(inertia[2]) / size[2]);
-        size[0] = STEWART_LARGER(size[0], STEWART_SQRT(STEWART_FABS(inertia[0])));
-        size[0] = STEWART_LARGER(size[0], least);
-        weigh(inertia, size, by->weight[l]);
-        for (i = 0; i < 3; ++i) {
-            for (j = 0; j < 3; ++j) {
-                row[3 * l + i][j] = size[i] * legs->row_v[3 * i + j][l];
-                row[3 * l + i][j + 3] = size[i] * (legs->row_w[3 * i + j][l] / by->length);
-            }
-        }
-    }
-}
-
-/* Rows and weights of the platform from its part of M: its centre of mass, and rotation about it. */
-static void platform_rows(
-    const stewart_real *sum, stewart_real least, stewart_real (*row)[6], row_factors *by)
-{
-    static const int axis[3] = {15, 18, 20};
-    const stewart_real mass = sum[0], heft = STEWART_LARGER(STEWART_SQRT(STEWART_FABS(mass)), least);
-    const stewart_real per_mass = mass > REAL(0) ? REAL(1) / mass : REAL(0);
-    const stewart_real c[3] = {sum[11] * per_mass, -sum[8] * per_mass, sum[7] * per_mass};
-    const stewart_real whole[6] = {mass, REAL(0), REAL(0), mass, REAL(0), mass};
-    stewart_real about[6];
-    int i, j, place = 0;
-    for (i = 0; i < 3; ++i) {
-        for (j = i; j < 3; ++j) {
-            const stewart_real square = i == j ? c[0] * c[0] + c[1] * c[1] + c[2] * c[2] : REAL(0);
-            about[place] = sum[15 + place] - mass * (square - c[i] * c[j]);
-            ++place;
-        }
-        by->size[18 + i] = heft;
-    }
-    for (i = 0; i < 3; ++i) {
-        const stewart_real turned = STEWART_SQRT(STEWART_FABS(about[axis[i] - 15]));
-        by->size[21 + i] = STEWART_LARGER(turned, least * by->length);
-        for (j = 0; j < 3; ++j) {
-            row[18 + i][j] = i == j ? heft : REAL(0);
-            row[21 + i][j] = REAL(0);
-            row[21 + i][j + 3] = i == j ? by->size[21 + i] / by->length : REAL(0);
-        }
-        row[18 + i][i + 3] = REAL(0);
-        row[18 + i][(i + 1) % 3 + 3] = heft * (c[(i + 2) % 3] / by->length);
-        row[18 + i][(i + 2) % 3 + 3] = -heft * (c[(i + 1) % 3] / by->length);
-    }
-    weigh(whole, &by->size[18], by->weight[6]);
-    weigh(about, &by->size[21], by->weight[7]);
-}
-
-static void swap(stewart_real *one, stewart_real *other)
-{
-    const stewart_real moved = *one;
-    *one = *other;
-    *other = moved;
-}
-
-/* Brings the largest number of rows and columns from k on to row and column k. */
-static void bring_largest(stewart_real (*row)[6], int k, int *order, row_factors *by)
-{
-    int i, j, best = k, across = k;
-    for (i = k; i < ROWS; ++i) {
-        for (j = k; j < 6; ++j) {
-            if (STEWART_FABS(row[i][j]) > STEWART_FABS(row[best][across])) {
-                best = i;
-                across = j;
-            }
-        }
-    }
-    i = order[k];
-    order[k] = order[best];
-    order[best] = i;
-    j = by->column[k];
-    by->column[k] = by->column[across];
-    by->column[across] = j;
-    for (j = 0; j < 6; ++j) {
-        swap(&row[k][j], &row[best][j]);
-    }
-    for (i = 0; i < ROWS; ++i) {
-        swap(&row[i][k], &row[i][across]);
-    }
-}
-
-/* Picks six rows as coordinates and writes the others as sums of them. */
-static void eliminate_rows(stewart_real (*row)[6], row_factors *by)
-{
-    int order[ROWS], i, j, k;
-    for (i = 0; i < ROWS; ++i) {
-        order[i] = i;
-        by->column[i % 6] = i % 6;
-    }
-    for (k = 0; k < 6; ++k) {
-        bring_largest(row, k, order, by);
-        for (i = k + 1; i < ROWS; ++i) {
-            row[i][k] = row[i][k] / row[k][k];
-            for (j = k + 1; j < 6; ++j) {
-                row[i][j] = row[i][j] - row[i][k] * row[k][j];
-            }
-        }
-    }
-    for (i = 0; i < ROWS; ++i) {
-        stewart_real *share = by->share[order[i]];
-        for (j = 5; j >= 0; --j) {
-            share[j] = i < 6 ? (i == j ? REAL(1) : REAL(0)) : row[i][j];
-            for (k = j + 1; i >= 6 && k < 6; ++k) {
-                share[j] = share[j] - share[k] * row[k][j];
-            }
-        }
-    }
-    for (k = 0; k < 6; ++k) {
-        by->pivot[k] = order[k];
-        for (j = 0; j < 6; ++j) {
-            by->factors[k][j] = row[k][j];
-        }
-    }
-}
-
-static void factor_rows(const joint_rows_legs *legs, const stewart_real *sum, row_factors *by)
-{
-    stewart_real row[ROWS][6], least = STEWART_FABS(sum[0]);
-    int l, i, j, k;
-    by->length = REAL(0);
-    for (l = 0; l < 6; ++l) {
-        const stewart_real L = legs->judged.L[l], rho = L * legs->judged.k3[l];
-        for (i = 0; i < 3; ++i) {
-            by->length = STEWART_LARGER(STEWART_FABS(legs->row_w[i][l]), by->length);
-        }
-        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[3][l]) / L / L, least);
-        least = STEWART_LARGER(STEWART_FABS(legs->M_xi[5][l]) / rho / rho, least);
-    }
-    least = STEWART_LARGER(STEWART_EPSILON * STEWART_SQRT(least), STEWART_SHORTEST);
-    by->length = by->length > REAL(0) ? by->length : REAL(1);
-    leg_rows(legs, least, row, by);
-    platform_rows(sum, least, row, by);
-    eliminate_rows(row, by);
-    for (k = 0; k < 36; ++k) {
-        by->inertia[k / 6][k % 6] = REAL(0);
-    }
-    for (i = 0; i < ROWS; ++i) {
-        for (j = 0; j < 3; ++j) {
-            const stewart_real weight = by->weight[i / 3][i % 3 * 3 + j];
-            for (k = 0; k < 36; ++k) {
-                const stewart_real one = by->share[i][k / 6], other = by->share[i / 3 * 3 + j][k % 6];
-                by->inertia[k / 6][k % 6] = by->inertia[k / 6][k % 6] + one * weight * other;
-            }
-        }
-    }
-}
-
-/* Accelerations of the rows that serve as coordinates, and of no others, under which the inertia of each
- * block balances the forces of these rows; `balanced` says which they are, without those that have no inertia
- * of their own beside the rows before them. */
-static void balance(
-    const row_factors *by, const stewart_real *force, stewart_real (*moved)[3], int (*balanced)[3])
-{
-    int b, i, j, k;
-    for (i = 0; i < ROWS; ++i) {
-        balanced[i / 3][i % 3] = 0;
-        moved[i / 3][i % 3] = force[i];
-    }
-    for (k = 0; k < 6; ++k) {
-        balanced[by->pivot[k] / 3][by->pivot[k] % 3] = 1;
-    }
-    for (b = 0; b < ROWS / 3; ++b) {
-        stewart_real W[3][3];
-        for (i = 0; i < 9; ++i) {
-            W[i / 3][i % 3] = by->weight[b][i];
-        }
-        for (k = 0; k < 3; ++k) {
-            balanced[b][k] = W[k][k] > STEWART_KEPT ? balanced[b][k] : 0;
-            for (i = k + 1; balanced[b][k] != 0 && i < 3; ++i) {
-                const stewart_real factor = W[i][k] / W[k][k];
-                moved[b][i] = moved[b][i] - factor * moved[b][k];
-                for (j = k + 1; j < 3; ++j) {
-                    W[i][j] = W[i][j] - factor * W[k][j];
-                }
-            }
-        }
-        for (k = 2; k >= 0; --k) {
-            for (j = k + 1; j < 3; ++j) {
-                moved[b][k] = moved[b][k] - W[k][j] * moved[b][j];
-            }
-            moved[b][k] = balanced[b][k] != 0 ? moved[b][k] / W[k][k] : REAL(0);
-        }
-    }
-}
-
-/* What six coordinates' accelerations must balance, of the rows' forces and a wrench.
- *
- * force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
- * the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
- * rows' forces there. */
-static void row_right(
-    const row_factors *by, const stewart_real *force, const stewart_real *wrench, stewart_real *start,
-    stewart_real *rest, stewart_real *right)
-{
-    stewart_real moved[ROWS / 3][3], y[6];
-    int balanced[ROWS / 3][3];
-    int i, j, k;
-    balance(by, force, moved, balanced);
-    for (k = 0; k < 6; ++k) {
-        start[k] = moved[by->pivot[k] / 3][by->pivot[k] % 3];
-        y[k] = wrench[by->column[k]] / (by->column[k] < 3 ? REAL(1) : by->length);
-    }
-    for (i = 0; i < ROWS; ++i) {
-        moved[i / 3][i % 3] = REAL(0);
-        for (k = 0; k < 6; ++k) {
-            moved[i / 3][i % 3] = moved[i / 3][i % 3] + by->share[i][k] * start[k];
-        }
-    }
-    for (i = 0; i < ROWS; ++i) {
-        const int b = i / 3, own = balanced[b][i % 3];
-        rest[i] = own != 0 ? REAL(0) : force[i];
-        for (j = 0; j < 3; ++j) {
-            if (own == 0 || balanced[b][j] == 0) {
-                rest[i] = rest[i] - by->weight[b][i % 3 * 3 + j] * moved[b][j];
-            }
-        }
-    }
-    for (k = 0; k < 6; ++k) {
-        for (j = 0; j < k; ++j) {
-            y[k] = y[k] - by->factors[j][k] * y[j];
-        }
-        y[k] = y[k] / by->factors[k][k];
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = k + 1; j < 6; ++j) {
-            y[k] = y[k] - by->factors[j][k] * y[j];
-        }
-    }
-    for (k = 0; k < 6; ++k) {
-        right[k] = y[k];
-        for (i = 0; i < ROWS; ++i) {
-            right[k] = right[k] - by->share[i][k] * rest[i];
-        }
-    }
-}
-
-/* [a; alpha] from the coordinates' accelerations. */
-static void row_back(
-    const row_factors *by, const stewart_real *found, const stewart_real *start, stewart_real *acceleration)
-{
-    stewart_real x[6];
-    int j, k;
-    for (k = 0; k < 6; ++k) {
-        x[k] = found[k] - start[k];
-        for (j = 0; j < k; ++j) {
-            x[k] = x[k] - by->factors[k][j] * x[j];
-        }
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = k + 1; j < 6; ++j) {
-            x[k] = x[k] - by->factors[k][j] * x[j];
-        }
-        x[k] = x[k] / by->factors[k][k];
-        acceleration[by->column[k]] = x[k] / (by->column[k] < 3 ? REAL(1) : by->length);
-    }
-}
-
-/* Of each leg the generalised forces, and the accelerations that those of the platform give to it. */
-static void rows_held(
-    const row_factors *by, const stewart_real *found, const stewart_real *start, const stewart_real *rest,
-    stewart_real (*apart)[LANES])
-{
-    stewart_real whole[ROWS];
-    int l, i, j;
-    for (i = 0; i < ROWS; ++i) {
-        whole[i] = REAL(0);
-        for (j = 0; j < 6; ++j) {
-            whole[i] = whole[i] + by->share[i][j] * found[j];
-        }
-    }
-    for (l = 0; l < LANES; ++l) {
-        for (i = 0; i < 3; ++i) {
-            const int row = 3 * (l < 6 ? l : 5) + i;
-            stewart_real force = rest[row], turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                force = force + by->weight[row / 3][3 * i + j] * whole[row - i + j];
-            }
-            for (j = 0; j < 6; ++j) {
-                turned = turned + by->share[row][j] * (found[j] - start[j]);
-            }
-            apart[i][l] = force * by->size[row];
-            apart[i + 3][l] = turned / by->size[row];
-        }
-    }
-}
-
-/* Forward dynamics where M's factors would lose digits; apart: the legs' generalised forces, without the
- * actuators', and the accelerations that those of the platform give to L, theta, phi. Returns a status. */
-static int forward_apart(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
-    row_factors *by, stewart_real (*apart)[LANES], stewart_real acceleration[6])
-{
-    joint_rows_legs legs;
-    stewart_real A[48], sum[27], force[ROWS], rest[ROWS], start[6], right[6], found[6];
-    int i, status = joint_rows_sums(model, motion, F, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    factor_rows(&legs, sum, by);
-    for (i = 0; i < ROWS; ++i) {
-        force[i] = i < 18 ? legs.tau[i % 3][i / 3] / by->size[i] : REAL(0);
-    }
-    row_right(by, force, &sum[21], start, rest, right);
-    for (i = 0; i < 6; ++i) {
-        copy(by->inertia[i], 6, &A[8 * i]);
-        A[8 * i + 6] = right[i];
-        A[8 * i + 7] = REAL(0);
-    }
-    status = solve_definite_8(A, STEWART_ROUNDING);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    for (i = 0; i < 6; ++i) {
-        right[i] = A[8 * i + 6];
-    }
-    row_back(by, right, start, found);
-    if (is_finite(found, 6) == 0) {
-        return STEWART_NOT_FINITE;
-    }
-    copy(found, 6, acceleration);
-    rows_held(by, right, start, rest, apart);
-    return STEWART_OK;
-}
-
-/* M^-1 times the derivatives of the wrench and H, columns 6 to 23 of the rows of A, as forward_apart solves.
- * Returns a status. */
-static int slopes_apart(
-    const stewart_exact_model *model, const stewart_motion *motion, const row_factors *by,
-    stewart_real (*apart)[LANES], stewart_real A[144])
-{
+    int c, i, j, k;
+    slopes_found out = {0};
+    rows by = {0};
     joint_slopes_legs legs;
-    stewart_real sum[93], start[18][6];
-    int i, c, status = joint_slopes_sums(model, motion, apart, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    block_rows(&sum[21], 24, &A[6]);
-    block_rows(&sum[57], 24, &A[12]);
-    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    for (c = 0; c < 18; ++c) {
-        stewart_real (*const tau[4])[LANES] = {legs.tau_t, legs.tau_r, legs.tau_v, legs.tau_w};
-        stewart_real wrench[6], right[6], force[ROWS], rest[ROWS];
-        for (i = 0; i < ROWS; ++i) {
-            force[i] = i < 18 && c < 12 ? -tau[c / 3][i % 3 * 3 + c % 3][i / 3] / by->size[i] : REAL(0);
-        }
-        for (i = 0; i < 6; ++i) {
-            wrench[i] = A[24 * i + 6 + c];
-        }
-        row_right(by, force, wrench, start[c], rest, right);
-        for (i = 0; i < 6; ++i) {
-            A[24 * i + 6 + c] = right[i];
-        }
-    }
+    stewart_real summed[93];
+    stewart_real start[6];
+    stewart_real starts[18][6];
+    stewart_real force[24];
+    stewart_real forces_by[432] = {REAL(0)};
+    stewart_real wrench[6];
+    stewart_real rest[24];
+    stewart_real right[6];
+    const apart_found apart = forward_apart(model, motion, F, &by);
     for (i = 0; i < 6; ++i) {
-        copy(by->inertia[i], 6, &A[24 * i]);
-    }
-    status = solve_definite_24(A, STEWART_ROUNDING);
-    for (c = 0; status == STEWART_OK && c < 18; ++c) {
-        stewart_real found[6], acceleration[6];
-        for (i = 0; i < 6; ++i) {
-            found[i] = A[24 * i + 6 + c];
-        }
-        row_back(by, found, start[c], acceleration);
-        for (i = 0; i < 6; ++i) {
-            A[24 * i + 6 + c] = acceleration[i];
-        }
-    }
-    return status;
-}
-
-int stewart_exact_equations(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_equations *out)
-{
-    equations_legs legs;
-    stewart_equations found;
-    stewart_real sum[69];
-    int i, j, status;
-    if (model == NULL || motion == NULL || out == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    status = equations_sums(model, motion, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    inertia_rows(sum, 6, found.M);
-    block_rows(&sum[21], 6, found.C);
-    copy(&sum[57], 6, found.g);
-    copy(&sum[63], 6, found.friction);
-    column_rows(legs.H_force, legs.H_moment, 6, found.H);
-    column_rows(legs.H_dot_force, legs.H_dot_moment, 6, found.H_dot);
-    for (i = 0; i < 6; ++i) {
-        stewart_real bias = found.g[i] + found.friction[i];
+        out.x[i] = apart.x[i];
         for (j = 0; j < 3; ++j) {
-            bias = bias + found.C[6 * i + j] * motion->v[j] + found.C[6 * i + j + 3] * motion->omega[j];
-        }
-        found.bias[i] = bias;
-    }
-    if (is_finite(sum, 69) == 0 || is_finite(found.bias, 6) == 0 || is_finite(found.H_dot, 36) == 0) {
-        return STEWART_NOT_FINITE;
-    }
-    *out = found;
-    return STEWART_OK;
-}
-
-int stewart_exact_bias(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
-{
-    bias_legs legs;
-    stewart_real sum[6];
-    int status;
-    if (model == NULL || motion == NULL || bias == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    status = bias_sums(model, motion, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    if (is_finite(sum, 6) == 0) {
-        return STEWART_NOT_FINITE;
-    }
-    copy(sum, 6, bias);
-    return STEWART_OK;
-}
-
-int stewart_exact_forward_dynamics(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
-    stewart_real acceleration[6])
-{
-    forward_dynamics_legs legs;
-    row_factors by;
-    stewart_real A[48], sum[27], apart[6][LANES];
-    int i, status;
-    if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    status = forward_dynamics_sums(model, motion, F, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    inertia_rows(sum, 8, A);
-    for (i = 0; i < 6; ++i) {
-        A[8 * i + 6] = sum[21 + i];
-        A[8 * i + 7] = REAL(0);
-    }
-    status = solve_definite_8(A, STEWART_KEPT);
-    if (status == STEWART_INDEFINITE) {
-        return forward_apart(model, motion, F, &by, apart, acceleration);
-    }
-    if (status != STEWART_OK) {
-        return status;
-    }
-    for (i = 0; i < 6; ++i) {
-        if (is_finite(&A[8 * i + 6], 1) == 0) {
-            return STEWART_NOT_FINITE;
+            legs.net[j][i] = by.given[i].net[j];
+            legs.turned[j][i] = by.given[i].turned[j];
         }
     }
-    for (i = 0; i < 6; ++i) {
-        acceleration[i] = A[8 * i + 6];
-    }
-    return STEWART_OK;
-}
-
-int stewart_exact_joint_inertia(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36])
-{
-    equations_legs legs;
-    stewart_real A[72], X[36], sum[69];
-    int i, j, status;
-    if (model == NULL || motion == NULL || inertia == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    status = equations_sums(model, motion, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    column_rows(legs.H_force, legs.H_moment, 12, A);
-    inertia_rows(sum, 12, &A[6]);
-    scale_rows(model->per_length, 12, A);
-    status = columns_status(model, motion, legs.H_force, legs.H_moment, &legs.judged, solve_pivoted_12(A));
-    if (status != STEWART_OK) {
-        return status;
+    joint_slopes_sums(model, moving, &legs, summed);
+    place_blocks_24(&summed[21], &summed[30], &summed[39], &summed[48], 6, out.A);
+    place_blocks_24(&summed[57], &summed[66], &summed[75], &summed[84], 12, out.A);
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            out.A[24*i + (j + 18)] = legs.H_force[i][j];
+            out.A[24*(i + 3) + (j + 18)] = legs.H_moment[i][j];
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            X[6 * j + i] = A[12 * i + 6 + j];
+            out.A[24*i + j] = by.inertia[6*i + j];
         }
     }
-    column_rows(legs.H_force, legs.H_moment, 12, A);
     for (i = 0; i < 6; ++i) {
-        copy(&X[6 * i], 6, &A[12 * i + 6]);
-    }
-    scale_rows(model->per_length, 12, A);
-    (void)solve_pivoted_12(A);
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            X[6 * i + j] = (A[12 * i + 6 + j] + A[12 * j + 6 + i]) * STEWART_HALF;
+        for (j = 0; j < 3; ++j) {
+            for (k = 0; k < 3; ++k) {
+                forces_by[24*k + (3*i + j)] = (-legs.tau_t[3*j + k][i])/by.extent[3*i + j];
+                forces_by[24*(k + 3) + (3*i + j)] = (-legs.tau_r[3*j + k][i])/by.extent[3*i + j];
+                forces_by[24*(k + 6) + (3*i + j)] = (-legs.tau_v[3*j + k][i])/by.extent[3*i + j];
+                forces_by[24*(k + 9) + (3*i + j)] = (-legs.tau_w[3*j + k][i])/by.extent[3*i + j];
+            }
         }
     }
-    if (is_finite(X, 36) == 0) {
-        return STEWART_NOT_FINITE;
+    for (c = 0; c < 18; ++c) {
+        for (i = 0; i < 24; ++i) {
+            force[i] = forces_by[24*c + i];
+        }
+        for (i = 0; i < 6; ++i) {
+            wrench[i] = out.A[24*i + (c + 6)];
+        }
+        row_right(&by, force, wrench, start, rest, right);
+        for (i = 0; i < 6; ++i) {
+            starts[c][i] = start[i];
+            out.A[24*i + (c + 6)] = right[i];
+        }
     }
-    copy(X, 36, inertia);
-    return STEWART_OK;
+    const int fault = solve_definite_24(out.A, STEWART_ROUNDING);
+    for (c = 0; c < 18; ++c) {
+        for (i = 0; i < 6; ++i) {
+            right[i] = out.A[24*i + (c + 6)];
+            start[i] = starts[c][i];
+        }
+        row_back(&by, right, start, wrench);
+        for (i = 0; i < 6; ++i) {
+            out.A[24*i + (c + 6)] = wrench[i];
+        }
+    }
+    out.status = apart.status == STEWART_OK ? (legs.status == STEWART_OK ? fault : legs.status) : apart.status;
+    return out;
 }
 
-int stewart_exact_derivatives(
-    const stewart_exact_model *model, const stewart_motion *motion, stewart_derivatives *out)
-{
-    derivatives_legs legs;
-    stewart_derivatives found;
-    stewart_real A[144], sum[93];
-    int i, j, status;
-    if (model == NULL || motion == NULL || out == NULL) {
-        return STEWART_BAD_ARGUMENT;
-    }
-    status = stewart_exact_forces(model, motion, found.F);
-    if (status == STEWART_OK) {
-        status = derivatives_sums(model, motion, found.F, &legs, sum);
-    }
-    if (status != STEWART_OK) {
-        return status;
-    }
-    column_rows(legs.H_force, legs.H_moment, 24, A);
-    block_rows(&sum[21], 24, &A[6]);
-    block_rows(&sum[57], 24, &A[12]);
-    inertia_rows(sum, 24, &A[18]);
-    scale_rows(model->per_length, 24, A);
-    (void)solve_pivoted_24(A);
-    for (i = 0; i < 6; ++i) {
-        if (is_finite(&A[24 * i + 6], 18) == 0) {
-            return STEWART_NOT_FINITE;
-        }
-        for (j = 0; j < 6; ++j) {
-            found.by_pose[6 * i + j] = A[24 * i + 6 + j];
-            found.by_twist[6 * i + j] = A[24 * i + 12 + j];
-            found.by_acceleration[6 * i + j] = A[24 * i + 18 + j];
-        }
-    }
-    *out = found;
-    return STEWART_OK;
-}
-
-/* A of the linearisation from M^-1 times the derivatives of the wrench, columns 6 to 17 of the rows. */
-static void system_matrix(const stewart_real *omega, stewart_real A[144], stewart_real *system)
+/* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
+static linearisation_found find_linearisation(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
 {
     int i, j;
-    for (i = 0; i < 144; ++i) {
-        system[i] = REAL(0);
-    }
+    linearisation_found out = {0};
+    derivatives_legs legs;
+    stewart_real summed[93];
+    stewart_real A[144];
+    forward_dynamics_found moved = find_forward_dynamics(model, motion, F);
+    const int status = moved.status;
+    const stewart_motion moving = with_acceleration(motion, &moved.acceleration[0], &moved.acceleration[3]);
     for (i = 0; i < 6; ++i) {
-        system[12 * i + 6 + i] = REAL(1);
-        for (j = 0; j < 12; ++j) {
-            system[12 * (i + 6) + j] = -A[24 * i + 6 + j];
+        legs.F[i] = F[i];
+    }
+    derivatives_sums(model, &moving, &legs, summed);
+    place_inertia_24(&summed[0], &summed[6], &summed[15], 0, A);
+    place_blocks_24(&summed[21], &summed[30], &summed[39], &summed[48], 6, A);
+    place_blocks_24(&summed[57], &summed[66], &summed[75], &summed[84], 12, A);
+    for (i = 0; i < 3; ++i) {
+        for (j = 0; j < 6; ++j) {
+            A[24*i + (j + 18)] = legs.H_force[i][j];
+            A[24*(i + 3) + (j + 18)] = legs.H_moment[i][j];
         }
     }
-    system[12 * 3 + 4] = -omega[2];
-    system[12 * 3 + 5] = omega[1];
-    system[12 * 4 + 3] = omega[2];
-    system[12 * 4 + 5] = -omega[0];
-    system[12 * 5 + 3] = -omega[1];
-    system[12 * 5 + 4] = omega[0];
+    int fault = solve_definite_24(A, STEWART_KEPT);
+    if (status == STEWART_OK && fault == STEWART_INDEFINITE) {
+        const slopes_found apart = slopes_apart(model, motion, &moving, F);
+        for (i = 0; i < 6; ++i) {
+            for (j = 6; j < 24; ++j) {
+                A[24*i + j] = fault == STEWART_INDEFINITE ? apart.A[24*i + j] : A[24*i + j];
+            }
+        }
+        for (i = 0; i < 3; ++i) {
+            moved.acceleration[i] = fault == STEWART_INDEFINITE ? apart.x[i] : moved.acceleration[i];
+            moved.acceleration[3 + i] = fault == STEWART_INDEFINITE ? apart.x[i + 3] : moved.acceleration[3
+                + i];
+        }
+        fault = fault == STEWART_INDEFINITE ? apart.status : fault;
+    }
+    for (i = 0; i < 3; ++i) {
+        out.of.acceleration[i] = moved.acceleration[i];
+        out.of.acceleration[3 + i] = moved.acceleration[3 + i];
+    }
+    for (i = 0; i < 6; ++i) {
+        out.of.A[12*i + (i + 6)] = REAL(1);
+        for (j = 0; j < 12; ++j) {
+            out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
+        }
+        for (j = 0; j < 6; ++j) {
+            out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
+        }
+    }
+    out.of.A[40] = -motion->omega[2];
+    out.of.A[41] = motion->omega[1];
+    out.of.A[51] = motion->omega[2];
+    out.of.A[53] = -motion->omega[0];
+    out.of.A[63] = -motion->omega[1];
+    out.of.A[64] = motion->omega[0];
+    out.status = status == STEWART_OK ? fault : status;
+    check_linearisation(&out);
+    return out;
 }
 
 int stewart_exact_linearisation(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_linearisation *out)
 {
-    derivatives_legs legs;
-    row_factors by;
-    stewart_linearisation found;
-    stewart_motion moving;
-    stewart_real A[144], sum[93], apart[6][LANES];
-    int i, j, status;
+    linearisation_found found;
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    status = stewart_exact_forward_dynamics(model, motion, F, found.acceleration);
-    if (status != STEWART_OK) {
-        return status;
+    found = find_linearisation(model, motion, F);
+    if (found.status == STEWART_OK) {
+        *out = found.of;
     }
-    moving = *motion;
-    copy(found.acceleration, 3, moving.a);
-    copy(&found.acceleration[3], 3, moving.alpha);
-    status = derivatives_sums(model, &moving, F, &legs, sum);
-    if (status != STEWART_OK) {
-        return status;
-    }
-    inertia_rows(sum, 24, A);
-    block_rows(&sum[21], 24, &A[6]);
-    block_rows(&sum[57], 24, &A[12]);
-    column_rows(legs.H_force, legs.H_moment, 24, &A[18]);
-    status = solve_definite_24(A, STEWART_KEPT);
-    if (status == STEWART_INDEFINITE) {
-        status = forward_apart(model, motion, F, &by, apart, found.acceleration);
-        if (status == STEWART_OK) {
-            status = slopes_apart(model, &moving, &by, apart, A);
-        }
-    }
-    if (status != STEWART_OK) {
-        return status;
-    }
-    system_matrix(motion->omega, A, found.A);
-    for (i = 0; i < 36; ++i) {
-        found.B[i] = REAL(0);
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            found.B[6 * (i + 6) + j] = A[24 * i + 18 + j];
-        }
-    }
-    if (is_finite(found.A, 144) == 0 || is_finite(found.B, 72) == 0) {
-        return STEWART_NOT_FINITE;
-    }
-    *out = found;
-    return STEWART_OK;
+    return found.status;
 }
 
 /* Numbers of one pose to their place in an array of all poses, if there is one. */
@@ -5730,8 +6120,8 @@ int stewart_exact_derivatives_batch(
 }
 
 int stewart_exact_linearisation_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    const stewart_real *F, const stewart_linearisation_arrays *out, int *status)
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
+    const stewart_linearisation_arrays *out, int *status)
 {
     stewart_motion one;
     stewart_linearisation found;
@@ -5759,8 +6149,8 @@ int stewart_exact_linearisation_batch(
 }
 
 int stewart_exact_bias_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    stewart_real *out, int *status)
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status)
 {
     stewart_motion one;
     stewart_real found[6];
@@ -5786,8 +6176,8 @@ int stewart_exact_bias_batch(
 }
 
 int stewart_exact_forward_dynamics_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    const stewart_real *F, stewart_real *out, int *status)
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
+    stewart_real *out, int *status)
 {
     stewart_motion one;
     stewart_real found[6];
@@ -5813,8 +6203,8 @@ int stewart_exact_forward_dynamics_batch(
 }
 
 int stewart_exact_joint_inertia_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    stewart_real *out, int *status)
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status)
 {
     stewart_motion one;
     stewart_real found[36];

@@ -84,7 +84,6 @@ STEWART_NODISCARD int stewart_exact_bias(
 STEWART_NODISCARD int stewart_exact_forward_dynamics(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6]);
-
 /* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
 STEWART_NODISCARD int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36]);
@@ -104,17 +103,17 @@ STEWART_NODISCARD int stewart_exact_derivatives_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_derivatives_arrays *out, int *status);
 STEWART_NODISCARD int stewart_exact_linearisation_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    const stewart_real *F, const stewart_linearisation_arrays *out, int *status);
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
+    const stewart_linearisation_arrays *out, int *status);
 STEWART_NODISCARD int stewart_exact_bias_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    stewart_real *out, int *status);
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status);
 STEWART_NODISCARD int stewart_exact_forward_dynamics_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
-    const stewart_real *F, stewart_real *out, int *status);
-STEWART_NODISCARD int stewart_exact_joint_inertia_batch(
-    const stewart_exact_model *model, size_t count, const stewart_motions *motions,
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
     stewart_real *out, int *status);
+STEWART_NODISCARD int stewart_exact_joint_inertia_batch(
+    const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status);
 
 #ifdef __cplusplus
 }

@@ -31,6 +31,7 @@ from .loops import loop_source
 from .peers import (
     AGREEMENT,
     FEW,
+    JAX,
     LARGE,
     MANY,
     NAME,
@@ -174,8 +175,11 @@ CALLS = (
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
 PINOCCHIO = "Pinocchio"
-COMPARED = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
+COMPARED = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco", "jax": "jax"}
 """Distribution of each optional package that is compared, by the name it is imported by."""
+
+SLOW_TO_COMPILE = ("jax",)
+"""Those that a quick run leaves alone."""
 
 ARITHMETIC = f"multiply-add, {CORES} cores"
 
@@ -187,7 +191,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     """Measure everything on this machine.
 
     robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
-    fewer rounds and sizes.
+    fewer rounds and sizes, and without JAX, which compiles for half a minute.
 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
     contestant's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
@@ -197,9 +201,11 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     poses = bench_poses(robot, MANY)
     few = poses.resized(FEW)
     progress("compiling the contestants")
-    missing = absent(*COMPARED)
+    compared = [each for each in COMPARED if not (quick and each in SLOW_TO_COMPILE)]
+    missing = absent(*compared)
     pinocchio = None if "pinocchio" in missing else _pinocchio(few)
-    peers = tuple(each for each in PEERS if each.package not in missing)
+    present = {None, *compared} - {*missing}
+    peers = tuple(each for each in (*PEERS, JAX) if each.package in present)
     stages = bench_passes.stages(progress)
     contestants = (*OURS, *CALLS, *peers, *(each for stage in stages for each in stage.contestants))
     sized = functools.cache(poses.resized)
@@ -243,7 +249,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         lanes=processor.lanes,
         differences=differences,
         machine=machine,
-        software=host.software(*(COMPARED[name] for name in COMPARED if name not in missing)),
+        software=host.software(*(COMPARED[name] for name in compared if name not in missing)),
         clock=clock,
         left_out=tuple(EXTRAS[name][0] for name in missing),
     )

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import kernel, native, reference
+from ..arrays import array_kernel
 from ..dynamics import Formulation
 from ..kernel import address
 from ..motion import Motion
@@ -170,6 +171,28 @@ def _casadi(name: str, what: str, equations: str) -> Contestant:
 
 CASADI = _casadi("CasADi", "C, base frame", "base_frame")
 """What every other figure is divided by, where CasADi is installed."""
+
+
+def _jax(poses: Poses) -> Runner:
+    """The kernel on arrays, one pose of it, mapped over all of them and compiled; in double."""
+    import jax
+    import jax.numpy as jnp
+
+    jax.config.update("jax_enable_x64", True)  # type: ignore[no-untyped-call]
+    kernel = array_kernel(poses.robot, jnp, formulation=NAME)
+    given = tuple(jnp.asarray(array) for array in poses.arrays)
+    mapped = jax.jit(jax.vmap(lambda pose: kernel.forces(*pose).F))
+    compiled = mapped.lower(given).compile(compiler_options=_UNFUSED)
+    return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
+
+
+_UNFUSED = {
+    "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
+}
+"""Fused, XLA computes shared terms again for each use: seven times as long to compile, twice to run."""
+
+JAX = Contestant("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax, package="jax")
+"""The same kernel by JAX on this processor; apart from the others, as it is slow to compile."""
 
 PEERS = (
     CASADI,

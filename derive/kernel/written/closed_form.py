@@ -39,7 +39,7 @@ def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs", summed: "S
 
 def equations(model: "Model", motion: "Motion") -> "Equations":
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads."""
-    out = Equations()
+    out = blank(Equations)
     legs = blank(EquationsLegs)
     summed = blank(EquationsSums)
     equations_sums(model, motion, legs, summed)
@@ -67,7 +67,7 @@ def equations(model: "Model", motion: "Motion") -> "Equations":
 
 def bias(model: "Model", motion: "Motion") -> "Bias":
     """C [v; omega] + g + friction without C."""
-    out = Bias()
+    out = blank(Bias)
     legs = blank(BiasLegs)
     summed = blank(BiasSums)
     bias_sums(model, motion, legs, summed)
@@ -81,7 +81,7 @@ def bias(model: "Model", motion: "Motion") -> "Bias":
 
 def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accelerations":
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read."""
-    out = Accelerations()
+    out = blank(Accelerations)
     legs = blank(ForwardLegs)
     summed = blank(ForwardSums)
     A = array(6, 8)
@@ -110,7 +110,7 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
 
 def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    out = JointInertia()
+    out = blank(JointInertia)
     legs = blank(EquationsLegs)
     summed = blank(EquationsSums)
     A = blank(array(6, 12))
@@ -164,7 +164,7 @@ def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "
 
 def derivatives(model: "Model", motion: "Motion") -> "Derivatives":
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    out = Derivatives()
+    out = blank(Derivatives)
     legs = blank(DerivativesLegs)
     summed = blank(DerivativesSums)
     A = blank(array(6, 24))
@@ -243,7 +243,7 @@ def linearisation(model: "Model", motion: "Motion", F: "array(6)") -> "Linearisa
 
 def with_acceleration(motion: "Motion", a: "array(3)", alpha: "array(3)") -> "Motion":
     """The motion with these accelerations."""
-    out = Motion()
+    out = blank(Motion)
     for i in range(9):
         out.R[i] = motion.R[i]
     for i in range(3):

@@ -12,7 +12,7 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     out = Apart()
     legs = blank(JointRowsLegs)
     summed = blank(JointRowsSums)
-    force = blank(array(24))
+    force = array(24)
     wrench = blank(array(6))
     start = blank(array(6))
     rest = blank(array(24))
@@ -119,6 +119,7 @@ def make_rows(summed: "JointRowsSums", legs: "JointRowsLegs", by: "Rows") -> Non
     mass = summed.M_vv[0]
     c = array(3)
     about = blank(array(6))
+    inertia = blank(array(6))
     whole = array(6)
     heaviest = size(mass)
     length = 0.0
@@ -139,7 +140,9 @@ def make_rows(summed: "JointRowsSums", legs: "JointRowsLegs", by: "Rows") -> Non
         by.extent[3 * i] = larger(along, least)
         by.extent[3 * i + 1] = theta
         by.extent[3 * i + 2] = phi
-        weigh(legs.leg[i].M_xi, 3 * i, by)
+        for j in range(6):
+            inertia[j] = legs.leg[i].M_xi[j]
+        weigh(inertia, 3 * i, by)
         for j in range(3):
             for k in range(3):
                 by.row[3 * i + j][k] = by.extent[3 * i + j] * legs.leg[i].row_v[3 * j + k]
@@ -243,7 +246,7 @@ def balance_rows(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "
     ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
     them, else 0; ``moved`` is 0 of all others.
     """
-    W = array(3, 3)
+    W = blank(array(3, 3))
     for i in range(24):
         moved[i] = force[i]
         balanced[i] = 0.0
@@ -327,7 +330,7 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 
 def rows_held(by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)") -> None:
     """Of each leg the generalised forces, and the accelerations that those of the platform give to it."""
-    whole = blank(array(24))
+    whole = array(24)
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]

@@ -96,8 +96,8 @@ def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
 
     INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
     """
-    scale = array(6)
-    inverse = array(6)
+    scale = blank(array(6))
+    inverse = blank(array(6))
     status = OK
     for k in range(6):
         scale[k] = A[k][k]
@@ -114,7 +114,7 @@ def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
 def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
     """Solves the rows [H | Y] for X, left in place of Y, by elimination with partial pivoting; returns 1
     where a pivot is small."""
-    inverse = array(6)
+    inverse = blank(array(6))
     suspect = 0
     for k in range(6):
         pivot = k

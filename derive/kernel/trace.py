@@ -1,0 +1,226 @@
+"""Runs a kernel tree on SymPy's symbols and keeps the steps: what a function computes, as formulas.
+
+Of a comparison that symbols leave undecided the regular branch is taken: no fault, no leg near its joint
+singularity, no exchange of rows.
+"""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from types import SimpleNamespace
+from typing import Any
+
+import sympy as sp
+
+from .. import motion, prepared
+from .. import notation as n
+from ..block import AXES, Quantity
+from .constants import constants
+from .interpret import Arithmetic, Interpreter
+from .nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
+from .outputs import FORWARD
+
+Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+_PAIRS: list[tuple[int, ...]] = [(i, j) for i in range(3) for j in range(3)]
+_COMPONENTS: dict[int, list[tuple[int, ...]]] = {
+    3: [(i,) for i in range(3)],
+    6: [key for key in _PAIRS if key[0] <= key[1]],
+    9: _PAIRS,
+}
+_DECIDED = {True: True, False: False, sp.true: True, sp.false: False}
+
+
+def regular(test: Any, yes: Any, no: Any) -> Any:
+    """The selection; undecided, a status is the least of both, and of numbers ``no`` is taken."""
+    if isinstance(test, bool | sp.logic.boolalg.BooleanAtom):
+        return yes if _DECIDED[test] else no
+    return min(yes, no) if isinstance(yes, int) and isinstance(no, int) else no
+
+
+SYMBOLS = Arithmetic(
+    number=lambda value: sp.Integer(int(value)) if value == int(value) else sp.Float(value),
+    constants={name: sp.Float(value) for name, value in constants("double").items()} | {"NAN": sp.nan},
+    sqrt=sp.sqrt,
+    size=sp.Abs,
+    larger=lambda one, other: other,
+    where=regular,
+    anywhere=lambda test: test is True or test is sp.true,
+    both=lambda one, other: sp.And(one, other),
+    either=lambda one, other: sp.Or(one, other),
+)
+"""Expressions; what is larger is of no account where nothing is checked."""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Results and steps as formulas, values of the constants, and the arguments."""
+
+    results: Mapping[str, sp.Matrix]
+    steps: Mapping[sp.Symbol, sp.Expr]
+    constants: Mapping[sp.Symbol, float]
+    arguments: Mapping[str, sp.Matrix]
+
+
+@dataclass(frozen=True)
+class Tracer(Interpreter):
+    """An interpreter on ``SYMBOLS`` that gives every value that it stores a name.
+
+    A name is that of the derivation, with the number of the leg at its end.
+    """
+
+    arithmetic: Arithmetic = SYMBOLS
+    steps: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    legs: dict[int, tuple[Any, int]] = field(default_factory=dict)
+    """Structures of one leg, by identity, with the leg's number."""
+
+    def traced(self, name: str, model: Any, *arguments: Any) -> Any:
+        """Result of a public function of the program."""
+        for i, leg in enumerate(model.leg):
+            self.legs[id(leg)] = leg, i + 1
+        return self.run(name, model, *arguments)
+
+    def run(self, name: str, *arguments: Any) -> Any:
+        """Result of a function; it is the leg's if the first argument is."""
+        function = self.program.function(name)
+        known = dict(zip((each.name for each in function.arguments), arguments, strict=True))
+        _, leg = self.legs.get(id(arguments[0]), (None, 0))
+        result = self._body(function, known | {_LEG: leg})
+        if leg and isinstance(result, SimpleNamespace):
+            self.legs[id(result)] = result, leg
+        return result
+
+    def _kept(self, statement: Let | Variable | Assign, value: Any, known: dict[str, Any]) -> Any:
+        if not isinstance(value, sp.Expr) or value.is_number or value.is_Atom or (-value).is_Atom:
+            return value
+        target = statement.target if isinstance(statement, Assign) else Name(statement.name)
+        label = _joined(*self._label(target, known), str(known[_LEG] or ""))
+        name, version = label, 1
+        while (symbol := sp.Symbol(name, real=True)) in self.steps:
+            if self.steps[symbol] == value:
+                return symbol
+            version += 1
+            name = f"{label}_v{version}"
+        self.steps[symbol] = value
+        return symbol
+
+    def _label(self, target: Expression, known: dict[str, Any]) -> list[str]:
+        match target:
+            case Element(Member(_, name) as array, (index,)):
+                count, at = len(self._value(array, known)), self._value(index, known)
+                axes = count != 6 or name in _SYMMETRIC
+                return [name, _axes(count, at) if axes else str(at + 1)]
+            case Element(array, index):
+                return [*self._label(array, known), "".join(str(self._value(i, known) + 1) for i in index)]
+            case Member(_, name) | Name(name):
+                return [name]
+        raise AssertionError(target)
+
+
+_LEG = "leg of the call"
+_SYMMETRIC = {
+    each.name
+    for module in (n, motion, prepared)
+    for each in vars(module).values()
+    if isinstance(each, Quantity) and each.symmetric
+}
+
+
+def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> Steps:
+    """The steps that results need, in order; sums and copies that one step alone uses become part of it."""
+    exprs = [sp.sympify(each) for each in results]
+    users = dict.fromkeys(steps, 0)
+    wanted = {symbol for expr in exprs for symbol in expr.free_symbols}
+    for symbol in reversed(steps):
+        if symbol in wanted:
+            for used in steps[symbol].free_symbols & users.keys():
+                users[used] += 1
+            wanted |= steps[symbol].free_symbols
+    given = {symbol for expr in exprs for symbol in expr.free_symbols}
+    inside: dict[sp.Symbol, sp.Expr] = {}
+    found = []
+    for symbol, expr in steps.items():
+        if symbol not in wanted:
+            continue
+        whole = expr.xreplace(inside)
+        plain = all(term.is_Atom or (-term).is_Atom for term in sp.Add.make_args(expr.xreplace(inside)))
+        if plain and users[symbol] <= 1 and symbol not in given:
+            inside[symbol] = whole
+        else:
+            found.append((symbol, whole))
+    return tuple(found)
+
+
+def renamed(steps: Steps) -> dict[sp.Symbol, sp.Symbol]:
+    """The first of several values that a name stands for gets the name itself."""
+    taken: dict[str, sp.Symbol] = {}
+    for symbol, _ in steps:
+        taken.setdefault(re.sub(r"_v\d+$", "", symbol.name), symbol)
+    return {symbol: sp.Symbol(name, real=True) for name, symbol in taken.items() if symbol.name != name}
+
+
+def trace(program: Program, function: str, model: Any) -> Trace:
+    """A public function of a program with a model, or a robot, of numbers."""
+    constants: dict[sp.Symbol, float] = {}
+    named = _named_structure(model, constants)
+    arguments = {q.name: q.value for q in n.MOTION}
+    given = SimpleNamespace(**{q.name: list(q.symbols) for q in n.MOTION})
+    more = []
+    if function == FORWARD:
+        arguments["F"] = sp.Matrix(sp.symbols("F_1:7", real=True))
+        more.append(list(arguments["F"]))
+    tracer = Tracer(program)
+    found = tracer.traced(function, named, given, *more)
+    results = {name: _matrix(value) for name, value in vars(found).items() if name != "status"}
+    return Trace(results, tracer.steps, constants, arguments)
+
+
+def _matrix(parts: list[Any]) -> sp.Matrix:
+    rows = [each if isinstance(each, list) else [each] for each in parts]
+    return sp.Matrix(rows).applyfunc(lambda value: SYMBOLS.number(value) if value.is_Float else value)
+
+
+def _named_structure(given: Any, values: dict[sp.Symbol, float]) -> SimpleNamespace:
+    """A symbol for each number, its value added to ``values``; zero where it is zero, in all six legs."""
+    made: dict[str, Any] = {}
+    for name, value in vars(given).items():
+        if name == "leg":
+            members = [(i + 1, vars(leg)) for i, leg in enumerate(value)]
+            made[name] = [
+                SimpleNamespace(
+                    **{
+                        part: _named(part, str(i), [own, *(getattr(leg, part) for leg in value)], values)
+                        for part, own in leg_members.items()
+                    }
+                )
+                for i, leg_members in members
+            ]
+        elif isinstance(value, SimpleNamespace):
+            made[name] = _named_structure(value, values)
+        else:
+            made[name] = value if isinstance(value, int) else _named(name, "", [value], values)
+    return SimpleNamespace(**made)
+
+
+def _named(name: str, leg: str, alike: list[Any], values: dict[sp.Symbol, float]) -> Any:
+    """Symbols of a quantity, the first of ``alike``; zero where it is zero in all of them."""
+    first = alike[0]
+    if isinstance(first, list):
+        parts = zip(*alike, strict=True)
+        return [
+            _named(_joined(name, _axes(len(first), i)), leg, list(part), values)
+            for i, part in enumerate(parts)
+        ]
+    if not any(alike):
+        return sp.Integer(0)
+    symbol = sp.Symbol(_joined(name, leg), real=True)
+    values[symbol] = float(first)
+    return symbol
+
+
+def _axes(count: int, index: int) -> str:
+    return "".join(AXES[i] for i in _COMPONENTS[count][index])
+
+
+def _joined(*parts: str) -> str:
+    return "_".join(part for part in parts if part)

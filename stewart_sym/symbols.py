@@ -1,0 +1,179 @@
+"""The equations of one machine as SymPy expressions, their named steps kept.
+
+Derives when it is called.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .checks import instance, option
+from .dynamics import Formulation
+from .kernel import kernel_name, overflows, stored
+from .results import OK
+from .robot import Robot
+
+# SymPy's, which ships no types.
+Matrix = Any
+Symbol = Any
+Expression = Any
+
+FUNCTIONS = {
+    "F": "forces",
+    **dict.fromkeys(("D", "K", "H", "c"), "terms"),
+    **dict.fromkeys(("M", "C", "g", "friction", "bias"), "equations"),
+    **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
+}
+"""What there are formulas of, and the function of the kernel trees that computes it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Symbolic:
+    """A matrix of one machine as formulas.
+
+    result: in the symbols of arguments, constants and steps. steps: (symbol, expression) in order, each in
+    arguments, constants and earlier steps; those of leg 1 end in _1. constants: the machine's prepared
+    numbers by symbol. arguments: R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1) of
+    forward dynamics.
+    """
+
+    name: str
+    result: Matrix
+    steps: tuple[tuple[Symbol, Expression], ...]
+    constants: Mapping[Symbol, float]
+    arguments: Mapping[str, Matrix]
+
+    def whole(self) -> Matrix:
+        """The matrix in the arguments alone: numbers for the constants, every step substituted back."""
+        known: dict[Any, Any] = dict(self.constants)
+        for symbol, expr in self.steps:
+            known[symbol] = expr.xreplace(known)
+        return self.result.xreplace(known)
+
+    def derivative(self, by: Symbol) -> "Symbolic":
+        """The derivative by a component of an argument or by a constant; its steps are named d_..."""
+        import sympy as sp
+
+        slopes: dict[Any, Any] = {by: sp.Integer(1)}
+        steps = []
+        for symbol, expr in self.steps:
+            steps.append((symbol, expr))
+            if slope := _chained(expr, slopes):
+                slopes[symbol] = sp.Symbol(f"d_{symbol.name}", real=True)
+                steps.append((slopes[symbol], slope))
+        result = self.result.applyfunc(lambda expr: _chained(expr, slopes))
+        return Symbolic(f"d_{self.name}", result, tuple(steps), self.constants, self.arguments)
+
+    def function(self) -> Callable[..., NDArray[np.float64]]:
+        """A NumPy function of one pose's arguments by name, zero where not given: (6,), (6, 3) or (6, 6)."""
+        import sympy as sp
+
+        constants = dict(self.constants)
+        steps = [(symbol, expr.xreplace(constants)) for symbol, expr in self.steps]
+        result = self.result.xreplace(constants)
+        flat = [symbol for given in self.arguments.values() for symbol in given]
+        made = sp.lambdify(flat, result, "numpy", cse=lambda exprs: (steps, exprs))
+        shape = result.shape if result.shape[1] > 1 else (result.shape[0],)
+
+        def evaluated(**given: Any) -> NDArray[np.float64]:
+            for argument in given:
+                option(argument, tuple(self.arguments), "argument")
+            values = {argument: np.zeros(of.shape) for argument, of in self.arguments.items()} | given
+            numbers = np.concatenate([np.ravel(values[argument]) for argument in self.arguments])
+            return np.asarray(made(*numbers), dtype=np.float64).reshape(shape)
+
+        return evaluated
+
+    def latex(self) -> str:
+        r"""The matrix with its steps, for a document with ``amsmath``.
+
+        Steps that are the same for each leg but for its number stand there once, with the number i, and sums
+        over the legs as one.
+        """
+        from .typesetting import typeset
+
+        return typeset(self.name, self.result, self.steps, self.constants)
+
+
+def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Symbolic:
+    """One matrix of one machine's equations as formulas, with their steps.
+
+    what: "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
+    equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
+    universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
+    universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a zero
+    divisor where a leading minor of H vanishes.
+
+    Raises ValueError for other names and an unknown formulation.
+    """
+    option(what, tuple(FUNCTIONS), "what")
+    from .derive.kernel.trace import needed, renamed, trace
+
+    found = trace(*prepared(robot, FUNCTIONS[what], formulation))
+    steps = needed(found.steps, found.results[what])
+    names = renamed(steps)
+    steps = tuple((symbol.xreplace(names), expr.xreplace(names)) for symbol, expr in steps)
+    result = found.results[what].xreplace(names)
+    used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
+    constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
+    return Symbolic(what, result, steps, constants, found.arguments)
+
+
+def prepared(robot: Robot, function: str, formulation: Formulation) -> tuple[Any, str, SimpleNamespace]:
+    """A function's tree, its name, and what is its first argument: constants prepared, or the robot's own."""
+    from .derive.kernel.constants import constants
+    from .derive.kernel.interpret import Arithmetic, Interpreter
+
+    instance(robot, Robot, "robot")
+    name = kernel_name(formulation, robot.base_joint)
+    if name != "exact" and function in ("equations", "forward_dynamics"):
+        raise ValueError(
+            f'{function}: expected formulation "exact" and universal base joints, '
+            f'got "{formulation}" and {robot.base_joint} ones'
+        )
+    program = _program(name, function)
+    if function == "terms":
+        return program, function, _numbers(robot)
+    on = Arithmetic(np.float64, constants("double"), np.sqrt)
+    with np.errstate(all="ignore"):
+        model = Interpreter(program, on).run("prepare", _numbers(robot))
+    if model.status != OK:
+        raise overflows(robot, "double")
+    return program, function, model
+
+
+@cache
+def _program(name: str, function: str) -> Any:
+    from .derive.formulation import FORMULATIONS
+    from .derive.generate import output_program, reduced
+    from .derive.kernel.inverse_dynamics import terms_program
+
+    form = next(form for form in FORMULATIONS if form.kernel_name == name)
+    return terms_program(reduced(form)) if function == "terms" else output_program(form, (function,))
+
+
+def _numbers(robot: Robot) -> SimpleNamespace:
+    """The robot as kernel trees take it."""
+    from .derive import notation
+
+    legs = [
+        SimpleNamespace(**{q.name: _plain(getattr(robot, q.name)[i]) for q in notation.LEG}) for i in range(6)
+    ]
+    platform = {q.name: _plain(getattr(robot, q.name)) for q in notation.PLATFORM}
+    return SimpleNamespace(**platform, leg=legs)
+
+
+def _plain(value: Any) -> Any:
+    found = stored(np.asarray(value, dtype=np.float64))
+    return list(found) if found.ndim else np.float64(found)
+
+
+def _chained(expr: Expression, slopes: Mapping[Any, Any]) -> Expression:
+    import sympy as sp
+
+    return sp.Add(*(expr.diff(symbol) * slopes[symbol] for symbol in expr.free_symbols & slopes.keys()))

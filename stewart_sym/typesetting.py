@@ -1,0 +1,128 @@
+"""Formulas with named steps as LaTeX: what is the same for every leg stands there once."""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+LEGS = range(1, 7)
+_OF_LEG = re.compile(r"(.+)_([1-6])")
+
+Expr = Any
+Steps = Sequence[tuple[Any, Expr]]
+
+
+def typeset(name: str, result: Any, steps: Steps, constants: Mapping[Any, float]) -> str:
+    """Steps as running text, the matrix, and the numbers of the machine; needs ``amsmath``."""
+    expressions = [expr for _, expr in steps] + list(result)
+    write = _Writer(set().union(*(expr.free_symbols for expr in expressions), (s for s, _ in steps)))
+    text = [f"${write(symbol)} = {write(expr)}$" for symbol, expr in _once(steps, write)]
+    shown = sp.Matrix(*result.shape, [write.summed(each) for each in result])
+    return "\n".join(
+        [
+            r"{\raggedright\noindent For each leg $i = 1, \dots, 6$ where an index $i$ occurs:",
+            ",\\quad\n".join(text) + r". \par}",
+            rf"\[ {write(sp.Symbol(name))} = {write(shown)} \]",
+            *_numbers(constants, write),
+            "",
+        ]
+    )
+
+
+class _Writer:
+    """LaTeX of expressions, legs' symbols as those of leg i where sums run over it."""
+
+    def __init__(self, symbols: Iterable[Any]) -> None:
+        self.known = {symbol.name for symbol in symbols}
+        self.to_leg = {
+            leg: {self.symbol(name, "i"): self.symbol(name, leg) for name in self.bases()} for leg in LEGS
+        }
+        self.of_leg = {leg: {b: a for a, b in pairs.items()} for leg, pairs in self.to_leg.items()}
+
+    def bases(self) -> set[str]:
+        """Names without the number of the leg, of what legs have."""
+        return {found[1] for name in self.known if (found := _OF_LEG.fullmatch(name))}
+
+    @staticmethod
+    def symbol(name: str, leg: object) -> Any:
+        return sp.Symbol(f"{name}_{leg}", real=True)
+
+    def general(self, expr: Expr, leg: int) -> Expr:
+        """An expression of one leg as that of leg i."""
+        return expr.xreplace(self.of_leg[leg])
+
+    def summed(self, expr: Expr) -> Expr:
+        """An expression with sums over the legs as one."""
+        rest = list(sp.Add.make_args(expr))
+        sums = []
+        for term in tuple(rest):
+            general = self.general(term, 1)
+            alike = [general.xreplace(self.to_leg[leg]) for leg in LEGS]
+            if general != term and all(each in rest for each in alike):
+                rest = [each for each in rest if each not in alike]
+                sums.append(general)
+        if not sums:
+            return expr
+        i = sp.Symbol("i")
+        return sp.Add(*rest, sp.Sum(sp.Add(*sums), (i, 1, 6)), evaluate=False)
+
+    def __call__(self, expr: Expr) -> str:
+        expr = sp.sympify(expr)
+        names = {symbol: _name(symbol.name) for symbol in expr.free_symbols}
+        text: str = sp.latex(expr, symbol_names=names, mat_delim="[")
+        return text
+
+
+def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
+    """The steps; those that every leg has, as those of leg i."""
+    given = dict(steps)
+    found = []
+    for symbol, expr in given.items():
+        match = _OF_LEG.fullmatch(symbol.name)
+        if match is None:
+            found.append((symbol, write.summed(expr)))
+            continue
+        own = {leg: write.symbol(match[1], leg) for leg in LEGS}
+        alike = {write.general(given[each], leg) if each in given else None for leg, each in own.items()}
+        if len(alike) > 1:
+            found.append((symbol, expr))
+        elif symbol == own[1]:
+            found.append((write.symbol(match[1], "i"), alike.pop()))
+    return found
+
+
+def _name(name: str) -> str:
+    """A symbol: the first word, upright where it is more than a letter, and an index of the others."""
+    first, *others = re.sub(r"^([A-Za-z]+)(\d+)", r"\1_\2", name).split("_")
+    index = ",".join(_word(each, 3) for each in others)
+    return f"{_word(first, 1)}_{{{index}}}" if index else _word(first, 1)
+
+
+def _word(word: str, longest: int) -> str:
+    text: str = sp.latex(sp.Symbol(word)) if word.isalpha() else word
+    return rf"\mathrm{{{word}}}" if len(word) > longest and not text.startswith("\\") else text
+
+
+def _numbers(constants: Mapping[Any, float], write: _Writer) -> list[str]:
+    """The constants: one row a quantity, one column a leg."""
+    legs: dict[str, dict[int, float]] = {}
+    alone = []
+    for symbol, value in constants.items():
+        match = _OF_LEG.fullmatch(symbol.name)
+        if match:
+            legs.setdefault(match[1], {})[int(match[2])] = value
+        else:
+            alone.append(f"${write(symbol)} = {_number(value)}$")
+    rows = [
+        f"${_name(name)}$ & " + " & ".join(f"${_number(by[leg])}$" for leg in LEGS) + r" \\"
+        for name, by in legs.items()
+    ]
+    table = [r"\par\noindent\begin{tabular}{l|rrrrrr}", r"$i$ & 1 & 2 & 3 & 4 & 5 & 6 \\ \hline", *rows]
+    lines = [*table, r"\end{tabular}"] if rows else []
+    return [*lines, r"\par\noindent " + ",\n".join(alone) + "."] if alone else lines
+
+
+def _number(value: float) -> str:
+    text: str = sp.latex(sp.Float(value, 6))
+    return text.rstrip("0").rstrip(".") if "." in text and "cdot" not in text else text

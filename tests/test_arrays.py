@@ -1,0 +1,165 @@
+"""Kernels on arrays of NumPy, the array API standard and JAX: the C's numbers, statuses and derivatives."""
+
+from dataclasses import replace
+from typing import Any
+
+import array_api_strict
+import numpy as np
+import pytest
+from machines import MACHINES, dasgupta, random_motion, random_robot, upside_down_in_millimetres
+
+import stewart_sym as ss
+
+EPSILON = 2.0**-52
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+RATES = FIELDS[:4]
+
+
+def fields(motion: ss.Motion, names: tuple[str, ...] = FIELDS) -> dict[str, Any]:
+    return {name: getattr(motion, name) for name in names}
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
+    robot = MACHINES[machine]()
+    motion = random_motion(np.random.default_rng(32), robot, (3, 2))
+    kernel = ss.array_kernel(robot, xp)
+    F = kernel.forces(**fields(motion))
+    np.testing.assert_array_equal(np.asarray(F.F), ss.prepare(robot).forces(motion))
+    assert F.status.shape == (3, 2)
+    found, expected = kernel.equations(**fields(motion, RATES)), ss.equations_of_motion(robot, motion)
+    for name in ("M", "C", "g", "friction", "bias"):
+        answer = getattr(expected, name)
+        np.testing.assert_allclose(
+            np.asarray(getattr(found, name)), answer, rtol=0, atol=1e-14 * np.abs(answer).max()
+        )
+    moved = kernel.forward_dynamics(F=F.F, **fields(motion, (*RATES, "F_ext", "M_ext")))
+    by_force = np.abs(ss.linearise(robot, motion, np.asarray(F.F)).B).max() * np.abs(np.asarray(F.F)).max()
+    np.testing.assert_allclose(np.asarray(moved.a), motion.a, rtol=0, atol=30 * EPSILON * by_force)
+
+
+def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None:
+    rng = np.random.default_rng(33)
+    for joint in ("universal", "spherical"):
+        for formulation in ("exact", "paper"):
+            robot = random_robot(rng, joint)
+            motion = random_motion(rng, robot, (4,))
+            F = ss.array_kernel(robot, np, formulation=formulation).forces(**fields(motion)).F
+            np.testing.assert_array_equal(F, ss.prepare(robot, formulation).forces(motion))
+    kernel = ss.array_kernel(robot, np)
+    with pytest.raises(
+        ValueError, match=r'^equations: expected formulation "exact" and universal base joints'
+    ):
+        kernel.equations(R=np.eye(3), t=[0.0, 0.0, 1.0])
+
+
+def test_statuses_on_arrays_are_those_of_the_c_and_numbers_are_nan_there() -> None:
+    rng = np.random.default_rng(34)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3,))
+    t = motion.t.copy()
+    t[0, 0] = np.inf
+    t[1] = robot.b[2] - motion.R[1] @ robot.p[2]
+    given = fields(motion) | {"t": t}
+    found = ss.array_kernel(robot, np).forces(**given)
+    codes = ss.prepare(robot).status(ss.Motion.unchecked(**given))
+    np.testing.assert_array_equal(found.status, codes)
+    assert list(codes) == [1, 2, 0]
+    np.testing.assert_array_equal(np.isnan(found.F).all(axis=-1), codes != 0)
+    flat = replace(robot, b=robot.b * [1.0, 0.0, 0.0])
+    np.testing.assert_array_equal(ss.array_kernel(flat, np).forces(**fields(motion)).status, 4)
+
+
+def test_leading_shapes_broadcast_and_what_is_not_given_is_zero() -> None:
+    robot = dasgupta()
+    kernel = ss.array_kernel(robot, np)
+    t = np.array([[0.1, 0.0, 0.4], [0.0, 0.1, 0.5]])
+    found = kernel.forces(R=np.eye(3), t=t[:, None], a=np.zeros((3, 3)))
+    still = ss.Motion(R=np.eye(3), t=t[1], omega=np.zeros(3), v=np.zeros(3), alpha=np.zeros(3), a=np.zeros(3))
+    assert found.F.shape == (2, 3, 6)
+    np.testing.assert_array_equal(found.F[1, 2], ss.prepare(robot).forces(still))
+
+
+@pytest.mark.parametrize(
+    ("given", "line"),
+    [
+        ({"t": [0.0, 1.0]}, r"t: expected shape \(..., 3\), got \(2,\)"),
+        ({"t": np.zeros((2, 3)), "R": np.zeros((5, 3, 3))}, "t: expected a leading shape that broadcasts"),
+        ({"F": [1.0, 2.0]}, r"F: expected shape \(..., 6\), got \(2,\)"),
+    ],
+)
+def test_wrong_shapes_are_one_line(given: dict[str, Any], line: str) -> None:
+    kernel = ss.array_kernel(dasgupta(), np)
+    with pytest.raises(ValueError, match=f"^{line}"):
+        kernel.forward_dynamics(**{"R": np.eye(3), "t": [0.0, 0.0, 0.5], **given})
+
+
+def test_what_is_no_namespace_and_constants_that_overflow_are_one_line() -> None:
+    with pytest.raises(
+        ValueError, match=r"^xp: expected an array namespace such as numpy or jax\.numpy, got str"
+    ):
+        ss.array_kernel(dasgupta(), "numpy")
+    with pytest.raises(ValueError, match=r"^robot: "), np.errstate(all="ignore"):
+        ss.array_kernel(replace(dasgupta(), R_0=np.full(3, 1e200)), np)
+
+
+def test_single_precision_on_arrays_errs_as_single_precision_does() -> None:
+    rng = np.random.default_rng(35)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (20,))
+    found = ss.array_kernel(robot, np, dtype=np.float32).forces(**fields(motion))
+    assert found.F.dtype == np.float32
+    expected = ss.prepare(robot).forces(motion)
+    assert 0 < np.abs(found.F - expected).max() < 1e-3 * np.abs(expected).max()
+
+
+@pytest.mark.slow
+def test_gradients_by_jax_are_the_derivatives_of_the_forces() -> None:
+    import jax
+    import jax.numpy as jnp
+
+    rng = np.random.default_rng(36)
+    with jax.enable_x64(True):
+        for robot in (dasgupta(), upside_down_in_millimetres()):
+            motion = random_motion(rng, robot, (5,))
+            kernel = ss.array_kernel(robot, jnp)
+            weights = jnp.asarray(rng.normal(size=(5, 6)))
+
+            def weighed(step: Any, twist: Any, rate: Any, at: Any, by: Any) -> Any:
+                x, y, z = (step[:, i] for i in (3, 4, 5))
+                one = jnp.ones(5)
+                turn = jnp.stack([one, -z, y, z, one, -x, -y, x, one], axis=-1).reshape(5, 3, 3)
+                rates = {"v": twist[:, :3], "omega": twist[:, 3:], "a": rate[:, :3], "alpha": rate[:, 3:]}
+                pose = {"R": turn @ at.R, "t": at.t + step[:, :3]}
+                return (by[0].forces(**pose, **rates, F_ext=at.F_ext, M_ext=at.M_ext).F * by[1]).sum()
+
+            twist = jnp.concatenate([motion.v, motion.omega], axis=-1)
+            rate = jnp.concatenate([motion.a, motion.alpha], axis=-1)
+            by = jax.grad(weighed, argnums=(0, 1, 2))(
+                jnp.zeros((5, 6)), twist, rate, motion, (kernel, weights)
+            )
+            expected = ss.force_derivatives(robot, motion)
+            slopes = (expected.by_pose, expected.by_twist, expected.by_acceleration)
+            for found, slope in zip(by, slopes, strict=True):
+                answer = np.einsum("ni,nij->nj", weights, slope)
+                scale = np.einsum("ni,nij->nj", np.abs(weights), np.abs(slope)).max()
+                np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * scale)
+
+
+@pytest.mark.slow
+def test_jax_compiles_the_forces_of_mapped_poses() -> None:
+    import jax
+    import jax.numpy as jnp
+
+    rng = np.random.default_rng(37)
+    with jax.enable_x64(True):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (50,))
+        kernel = ss.array_kernel(robot, jnp)
+        given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
+        found = jax.jit(jax.vmap(lambda each: kernel.forces(**each)))(given)
+    expected = ss.prepare(robot).forces(motion)
+    condition = np.linalg.cond(ss.inverse_dynamics(robot, motion).H).max()
+    np.testing.assert_allclose(found.F, expected, rtol=0, atol=1e-14 * condition * np.abs(expected).max())
+    np.testing.assert_array_equal(found.status, 0)

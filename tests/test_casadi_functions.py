@@ -1,0 +1,133 @@
+"""CasADi functions of one machine: the C's numbers and statuses, our derivatives, and a problem for IPOPT."""
+
+import sys
+from typing import Any
+
+import casadi
+import numpy as np
+import pytest
+from machines import MACHINES, dasgupta, random_motion, random_robot
+from near_joint import leaning
+
+import stewart_sym as ss
+
+OTHERS = sorted(set(MACHINES) - {"paper"})
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+def called(function: Any, motion: ss.Motion, **more: Any) -> dict[str, np.ndarray]:
+    given = {name: getattr(motion, name) for name in FIELDS} | more
+    found = function(**{name: given[name] for name in function.name_in()})
+    return {name: np.squeeze(np.asarray(each)) for name, each in found.items()}
+
+
+@pytest.mark.parametrize("checked", [True, False])
+@pytest.mark.parametrize("machine", ["paper", *(pytest.param(m, marks=pytest.mark.slow) for m in OTHERS)])
+def test_values_are_those_of_the_c(machine: str, checked: bool) -> None:
+    robot = MACHINES[machine]()
+    motion = random_motion(np.random.default_rng(50), robot)
+    expected = ss.inverse_dynamics(robot, motion)
+    condition = np.linalg.cond(expected.H)
+    found = called(ss.casadi_function(robot, "forces", checked=checked), motion)
+    np.testing.assert_allclose(
+        found["F"], expected.F, rtol=0, atol=1e-14 * condition * np.abs(expected.F).max()
+    )
+    terms = called(ss.casadi_function(robot, "equations", checked=checked), motion)
+    answers = ss.equations_of_motion(robot, motion)
+    for name in ("M", "C", "g", "friction", "bias"):
+        answer = getattr(answers, name)
+        np.testing.assert_allclose(terms[name], answer, rtol=0, atol=1e-14 * np.abs(answer).max())
+    moved = called(ss.casadi_function(robot, "forward_dynamics", checked=checked), motion, F=expected.F)
+    condition = np.linalg.cond(answers.M)
+    answer = ss.forward_dynamics(robot, motion, expected.F)
+    for name in ("a", "alpha"):
+        scale = np.abs(getattr(answer, name)).max()
+        np.testing.assert_allclose(moved[name], getattr(answer, name), rtol=0, atol=1e-14 * condition * scale)
+    for results in (found, terms, moved):
+        assert results.get("status", 0) == 0
+        assert ("status" in results) is checked
+
+
+def test_statuses_are_those_of_the_c_and_numbers_are_nan_there() -> None:
+    rng = np.random.default_rng(51)
+    upright = random_robot(rng)
+    motion = random_motion(rng, upright)
+    for sine, status in ((0.01, 0), (1e-5, 0), (1e-14, 3)):
+        robot = leaning(rng, upright, motion, 2, sine)
+        F, codes = ss.prepare(robot).forces_and_status(motion)
+        found = called(ss.casadi_function(robot), motion)
+        assert found["status"] == codes == status
+        np.testing.assert_allclose(found["F"], F, rtol=1e-9, equal_nan=True)
+
+
+def moved(function: Any, robot: ss.Robot, motion: ss.Motion, **more: Any) -> tuple[Any, list[Any], Any]:
+    """Results as expressions of [dt; dphi], [v; omega] and [a; alpha] about a motion."""
+    step, twist, rate = (casadi.SX.sym(name, 6) for name in ("step", "twist", "rate"))
+    given = {"F_ext": motion.F_ext, "M_ext": motion.M_ext, **more}
+    given |= {"R": (casadi.SX.eye(3) + casadi.skew(step[3:])) @ motion.R, "t": motion.t + step[:3]}
+    given |= {"v": twist[:3], "omega": twist[3:], "a": rate[:3], "alpha": rate[3:]}
+    at = [np.zeros(6), np.r_[motion.v, motion.omega], np.r_[motion.a, motion.alpha]]
+    found = function(**{name: given[name] for name in function.name_in()})
+    return found, [step, twist, rate], at
+
+
+@pytest.mark.parametrize("checked", [True, False])
+@pytest.mark.parametrize("machine", ["paper", *(pytest.param(m, marks=pytest.mark.slow) for m in OTHERS)])
+def test_jacobians_are_our_derivatives(machine: str, checked: bool) -> None:
+    robot = MACHINES[machine]()
+    motion = random_motion(np.random.default_rng(52), robot)
+    found, by, at = moved(ss.casadi_function(robot, checked=checked), robot, motion)
+    slopes = casadi.Function("slopes", by, [casadi.jacobian(found["F"], each) for each in by])(*at)
+    expected = ss.force_derivatives(robot, motion)
+    answers = (expected.by_pose, expected.by_twist, expected.by_acceleration)
+    for slope, answer in zip(slopes, answers, strict=True):
+        np.testing.assert_allclose(slope, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
+
+
+@pytest.mark.parametrize("checked", [pytest.param(True, marks=pytest.mark.slow), False])
+def test_jacobians_of_forward_dynamics_are_the_linearisation(checked: bool) -> None:
+    robot = MACHINES["random"]()
+    motion = random_motion(np.random.default_rng(53), robot)
+    F = ss.prepare(robot).forces(motion)
+    force = casadi.SX.sym("force", 6)
+    function = ss.casadi_function(robot, "forward_dynamics", checked=checked)
+    found, (step, twist, _), at = moved(function, robot, motion, F=force)
+    rates = casadi.vertcat(found["a"], found["alpha"])
+    by = [step, twist, force]
+    slopes = casadi.Function("slopes", by, [casadi.jacobian(rates, each) for each in by])(*at[:2], F)
+    expected = ss.linearise(robot, motion, F)
+    answers = (expected.A[6:, :6], expected.A[6:, 6:], expected.B[6:])
+    for slope, answer in zip(slopes, answers, strict=True):
+        np.testing.assert_allclose(slope, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
+
+
+def test_ipopt_finds_the_height_of_least_forces() -> None:
+    robot = dasgupta()
+    forces = ss.casadi_function(robot, checked=False)
+    height = casadi.SX.sym("height")
+    still = dict.fromkeys(("omega", "v", "alpha", "a", "F_ext", "M_ext"), np.zeros(3))
+    F = forces(R=np.eye(3), t=casadi.vertcat(0.1, 0.0, height), **still)["F"]
+    problem = {"x": height, "f": casadi.sumsqr(F)}
+    quiet = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes"}
+    solver = casadi.nlpsol("solver", "ipopt", problem, quiet)
+    found = solver(x0=0.5, lbx=0.3, ubx=0.9)
+    assert solver.stats()["success"]
+    heights = np.linspace(0.3, 0.9, 601)
+    rest = np.zeros((601, 3))
+    t = np.column_stack([np.full(601, 0.1), np.zeros(601), heights])
+    along = ss.Motion(R=np.broadcast_to(np.eye(3), (601, 3, 3)), t=t, omega=rest, v=rest, alpha=rest, a=rest)
+    squares = (ss.prepare(robot).forces(along) ** 2).sum(axis=1)
+    assert float(found["f"]) <= squares.min() * (1 + 1e-6)
+    assert abs(float(found["x"]) - heights[squares.argmin()]) < 2e-3
+
+
+def test_a_missing_casadi_and_other_names_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(ValueError, match=r'^what: expected "forces", "equations" or "forward_dynamics", got'):
+        ss.casadi_function(dasgupta(), "inertia")
+    with pytest.raises(ValueError, match=r"^checked: expected True or False"):
+        ss.casadi_function(dasgupta(), checked="no")
+    monkeypatch.setitem(sys.modules, "casadi", None)
+    with pytest.raises(
+        ImportError, match=r'^a CasADi function needs CasADi: pip install "stewart-sym\[casadi\]"$'
+    ):
+        ss.casadi_function(dasgupta())

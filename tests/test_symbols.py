@@ -1,0 +1,135 @@
+"""Formulas of one machine: their values are the C's, their steps have names, and M's LaTeX fits a page."""
+
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from machines import MACHINES, dasgupta, random_motion, random_robot
+
+import stewart_sym as ss
+
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+OF_FORCES = ("F", "D", "K", "H", "c")
+OF_MOTION = ("M", "C", "g", "friction", "bias")
+
+
+def value(formulas: ss.Symbolic, motion: ss.Motion, **more: Any) -> np.ndarray:
+    given = {name: getattr(motion, name) for name in FIELDS}
+    return formulas.function()(**given, **more)
+
+
+def close(found: np.ndarray, answer: np.ndarray, condition: float = 1.0) -> None:
+    np.testing.assert_allclose(found, answer, rtol=0, atol=1e-12 * condition * np.abs(answer).max())
+
+
+@pytest.mark.parametrize("what", ["F", "c", "M"])
+def test_formulas_of_the_papers_machine_have_the_values_of_the_c(what: str) -> None:
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(39), robot)
+    source = ss.equations_of_motion if what == "M" else ss.inverse_dynamics
+    close(value(ss.symbolic(robot, what), motion), getattr(source(robot, motion), what))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("machine", MACHINES)
+def test_formulas_have_the_values_of_the_c(machine: str) -> None:
+    robot = MACHINES[machine]()
+    motion = random_motion(np.random.default_rng(40), robot)
+    forces, equations = ss.inverse_dynamics(robot, motion), ss.equations_of_motion(robot, motion)
+    condition = np.linalg.cond(equations.M)
+    for name in OF_FORCES:
+        close(value(ss.symbolic(robot, name), motion), getattr(forces, name))
+    for name in OF_MOTION:
+        close(value(ss.symbolic(robot, name), motion), getattr(equations, name))
+    for name in ("a", "alpha"):
+        close(value(ss.symbolic(robot, name), motion, F=forces.F), getattr(motion, name), condition)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("joint", ["universal", "spherical"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_every_formulation_has_formulas_of_its_forces(formulation: Any, joint: str) -> None:
+    rng = np.random.default_rng(41)
+    robot = random_robot(rng, joint)
+    motion = random_motion(rng, robot)
+    expected = ss.inverse_dynamics(robot, motion, formulation=formulation)
+    for name in OF_FORCES:
+        close(value(ss.symbolic(robot, name, formulation=formulation), motion), getattr(expected, name))
+
+
+def test_whole_formulas_hold_the_arguments_alone_and_the_same_values() -> None:
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(42), robot)
+    H = ss.symbolic(robot, "H")
+    whole = H.whole()
+    pose = [symbol for name in ("R", "t") for symbol in H.arguments[name]]
+    assert whole.free_symbols <= set(pose)
+    numbers = [*motion.R.ravel(), *motion.t]
+    found = np.array(whole.subs(dict(zip(pose, numbers, strict=True))), dtype=float)
+    close(found, ss.inverse_dynamics(robot, motion).H)
+
+
+def test_each_step_uses_arguments_constants_and_earlier_steps_and_has_a_use() -> None:
+    formulas = ss.symbolic(dasgupta(), "M")
+    known = set(formulas.constants).union(*(given.free_symbols for given in formulas.arguments.values()))
+    used = set(formulas.result.free_symbols)
+    for symbol, expr in formulas.steps:
+        assert expr.free_symbols <= known, symbol
+        known.add(symbol)
+        used |= expr.free_symbols
+    assert known & {symbol for symbol, _ in formulas.steps} <= used
+    assert {"L_1", "L_6", "rho_3", "s_x_2"} <= {symbol.name for symbol, _ in formulas.steps}
+    assert all(isinstance(entry, sp.Symbol) for entry in formulas.result)
+
+
+def test_a_derivative_by_its_steps_is_that_of_the_values() -> None:
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(43), robot)
+    gravity = ss.symbolic(robot, "g")
+    for name, i in (("R", 4), ("t", 2)):
+        slope = value(gravity.derivative(gravity.arguments[name][i]), motion)
+        step = np.zeros(getattr(motion, name).shape)
+        step.flat[i] = 1e-6
+        at = [{n: getattr(motion, n) for n in FIELDS} for _ in range(2)]
+        for each, sign in zip(at, (1, -1), strict=True):
+            each[name] = each[name] + sign * step
+        evaluate = gravity.function()
+        expected = (evaluate(**at[0]) - evaluate(**at[1])) / 2e-6
+        np.testing.assert_allclose(slope, expected, rtol=0, atol=1e-7 * np.abs(expected).max())
+
+
+def test_latex_of_the_paper_machines_m_fits_a_page() -> None:
+    """A page in the size of footnotes has some 90 lines of 130 letters."""
+    text = ss.symbolic(dasgupta(), "M").latex()
+    steps, _, numbers = text.partition(r"\[")
+    assert steps.count(" = ") < 130
+    plain = re.sub(r"\\(mathrm|left|right|quad|raggedright|noindent)|[{}$_^\\,]", "", steps)
+    lines = len(plain) / 130 + numbers.count(r"\\")
+    assert 30 < lines < 90
+    assert "M_{vv,xx} = M_{P} + \\sum_{i=1}^{6} m_{xx,i}" in text
+    assert "L_{i} = \\sqrt{S_{x,i}^{2} + S_{y,i}^{2} + S_{z,i}^{2}}" in text
+    assert text.count("{") == text.count("}")
+    assert text.count("$") % 2 == 0
+    assert "_v" not in text.replace("_{v", "")
+
+
+@pytest.mark.parametrize(
+    ("what", "line"),
+    [("N", r'what: expected "F", .* or "alpha", got \'N\''), (3, "what: expected")],
+)
+def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
+    with pytest.raises(ValueError, match=f"^{line}"):
+        ss.symbolic(dasgupta(), what)
+
+
+def test_what_spherical_joints_lack_is_one_line() -> None:
+    robot = random_robot(np.random.default_rng(44), "spherical")
+    with pytest.raises(
+        ValueError, match=r'^equations: expected formulation "exact" and universal base joints'
+    ):
+        ss.symbolic(robot, "M")
+    with pytest.raises(ValueError, match=r"^argument: expected"):
+        ss.symbolic(robot, "H").function()(q=3)
