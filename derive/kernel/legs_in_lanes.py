@@ -109,8 +109,8 @@ class _Moved:
                 if isinstance(kind, Array) and len(kind.dims) == 2 and kind.dims[1] <= _TABLE:
                     self.tables.add(name)
                     return node
-                value = None if node.value is None else self.node(node.value)
-                return replace(node, type=self.layout.type(kind), value=value)
+                first = None if node.value is None else self.node(node.value)
+                return replace(node, type=self.layout.type(kind), value=first)
             case Call("anywhere", (test,)):
                 return self.node(test)
             case Call(name, arguments):

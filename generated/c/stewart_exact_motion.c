@@ -1884,7 +1884,7 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 8; ++j) {
             A[8*k + j] = A[8*k + j]*inverse[k];
         }
@@ -2338,10 +2338,10 @@ static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs
 {
     int i, j, k;
     const stewart_real mass = summed[0];
-    stewart_real c[3] = {REAL(0)};
+    stewart_real c[3] = {0, 0, 0};
     stewart_real about[6];
     stewart_real inertia[6];
-    stewart_real whole[6] = {REAL(0)};
+    stewart_real whole[6] = {0, 0, 0, 0, 0, 0};
     stewart_real heaviest = STEWART_FABS(mass);
     stewart_real length = REAL(0);
     for (i = 0; i < 6; ++i) {
@@ -2465,7 +2465,7 @@ static void pick_rows(rows *by)
         }
     }
     for (i = 6; i < 24; ++i) {
-        for (j = 5; j > -1; --j) {
+        for (j = 5; j >= 0; --j) {
             share[j] = by->row[6*i + j];
             for (k = j + 1; k < 6; ++k) {
                 share[j] = share[j] - share[k]*by->row[6*k + j];
@@ -2528,7 +2528,7 @@ static void balance_rows(
                 }
             }
         }
-        for (k = 2; k > -1; --k) {
+        for (k = 2; k >= 0; --k) {
             for (j = k + 1; j < 3; ++j) {
                 moved[3*b + k] = moved[3*b + k] - W[k][j]*moved[3*b + j];
             }
@@ -2576,7 +2576,7 @@ static void row_right(
         }
         right[k] = right[k]/by->row[6*k + k];
     }
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
             right[k] = right[k] - by->row[6*j + k]*right[j];
         }
@@ -2600,7 +2600,7 @@ static void row_back(
             x[k] = x[k] - by->row[6*k + j]*x[j];
         }
     }
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
             x[k] = x[k] - by->row[6*k + j]*x[j];
         }
@@ -2614,7 +2614,7 @@ static void rows_held(
     rows *by, const stewart_real found[6], const stewart_real start[6], const stewart_real rest[24])
 {
     int b, i, j;
-    stewart_real whole[24] = {REAL(0)};
+    stewart_real whole[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 24; ++i) {
         for (j = 0; j < 6; ++j) {
             whole[i] = whole[i] + by->share[6*i + j]*found[j];
@@ -2644,12 +2644,13 @@ static apart_found forward_apart(
     apart_found out = {0};
     joint_rows_legs legs;
     stewart_real summed[27];
-    stewart_real force[24] = {REAL(0)};
+    stewart_real force[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real start[6];
     stewart_real rest[24];
     stewart_real right[6];
-    stewart_real A[48] = {REAL(0)};
+    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2694,7 +2695,8 @@ static forward_dynamics_found find_forward_dynamics(
     forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {REAL(0)};
+    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2785,7 +2787,7 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 12; ++j) {
             A[12*k + j] = A[12*k + j]*inverse[k];
         }
@@ -3000,7 +3002,7 @@ static joint_inertia_found find_joint_inertia(
         }
     }
     scale_moments_12(model->per_length, A);
-    solve_pivoted_12(A);
+    (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
             out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
@@ -4718,7 +4720,7 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
-    for (k = 5; k > -1; --k) {
+    for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
             A[24*k + j] = A[24*k + j]*inverse[k];
         }
@@ -4822,7 +4824,7 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     place_blocks_24(&summed[57], &summed[66], &summed[75], &summed[84], 12, A);
     place_inertia_24(&summed[0], &summed[6], &summed[15], 18, A);
     scale_moments_24(model->per_length, A);
-    solve_pivoted_24(A);
+    (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
         out.of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
@@ -5884,7 +5886,20 @@ static slopes_found slopes_apart(
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {REAL(0)};
+    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real rest[24];
     stewart_real right[6];
