@@ -6,7 +6,7 @@ All dynamics come from the blocks; what is done around them is read from ``kerne
 from collections.abc import Callable, Iterable
 
 from .. import notation as n
-from ..block import Block, Quantity, Step
+from ..block import Block, Quantity
 from ..formulation import UNIVERSAL
 from ..kernel import prepare as p
 from ..kernel.interface import STRUCTS
@@ -40,18 +40,8 @@ from ..kernels import Kernel
 from ..operations import KernelOperations
 from ..print.c import C
 from ..print.template import filled
-from .infix import infix, wrap
 
-ARITHMETIC = filled("arithmetic.c")
-"""Macros that every source needs: square root, size, rounding unit and range of the arithmetic."""
-IS_FINITE = filled("is_finite.c")
-"""Whether all of some numbers are finite."""
 _NUMBERS = Pointer(Real())
-
-
-def size(quantity: Quantity) -> int:
-    """How many numbers a leg or motion quantity stores."""
-    return len(quantity.keys)
 
 
 def header(
@@ -102,7 +92,7 @@ def _interface(kernel: Kernel) -> str:
 
 
 def _typed(quantity: Quantity) -> str:
-    return f"{quantity.name}{f'[{size(quantity)}]' if quantity.shape else ''} {quantity.unit}"
+    return f"{quantity.name}{f'[{len(quantity.keys)}]' if quantity.shape else ''} {quantity.unit}"
 
 
 def operations_table(counts: KernelOperations, frictionless: KernelOperations | None, prefix: str) -> str:
@@ -120,7 +110,8 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
 def source(kernel: Kernel, version: str) -> str:
     """``stewart_<kernel>.c``: the blocks and the code that runs them."""
     top = filled("top.c", file=f"stewart_{kernel.formulation.kernel_name}", version=version)
-    return C().source(top + ARITHMETIC + filled("apart.c") + filled("suspect.c"), *_Source(kernel).parts)
+    macros = "".join(filled(each) for each in ("arithmetic.c", "apart.c", "suspect.c"))
+    return C().source(top + macros, *_Source(kernel).parts)
 
 
 def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
@@ -260,17 +251,3 @@ def wrap_list(text: str, indent: str = " " * 8) -> str:
         else:
             line = f"{line}, {word}" if line else word
     return "\n".join([*lines, line])
-
-
-def step_lines(steps: tuple[Step, ...], indent: str) -> list[str]:
-    """Each step as a constant, with its equation and meaning before the first of a run that shares them."""
-    lines = []
-    before = None
-    for step in steps:
-        said = (step.equation, step.meaning)
-        if any(said) and said != before:
-            lines.append(f"{indent}/* {' '.join(part for part in said if part)} */")
-        before = said
-        text = f"{indent}const stewart_real {step.name} = {infix(step.expr, 'STEWART_SQRT')};"
-        lines.append(wrap(text, indent + " " * 4))
-    return lines

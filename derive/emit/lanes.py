@@ -147,11 +147,6 @@ def model_numbers(kernel: ForceKernel) -> int:
     return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 1
 
 
-def solve_pose(about_tip: bool) -> str:
-    """The elimination of one pose with the functions that it calls, as text."""
-    return C(sizes=SIZES).source(*_solve_pose(Written({}, {"ABOUT_TIP": int(about_tip)})))
-
-
 def _solve_pose(texts: Written) -> list[Function]:
     return [
         texts.function(each) for each in (written.exchange_rows, written.subtract_row, written.solve_pose)
