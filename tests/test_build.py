@@ -57,11 +57,32 @@ def needed(*tools: str) -> None:
             pytest.skip(f"{tool} is missing: apt-get install cmake ninja-build make clang g++")
 
 
+GENERATOR = """\
+#!{python}
+# A kit of the same robot and choice is made once: when it is asked for is what is tested here.
+import hashlib, pathlib, pickle, sys
+from stewart_sym import cli
+from stewart_sym.kit import write
+
+made = write.kit
+
+def kept(*arguments):
+    path = pathlib.Path({folder!r}, hashlib.sha256(pickle.dumps(arguments)).hexdigest())
+    if not path.exists():
+        path.write_bytes(pickle.dumps(made(*arguments)))
+    return pickle.loads(path.read_bytes())
+
+write.kit = kept
+sys.exit(cli.main())
+"""
+
+
 @pytest.fixture(scope="module")
 def generator(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The generator as a program."""
     program = tmp_path_factory.mktemp("bin") / "stewart-sym"
-    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m stewart_sym.cli "$@"\n')
+    kept = str(tmp_path_factory.mktemp("kits"))
+    program.write_text(GENERATOR.format(python=sys.executable, folder=kept))
     program.chmod(0o755)
     return program
 

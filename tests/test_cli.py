@@ -104,16 +104,6 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     assert float(rows[0]["F3"]) == pytest.approx(1419.36, abs=0.005)
 
 
-@pytest.mark.slow
-def test_reproduce_draws_the_pictures(tmp_path: Path) -> None:
-    done = run("reproduce", "-o", tmp_path / "out", env={**os.environ, "MPLBACKEND": "Agg"})
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "34.69 to" in done.stdout
-    pictures = sorted(path.name for path in (tmp_path / "out").glob("fig*"))
-    assert len(pictures) == 14
-    assert pictures[0] == "fig04_path_I_forces.png"
-
-
 def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

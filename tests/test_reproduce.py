@@ -1,6 +1,9 @@
 """Section 5 of the paper computed again: figures, verdicts, tables and pictures."""
 
 import dataclasses
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -177,12 +180,20 @@ def test_report_shows_every_claim_and_fits_its_width(found: Reproduction) -> Non
 
 
 @pytest.mark.slow
-def test_pictures_are_drawn_and_their_svg_is_reproducible(found: Reproduction, tmp_path: Path) -> None:
+def test_the_command_draws_the_pictures_and_their_svg_is_reproducible(
+    found: Reproduction, tmp_path: Path
+) -> None:
     folders = [tmp_path / "one", tmp_path / "two"]
-    for folder in folders:
-        folder.mkdir()
-        plots.draw(found, folder)
-    names = sorted(path.name for path in folders[0].glob("[!.]*"))
+    command = [sys.executable, "-m", "stewart_sym.cli", "reproduce", "-o", str(folders[0])]
+    env = {**os.environ, "MPLBACKEND": "Agg"}
+    done = subprocess.run(command, env=env, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "34.69 to" in done.stdout
+    folders[1].mkdir()
+    plots.draw(found, folders[1])
+    names = sorted(path.name for path in folders[1].glob("[!.]*"))
+    assert names == sorted(path.name for path in folders[0].glob("fig*"))
+    assert names[0] == "fig04_path_I_forces.png"
     assert [name[:5] for name in names] == [f"fig{n:02d}" for n in range(4, 11) for _ in range(2)]
     for name in names:
         content = (folders[0] / name).read_bytes()
