@@ -230,7 +230,9 @@ class Readings:
         for i, leg in enumerate(self._model.leg):
             given = SimpleNamespace(F=None if F is None else F[i])
             legs.leg.append(block["leg"](_ON, leg, self._model.platform, stored, pose, given))
-        return block["total"](_ON, pose, legs), legs.leg
+        total = getattr(source, f"{kernel.capitalize()}Sums")()
+        block["total"](_ON, pose, legs, total)
+        return total, legs.leg
 
     @cached_property
     def _model(self) -> SimpleNamespace:
