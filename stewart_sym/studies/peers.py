@@ -186,7 +186,7 @@ def _jax(poses: Poses) -> Runner:
     return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
 
 
-_UNFUSED = {
+_UNFUSED: dict[str, str | bool] = {
     "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
 }
 """Fused, XLA computes shared terms again for each use: seven times as long to compile, twice to run."""
