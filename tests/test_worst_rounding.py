@@ -177,17 +177,14 @@ def test_every_statement_bounds_its_quantity_and_no_mutant_of_it_does() -> None:
     ("right", "wrong"),
     [
         (
-            "error / least(2 * root, error / root) + STEWART_UNIT * root",
-            "error / least(2 * root, error / root)",
+            "error/least(REAL(2)*root, error/root) + STEWART_UNIT*root",
+            "error/least(REAL(2)*root, error/root)",
         ),
-        ("error / least(2 * root, error / root)", "error / least(2 * root, 0)"),
-        ("error / least(2 * root, error / root)", "REAL(0)"),
-        (
-            "positive * (error / least(of, error)) + STEWART_UNIT * positive",
-            "positive * (error / least(of, error))",
-        ),
-        ("positive * (error / least(of, error))", "REAL(0)"),
-        ("? positive - error : 0", "? positive : 0"),
+        ("error/least(REAL(2)*root, error/root)", "error/least(REAL(2)*root, REAL(0))"),
+        ("error/least(REAL(2)*root, error/root)", "REAL(0)"),
+        ("positive*(error/least(of, error)) + STEWART_UNIT*positive", "positive*(error/least(of, error))"),
+        ("positive*(error/least(of, error))", "REAL(0)"),
+        ("? positive - error : REAL(0)", "? positive : REAL(0)"),
     ],
 )
 def test_mutants_of_the_helpers_fail_in_some_statement(right: str, wrong: str) -> None:

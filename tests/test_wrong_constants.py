@@ -73,7 +73,7 @@ def _baked(sources: dict[str, str]) -> Iterator[tuple[str, int]]:
     )
     table = re.search(r"static const (\w+) (numbers|legs\[6\]) = \{", text)
     assert table
-    members = re.findall(r"stewart_real (\w+)(?:\[8\])?;", _struct(text, table[1]))
+    members = re.findall(r"stewart_real (\w+)(?:\[LANES\])?;", _struct(text, table[1]))
     text = text.replace(table[0], table[0].replace("const ", ""))
     lanes = table[2] == "numbers"
     of_legs = [(f"{member} of leg {i + 1}", f"&numbers.{member}[{i}]" if lanes else f"&legs[{i}].{member}")
