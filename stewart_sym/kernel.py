@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import native
-from .checks import shown
+from .checks import option
 from .frozen import Frozen, read_only
 from .generated.interface import OUTPUTS, STRUCTS
 from .motion import Motion
@@ -35,8 +35,7 @@ _UPPER = np.triu_indices(3)
 
 def kernel_name(formulation: str, base_joint: str) -> str:
     """Name of the generated kernel. Raises ValueError for an unknown formulation."""
-    if formulation not in FORMULATIONS:
-        raise ValueError(f'formulation: expected "exact" or "paper", got {shown(formulation)}')
+    option(formulation, FORMULATIONS, "formulation")
     return formulation if base_joint == "universal" else f"{formulation}_{base_joint}"
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import instance, option
+from .checks import instance, option, shown
 from .dynamics import Formulation
 from .kernel import kernel_name, overflows, stored
 from .results import OK
@@ -56,9 +56,16 @@ class Symbolic:
         return self.result.xreplace(known)
 
     def derivative(self, by: Symbol) -> "Symbolic":
-        """The derivative by a component of an argument or by a constant; its steps are named d_..."""
+        """The derivative by a component of an argument or by a constant; its steps are named d_...
+
+        Raises ValueError for what is neither.
+        """
         import sympy as sp
 
+        arguments = (symbol for given in self.arguments.values() for symbol in given)
+        if not isinstance(by, sp.Symbol) or by not in {*arguments, *self.constants}:
+            expected = "a symbol of the arguments or the constants"
+            raise ValueError(f"by: expected {expected}, got {shown(by)}")
         slopes: dict[Any, Any] = {by: sp.Integer(1)}
         steps = []
         for symbol, expr in self.steps:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+import sympy as sp
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
@@ -106,6 +107,20 @@ def calls() -> dict[str, Call]:
         "characteristic_length": Call(ss.characteristic_length, {"robot": robot}),
         "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
         "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),
+        "symbolic": Call(ss.symbolic, {"robot": robot, "what": "H", "formulation": "exact"}),
+        "Symbolic.derivative": Call(ss.symbolic(robot, "H").derivative, {"by": sp.Symbol("t_x", real=True)}),
+        "casadi_function": Call(
+            ss.casadi_function,
+            {"robot": robot, "what": "forces", "formulation": "exact", "checked": False},
+        ),
+        "array_kernel": Call(
+            ss.array_kernel,
+            {"robot": robot, "xp": np, "formulation": "exact", "dtype": None},
+            free=("dtype",),
+        ),
+        "ArrayKernel": Call(
+            ss.ArrayKernel, {"robot": robot, "xp": np, "formulation": "exact", "dtype": None}, free=("dtype",)
+        ),
         "prepare": Call(
             ss.prepare,
             {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"},
