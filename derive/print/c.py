@@ -69,6 +69,7 @@ class C(Printer):
         self.sizes, self.brackets = dict(sizes or {}), brackets
         self.records = dict(records or {})
         self.structures = {each.name: each for each in structures}
+        self.empty: set[str] = set()
         self.pointers: set[str] = set()
         self.numbers: set[str] = set()
 
@@ -76,6 +77,7 @@ class C(Printer):
         """Texts, structures, tables and functions, one after the other with an empty line between them."""
         functions = (each for each in parts if isinstance(each, Function))
         self.functions_by_name |= {each.name: each for each in functions}
+        self.empty |= {each.name for each in parts if isinstance(each, Structure) and not each.members}
         return "\n".join(each if isinstance(each, str) else self._part(each) for each in parts)
 
     def _part(self, part: Structure | Table | Function) -> str:
@@ -271,7 +273,9 @@ class C(Printer):
         if node.value is not None:
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
-            return f"{declared};"
+            # Compilers warn where a function is given what nobody set, read or not.
+            empty = isinstance(node.type, Record) and node.type.name in self.empty
+            return f"{declared}{' = {0}' if empty else ''};"
         return f"{declared} = {'REAL(0)' if node.type == Real() else self.zero(node.type)};"
 
     def zero(self, kind: Type) -> str:

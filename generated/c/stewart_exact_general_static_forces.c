@@ -1602,7 +1602,7 @@ static void forces_of_block(
     const stewart_exact_general_static_model *model, const motion_lanes *at, block *out)
 {
     int i, l;
-    shared_lanes shared;
+    shared_lanes shared = {0};
     leg_block first;
     leg_block other;
     for (l = 0; l < LANES; ++l) {

@@ -1457,7 +1457,7 @@ static void load_block(const stewart_motions *motions, size_t first, size_t coun
 static void forces_of_block(const stewart_exact_massless_model *model, const motion_lanes *at, block *out)
 {
     int i, l;
-    shared_lanes shared;
+    shared_lanes shared = {0};
     leg_block first;
     leg_block other;
     for (l = 0; l < LANES; ++l) {

@@ -1039,7 +1039,7 @@ static void equations_sums(
     const stewart_exact_model *model, const stewart_motion *motion, equations_legs *legs,
     stewart_real summed[69])
 {
-    equations_pose pose;
+    equations_pose pose = {0};
     equations_of_pose(model, motion, &pose, summed);
     equations_of_leg(model, motion, &pose, legs);
     if (is_near(&legs->checked) != 0) {
