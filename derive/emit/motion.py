@@ -60,7 +60,7 @@ from ..print.template import filled
 from ..regroup import ForceKernel
 
 LEGS, LANES = 6, 8
-FUNCTIONS = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+FUNCTIONS = tuple(each for each in o.OUTPUTS if each != o.FORCES)
 """What the emitted file can hold, in the order of its declarations."""
 
 _STRUCTS = {

@@ -27,7 +27,6 @@ from .prepare import SINGULAR_STATUS
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
-OUTPUTS = (FORCES, EQUATIONS, "bias", FORWARD, "joint_inertia", "derivatives", "linearisation")
 
 Written = Callable[..., Any]
 
@@ -330,6 +329,7 @@ RESULTS = {
     ),
 }
 """The structure that each output fills."""
+OUTPUTS = tuple(RESULTS)
 
 _STRUCTURES = (
     structure("LegInputs", "What a leg's blocks are given.", _GIVEN),

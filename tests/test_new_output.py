@@ -1,0 +1,115 @@
+"""A new output is a written function and a line of ``RESULTS``: every language then has it, and proves it."""
+
+import ctypes
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym import closed_form, derive, kernel, native
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.kernel import MOTION
+from stewart_sym.kit.parts import robot_numbers
+
+WRITTEN = '''
+
+def momentum(model: "Model", motion: "Motion") -> "Momentum":
+    """M [v; omega], about the reference point."""
+    out = blank(Momentum)
+    found = equations(model, motion)
+    for i in range(6):
+        out.momentum[i] = 0.0
+        for j in range(3):
+            total = found.M[i][j] * motion.v[j] + found.M[i][j + 3] * motion.omega[j]
+            out.momentum[i] = out.momentum[i] + total
+    out.status = found.status
+    check_momentum(out)
+    return out
+'''
+REGISTERED = """
+    "momentum": _result("Momentum", "M [v; omega].", Field("momentum", _numbers(6), "kg m/s, kg m^2/s: it")),
+"""
+WRITE = """
+import json, sys
+from pathlib import Path
+import stewart_sym.derive as derive
+copy, folder = map(Path, sys.argv[1:])
+derive.__path__[:] = [str(copy)]
+from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.generate import motion_files, output_program
+from stewart_sym.derive.package.languages import LANGUAGES, Contents, Test
+given = json.loads(sys.stdin.read())
+test = Test("momentum", given["motion"], None, *({"momentum": given[each]} for each in ("answer", "bound")))
+program = output_program(EXACT, ("momentum",))
+kit = Contents("one", "one", given["robot"], program, ("momentum",), (test,), "double", "", "test")
+texts = {name: language.files(kit) for name, language in LANGUAGES.items()}
+for language, files in (texts | {"c": motion_files(["equations", "momentum"])}).items():
+    for name, text in files.items():
+        (folder / language / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / language / name).write_text(text)
+"""
+RUN = {
+    "python": [sys.executable, "self_test.py"],
+    "matlab": ["octave-cli", "--eval", "exit(self_test())"],
+    "rust": ["cargo", "test", "--offline", "-q"],
+}
+
+
+def case() -> tuple[ss.Robot, ss.Motion, np.ndarray]:
+    """A machine, a motion and the momentum that it has."""
+    rng = np.random.default_rng(51)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    M = ss.equations_of_motion(robot, motion).M
+    return robot, motion, M @ np.concatenate([motion.v, motion.omega])
+
+
+@pytest.fixture(scope="module")
+def kits(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for each language, written by a copy of the derivation whose two files have the new output."""
+    folder = tmp_path_factory.mktemp("momentum")
+    copy = folder / "derive"
+    shutil.copytree(Path(derive.__file__).parent, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    with (copy / "kernel" / "written" / "closed_form.py").open("a") as file:
+        file.write(WRITTEN)
+    outputs = copy / "kernel" / "outputs.py"
+    start, opening, rest = outputs.read_text().partition("\nRESULTS = {")
+    assert opening
+    outputs.write_text(f"{start}{opening}{REGISTERED}{rest}")
+    robot, motion, answer = case()
+    given = {
+        "robot": robot_numbers(robot),
+        "motion": {name: np.ravel(getattr(motion, name)).tolist() for name in MOTION},
+        "answer": answer.tolist(),
+        "bound": np.full(6, 100 * np.abs(answer).max()).tolist(),
+    }
+    command = [sys.executable, "-c", WRITE, str(copy), str(folder)]
+    subprocess.run(command, input=json.dumps(given), text=True, check=True)
+    return folder
+
+
+@pytest.mark.parametrize(
+    "language", [pytest.param(name, marks=() if name == "python" else pytest.mark.slow) for name in RUN]
+)
+def test_two_files_give_every_language_a_new_output(language: str, kits: Path) -> None:
+    done = subprocess.run(RUN[language], cwd=kits / language, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_same_two_files_give_c_a_new_output(kits: Path) -> None:
+    robot, motion, answer = case()
+    made = {path.name: path.read_text() for path in (kits / "c").iterdir()}
+    library = native.load("momentum", closed_form.c_sources() | made)
+    model, found = np.zeros(MODELS["exact"]), np.zeros(6)
+    numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
+    given = kernel.robot_numbers(robot)
+    pointers = [each.ctypes.data_as(ctypes.c_void_p) for each in (given, model, numbers, found)]
+    assert library.stewart_exact_prepare(*pointers[:2]) == 0
+    assert library.stewart_exact_momentum(*pointers[1:]) == 0
+    np.testing.assert_allclose(found, answer, rtol=0, atol=1e-14 * np.abs(answer).max())
