@@ -28,15 +28,15 @@ CASES = 1_000_000
 
 THRESHOLDS = (
     Threshold(
-        "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 42, "2.3e-01"
+        "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 6, "1.2e-02"
     ),
-    Threshold("POLE", "pole", "sine below 4096 rounding units", 40, "3.7e-03"),
+    Threshold("POLE", "pole", "sine below 4096 rounding units", 31, "1.7e-02"),
     Threshold(
         "SINGULAR",
         "singular",
         "spectral radius of |1/H| times the bounds of its errors above 1/2",
-        58,
-        "9.9e-08",
+        16,
+        "1.2e-05",
     ),
 )
 
