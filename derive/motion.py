@@ -96,7 +96,7 @@ TURNED = Quantity(
     "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
 )
 
-AXIAL = Quantity("axial", (), "1", "share of the inertia about a leg's axis beside k3 times that of its tip")
+AXIAL = Quantity("axial", (), "1", "0 of a leaning leg with little inertia about its own axis, else 1")
 
 # A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
 # L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
@@ -830,8 +830,8 @@ def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, friction: bool) -> tuple[
     """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
 
     Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
-    a thin rod's forces across the leg add to them cancels: the share 1 - AXIAL of it is in neither. Of a leg
-    with inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
+    a thin rod's forces across the leg add to them cancels: with AXIAL = 0 it is in neither. Of a leg with
+    inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
     fall: mass at the tip times its acceleration from free fall, leg frame.
     """
     forces = tip.torques(friction)

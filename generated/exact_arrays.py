@@ -201,7 +201,7 @@ class LegInputs:
         self.net: Any = [0.0] * 3
         # m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone
         self.turned: Any = [0.0] * 3
-        self.axial: Any = 0.0  # 1: share of the inertia about a leg's axis beside k3 times that of its tip
+        self.axial: Any = 0.0  # 1: 0 of a leaning leg with little inertia about its own axis, else 1
 
 
 class EquationsLeg:
@@ -3302,7 +3302,8 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
 
 def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
-    the share of the inertia about its own axis beside k3 times that of its tip.
+    whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A
+    share between the two would have the rounding of both.
     """
     whole = [0.0] * 24
     for i in range(24):
@@ -3310,9 +3311,8 @@ def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: 
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
         k3 = legs.leg[b].k3
-        of_tip = legs.leg[b].L * by.extent[3 * b]
-        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
-        by.given[b].axial = on.where(k3 < on.LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
+        thin = k3 * by.extent[3 * b + 1] / by.extent[3 * b + 2]
+        by.given[b].axial = on.where((k3 < on.LEANING) & (thin * thin > 0.5), 0.0, 1.0)
         for i in range(3):
             force = rest[3 * b + i]
             turned = 0.0

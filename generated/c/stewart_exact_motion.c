@@ -115,7 +115,7 @@ typedef struct {
     stewart_real F; /* N: actuator force of the leg */
     stewart_real net[3]; /* N, N m: generalised forces of the leg less the actuator's, along L, theta, phi */
     stewart_real turned[3]; /* m/s^2, 1/s^2: accelerations of L, theta, phi by those of the platform alone */
-    stewart_real axial; /* 1: share of the inertia about a leg's axis beside k3 times that of its tip */
+    stewart_real axial; /* 1: 0 of a leaning leg with little inertia about its own axis, else 1 */
 } leg_inputs;
 
 /* C [v; omega] + g + friction. */
@@ -2620,8 +2620,9 @@ static void row_back(
     }
 }
 
-/* Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
- * share of the inertia about its own axis beside k3 times that of its tip. */
+/* Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+ * whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
+ * between the two would have the rounding of both. */
 static void rows_held(
     const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
     const stewart_real rest[24])
@@ -2635,9 +2636,8 @@ static void rows_held(
     }
     for (b = 0; b < 6; ++b) {
         const stewart_real k3 = legs->checked.k3[b];
-        const stewart_real of_tip = legs->checked.L[b]*by->extent[3*b];
-        const stewart_real share = of_tip/by->extent[3*b + 1]*(of_tip/by->extent[3*b + 2]*k3);
-        by->given[b].axial = k3 < STEWART_LEANING ? k3/(k3 + share*share*(share*share)) : REAL(1);
+        const stewart_real thin = k3*by->extent[3*b + 1]/by->extent[3*b + 2];
+        by->given[b].axial = (k3 < STEWART_LEANING && thin*thin > STEWART_HALF) ? REAL(0) : REAL(1);
         for (i = 0; i < 3; ++i) {
             stewart_real force = rest[3*b + i];
             stewart_real turned = REAL(0);

@@ -338,17 +338,17 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 def rows_held(
     legs: "JointRowsLegs", by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)"
 ) -> None:
-    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and the
-    share of the inertia about its own axis beside k3 times that of its tip."""
+    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and whether
+    it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share between
+    the two would have the rounding of both."""
     whole = array(24)
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
     for b in range(6):
         k3 = legs.leg[b].k3
-        of_tip = legs.leg[b].L * by.extent[3 * b]
-        share = of_tip / by.extent[3 * b + 1] * (of_tip / by.extent[3 * b + 2] * k3)
-        by.given[b].axial = where(k3 < LEANING, k3 / (k3 + share * share * (share * share)), 1.0)
+        thin = k3 * by.extent[3 * b + 1] / by.extent[3 * b + 2]
+        by.given[b].axial = where((k3 < LEANING) & (thin * thin > 0.5), 0.0, 1.0)
         for i in range(3):
             force = rest[3 * b + i]
             turned = 0.0
