@@ -338,9 +338,9 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 def rows_held(
     legs: "JointRowsLegs", by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)"
 ) -> None:
-    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and whether
-    it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share between
-    the two would have the rounding of both."""
+    """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
+    whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
+    between the two would have the rounding of both."""
     whole = array(24)
     for i in range(24):
         for j in range(6):
