@@ -12,6 +12,7 @@ from .nodes import (
     Array,
     Assign,
     Binary,
+    Call,
     Compare,
     Constant,
     Either,
@@ -20,9 +21,11 @@ from .nodes import (
     Field,
     For,
     Function,
+    If,
     Integer,
     Member,
     Name,
+    Not,
     Number,
     Real,
     Record,
@@ -130,29 +133,46 @@ def legs_function(name: str, total: Structure, pose: str, legs: str) -> Function
     )
 
 
-def check_function(name: str, result: Structure, blank: bool = True) -> Function:
-    """A status where a number of a result is not finite; blank: NaN for its numbers where that is not OK."""
-    out, lost = Name("out"), Name("lost")
+def check_function(name: str, result: Structure) -> Function:
+    """A status where a number of a result is not finite; NaN for its numbers where that is not OK."""
+    out, finite = Name("out"), Name("finite")
     status = Member(out, "status")
     fine = Compare("==", status, Constant("OK"))
-    known = Either(Compare("!=", status, Constant("OK")), Compare("==", lost, Number(0.0)))
-    blanks = each_number(result, lambda at: Assign(at(out), Select(fine, at(out), Constant("NAN"))))
+    known = Either(Compare("!=", status, Constant("OK")), Compare(">", finite, Number(0.0)))
+    looked_at = each_number(
+        result, lambda at: Assign(finite, Select(_is_finite(at(out)), finite, Number(0.0)))
+    )
     return Function(
         name,
-        "Says where a number of a result is not finite, and puts NaN for all where the status is not OK."
-        if blank
-        else "Says where a number of a result is not finite.",
+        "Says where a number of a result is not finite, and puts NaN for all where the status is not OK.",
         (Argument("out", Record(result.name), changed=True),),
         None,
         (
-            Variable("lost", Real(), Number(0.0)),
-            *each_number(
-                result, lambda at: Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(out))))
-            ),
+            Variable("finite", Real(), Number(1.0)),
+            *looked_at,
             Assign(status, Select(known, status, Constant("NOT_FINITE"))),
-            *(blanks if blank else []),
+            *each_number(result, lambda at: Assign(at(out), Select(fine, at(out), Constant("NAN")))),
         ),
     )
+
+
+def branching_check(name: str, result: Structure) -> Function:
+    """The same of one pose, without NaN: a branch at each number waits for none that was just stored."""
+    out = Name("out")
+    status = Member(out, "status")
+    fine = Compare("==", status, Constant("OK"))
+    lost = (Assign(status, Select(fine, Constant("NOT_FINITE"), status)), Return(None))
+    return Function(
+        name,
+        "Says where a number of a result is not finite.",
+        (Argument("out", Record(result.name), changed=True),),
+        None,
+        tuple(each_number(result, lambda at: If(Not(_is_finite(at(out))), lost))),
+    )
+
+
+def _is_finite(value: Expression) -> Compare:
+    return Compare("<=", Call("size", (value,)), Constant("MAX"))
 
 
 def _lost_digits(structures: dict[str, Structure]) -> Function:

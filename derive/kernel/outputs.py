@@ -17,6 +17,7 @@ from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
+    branching_check,
     check_function,
     legs_function,
     model_functions,
@@ -79,7 +80,7 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
         )
         known[f"{name}_sums"] = partial(Function, f"{name}_sums", "", (model, motion, legs, summed), None, ())
     for of, result in RESULTS.items():
-        known[f"check_{of}"] = partial(check_function, f"check_{of}", result, blank=False)
+        known[f"check_{of}"] = partial(branching_check, f"check_{of}", result)
     known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
     known["singular_status"] = lambda: replace(SINGULAR_STATUS, result=Integer())
     needed = _Needed(known, tuple(outputs), of_model, {})

@@ -1101,37 +1101,56 @@ static void place_blocks_6(
 static void check_equations(equations_found *out)
 {
     int i, j;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.M[6*i + j];
+            if (!(STEWART_FABS(out->of.M[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.C[6*i + j];
+            if (!(STEWART_FABS(out->of.C[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
     for (i = 0; i < 6; ++i) {
-        lost = lost + REAL(0)*out->of.g[i];
+        if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 6; ++i) {
-        lost = lost + REAL(0)*out->of.friction[i];
+        if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 6; ++i) {
-        lost = lost + REAL(0)*out->of.bias[i];
+        if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.H[6*i + j];
+            if (!(STEWART_FABS(out->of.H[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.H_dot[6*i + j];
+            if (!(STEWART_FABS(out->of.H_dot[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
@@ -1455,11 +1474,12 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 6; ++i) {
-        lost = lost + REAL(0)*out->bias[i];
+        if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
 }
 
 /* C [v; omega] + g + friction without C. */
@@ -1937,14 +1957,18 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 3; ++i) {
-        lost = lost + REAL(0)*out->acceleration[i];
+        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 3; ++i) {
-        lost = lost + REAL(0)*out->acceleration[3 + i];
+        if (!(STEWART_FABS(out->acceleration[3 + i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
 }
 
 typedef struct {
@@ -2863,13 +2887,14 @@ static int solve_pivoted_12(stewart_real A[72])
 static void check_joint_inertia(joint_inertia_found *out)
 {
     int i, j;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->inertia[6*i + j];
+            if (!(STEWART_FABS(out->inertia[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -4800,26 +4825,36 @@ static int solve_pivoted_24(stewart_real A[144])
 static void check_derivatives(derivatives_found *out)
 {
     int i, j;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 6; ++i) {
-        lost = lost + REAL(0)*out->of.F[i];
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.by_pose[6*i + j];
+        if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
         }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.by_twist[6*i + j];
+            if (!(STEWART_FABS(out->of.by_pose[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.by_acceleration[6*i + j];
+            if (!(STEWART_FABS(out->of.by_twist[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(out->of.by_acceleration[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
+        }
+    }
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
@@ -4921,24 +4956,34 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 static void check_linearisation(linearisation_found *out)
 {
     int i, j;
-    stewart_real lost = REAL(0);
     for (i = 0; i < 3; ++i) {
-        lost = lost + REAL(0)*out->of.acceleration[i];
+        if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 3; ++i) {
-        lost = lost + REAL(0)*out->of.acceleration[3 + i];
+        if (!(STEWART_FABS(out->of.acceleration[3 + i]) <= STEWART_MAX)) {
+            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            return;
+        }
     }
     for (i = 0; i < 12; ++i) {
         for (j = 0; j < 12; ++j) {
-            lost = lost + REAL(0)*out->of.A[12*i + j];
+            if (!(STEWART_FABS(out->of.A[12*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
     for (i = 0; i < 12; ++i) {
         for (j = 0; j < 6; ++j) {
-            lost = lost + REAL(0)*out->of.B[6*i + j];
+            if (!(STEWART_FABS(out->of.B[6*i + j]) <= STEWART_MAX)) {
+                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+                return;
+            }
         }
     }
-    out->status = (out->status != STEWART_OK || lost == REAL(0)) ? out->status : STEWART_NOT_FINITE;
 }
 
 typedef struct {
