@@ -2085,26 +2085,26 @@ def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: An
 
 def check_equations(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.M[i][j]) <= on.MAX, finite, 0.0)
+            lost = lost + 0.0 * out.M[i][j]
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.C[i][j]) <= on.MAX, finite, 0.0)
+            lost = lost + 0.0 * out.C[i][j]
     for i in range(6):
-        finite = on.where(on.size(out.g[i]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.g[i]
     for i in range(6):
-        finite = on.where(on.size(out.friction[i]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.friction[i]
     for i in range(6):
-        finite = on.where(on.size(out.bias[i]) <= on.MAX, finite, 0.0)
-    for i in range(6):
-        for j in range(6):
-            finite = on.where(on.size(out.H[i][j]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.bias[i]
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.H_dot[i][j]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+            lost = lost + 0.0 * out.H[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * out.H_dot[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         for j in range(6):
             out.M[i][j] = on.where(out.status == OK, out.M[i][j], on.NAN)
@@ -2396,10 +2396,10 @@ def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -
 
 def check_bias(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(6):
-        finite = on.where(on.size(out.bias[i]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+        lost = lost + 0.0 * out.bias[i]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         out.bias[i] = on.where(out.status == OK, out.bias[i], on.NAN)
 
@@ -2779,12 +2779,12 @@ def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
 
 def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(3):
-        finite = on.where(on.size(out.a[i]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.a[i]
     for i in range(3):
-        finite = on.where(on.size(out.alpha[i]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+        lost = lost + 0.0 * out.alpha[i]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(3):
         out.a[i] = on.where(out.status == OK, out.a[i], on.NAN)
     for i in range(3):
@@ -3474,11 +3474,11 @@ def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
 
 def check_joint_inertia(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.inertia[i][j]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+            lost = lost + 0.0 * out.inertia[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         for j in range(6):
             out.inertia[i][j] = on.where(out.status == OK, out.inertia[i][j], on.NAN)
@@ -5011,19 +5011,19 @@ def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
 
 def check_derivatives(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(6):
-        finite = on.where(on.size(out.F[i]) <= on.MAX, finite, 0.0)
-    for i in range(6):
-        for j in range(6):
-            finite = on.where(on.size(out.by_pose[i][j]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.F[i]
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.by_twist[i][j]) <= on.MAX, finite, 0.0)
+            lost = lost + 0.0 * out.by_pose[i][j]
     for i in range(6):
         for j in range(6):
-            finite = on.where(on.size(out.by_acceleration[i][j]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+            lost = lost + 0.0 * out.by_twist[i][j]
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * out.by_acceleration[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(6):
         out.F[i] = on.where(out.status == OK, out.F[i], on.NAN)
     for i in range(6):
@@ -5107,18 +5107,18 @@ def solve_definite_24(on: Arithmetic, A: Any, kept: Any) -> Any:
 
 def check_linearisation(on: Arithmetic, out: Any) -> None:
     """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
-    finite = 1.0
+    lost = 0.0
     for i in range(3):
-        finite = on.where(on.size(out.a[i]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.a[i]
     for i in range(3):
-        finite = on.where(on.size(out.alpha[i]) <= on.MAX, finite, 0.0)
+        lost = lost + 0.0 * out.alpha[i]
     for i in range(12):
         for j in range(12):
-            finite = on.where(on.size(out.A[i][j]) <= on.MAX, finite, 0.0)
+            lost = lost + 0.0 * out.A[i][j]
     for i in range(12):
         for j in range(6):
-            finite = on.where(on.size(out.B[i][j]) <= on.MAX, finite, 0.0)
-    out.status = on.where((out.status != OK) | (finite > 0.0), out.status, NOT_FINITE)
+            lost = lost + 0.0 * out.B[i][j]
+    out.status = on.where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
     for i in range(3):
         out.a[i] = on.where(out.status == OK, out.a[i], on.NAN)
     for i in range(3):

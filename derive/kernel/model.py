@@ -135,12 +135,12 @@ def legs_function(name: str, total: Structure, pose: str, legs: str) -> Function
 
 def check_function(name: str, result: Structure) -> Function:
     """A status where a number of a result is not finite; NaN for its numbers where that is not OK."""
-    out, finite = Name("out"), Name("finite")
+    out, lost = Name("out"), Name("lost")
     status = Member(out, "status")
     fine = Compare("==", status, Constant("OK"))
-    known = Either(Compare("!=", status, Constant("OK")), Compare(">", finite, Number(0.0)))
+    known = Either(Compare("!=", status, Constant("OK")), Compare("==", lost, Number(0.0)))
     looked_at = each_number(
-        result, lambda at: Assign(finite, Select(_is_finite(at(out)), finite, Number(0.0)))
+        result, lambda at: Assign(lost, Binary("+", lost, Binary("*", Number(0.0), at(out))))
     )
     return Function(
         name,
@@ -148,7 +148,7 @@ def check_function(name: str, result: Structure) -> Function:
         (Argument("out", Record(result.name), changed=True),),
         None,
         (
-            Variable("finite", Real(), Number(1.0)),
+            Variable("lost", Real(), Number(0.0)),
             *looked_at,
             Assign(status, Select(known, status, Constant("NOT_FINITE"))),
             *each_number(result, lambda at: Assign(at(out), Select(fine, at(out), Constant("NAN")))),
@@ -162,17 +162,17 @@ def branching_check(name: str, result: Structure) -> Function:
     status = Member(out, "status")
     fine = Compare("==", status, Constant("OK"))
     lost = (Assign(status, Select(fine, Constant("NOT_FINITE"), status)), Return(None))
+
+    def looked_at(at: Place) -> Statement:
+        return If(Not(Compare("<=", Call("size", (at(out),)), Constant("MAX"))), lost)
+
     return Function(
         name,
         "Says where a number of a result is not finite.",
         (Argument("out", Record(result.name), changed=True),),
         None,
-        tuple(each_number(result, lambda at: If(Not(_is_finite(at(out))), lost))),
+        tuple(each_number(result, looked_at)),
     )
-
-
-def _is_finite(value: Expression) -> Compare:
-    return Compare("<=", Call("size", (value,)), Constant("MAX"))
 
 
 def _lost_digits(structures: dict[str, Structure]) -> Function:
