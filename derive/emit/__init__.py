@@ -1,1 +1,1 @@
-"""Printers: blocks as text in C and Python. They hold text and layout, no dynamics."""
+"""Kernels as files of C and NumPy: where numbers are, what stands in lanes, what a header says."""
