@@ -191,6 +191,11 @@ class _Source:
             yield read(batch, f"{self.name}_{batch.__name__}", public=True, given=given)
 
 
+def block_text(block: Block, result: str) -> str:
+    """A block as its function in C; result: name of the structure that it fills."""
+    return "\n".join(C().function(_block_function(block, _terms(result, block))))
+
+
 def _terms(name: str, block: Block) -> Structure:
     """What a block makes."""
     return Structure(name, "", tuple(described(out.quantity) for out in block.outputs))

@@ -14,13 +14,12 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     number of the robot is not finite or too large, or k is zero; the model is written only if it is
     STEWART_OK."""
     found = blank(PreparedLeg)
-    sum = blank(PreparedLeg)
+    sum = PreparedLeg()
     platform = blank(PreparedPlatform)
     largest = 0.0
     lost = 0.0
     if robot is None or model is None:
         return BAD_ARGUMENT
-    CLEARED
     for i in range(6):
         prepare_leg(robot, robot.leg[i], found)
         SUMMED
@@ -147,8 +146,8 @@ def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     else:
         if model is None or motion is None or F is None:
             return BAD_ARGUMENT
-    pose_of(model, motion, pose, A)
     pose.close = 0
+    pose_of(model, motion, pose, A)
     "A leg above this is long beside the vectors that it is the sum of."
     least = SHORTEST + SHORT_SHARE * (size(motion.t[0]) + size(motion.t[1]) + size(motion.t[2]) + SIZE)
     for i in range(6):
