@@ -247,14 +247,14 @@ def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant) -> bool:
 @needs_compiler
 @pytest.mark.slow
 def test_hardly_a_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFixture[str]) -> None:
-    """All but two of a leg and two of the solve: a first moment is felt by other ways as well near the joint
-    singularity.
+    """All but two of a leg, four of the solve and three of the rotation: a first moment is felt by other ways
+    as well near the joint singularity.
 
     Set aside are those of which the test shows that they change squares of errors alone.
     """
     made = rounding.all_mutants()
     takes = np.max([taken(robot, motion, len(made)) for robot, motion in machines(2)], axis=0)
-    small = takes[1] <= np.maximum(takes[0] / 64, NEGLIGIBLE)
+    small = np.isfinite(takes[0]) & (takes[1] <= np.maximum(takes[0] / 64, NEGLIGIBLE))
     aside = np.array([of_squares(mutant) for mutant in made]) & small
     left = {n: mutant for n, mutant in enumerate(made) if not aside[n]}
     total = len(left)
@@ -268,10 +268,11 @@ def test_hardly_a_mutant_of_what_collects_the_errors_survives(capsys: pytest.Cap
         )
     assert total > 300
     # Long double hides what the residual's own rounding does, the sum of sizes in the solve's bound.
-    felt = [each for each in left.values() if each.function != "solution_error"]
+    felt = [each for each in left.values() if each.function not in ("solution_error", "rotation_error")]
     assert all("_bar_max*" in mutant.whole for mutant in felt)
     assert len(felt) <= 2
-    assert len(left) - len(felt) <= 2
+    assert sum(each.function == "rotation_error" for each in left.values()) <= 3
+    assert sum(each.function == "solution_error" for each in left.values()) <= 4
 
 
 def of_squares(mutant: rounding.Mutant) -> bool:

@@ -63,6 +63,30 @@ DEVIATIONS = (
         (*LANES, *CLOSED_FORM),
     ),
     Deviation(
+        "2.2",
+        "dead code",
+        "one text serves every row of a block: the first adds zero to its index",
+        CLOSED_FORM,
+    ),
+    Deviation(
+        "9.3",
+        "arrays initialised in part",
+        "there is none: the checker takes a structure that a call returns for a list",
+        CLOSED_FORM,
+    ),
+    Deviation(
+        "10.3",
+        "an expression assigned to a narrower or another type",
+        "whether two conditions hold is kept as 1 or 0, as for poses side by side",
+        CLOSED_FORM,
+    ),
+    Deviation(
+        "10.6",
+        "an expression assigned to a wider type",
+        "a status is chosen of two constants",
+        CLOSED_FORM,
+    ),
+    Deviation(
         "11.3",
         "pointers to one type of object cast to another",
         "a struct of nothing but stewart_real is read as its numbers, to find one that is not finite",
