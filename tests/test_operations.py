@@ -85,15 +85,17 @@ BLOCK = """static stewart_@KERNEL@_model model;
     counts = Counts();
     int status = stewart_@KERNEL@_forces_batch(&model, 1, &all, F, 0);"""
 
-SUMS = """static stewart_exact_model model;
+
+def sums(kernel: str, given: str) -> str:
+    """Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
+    return f"""static stewart_exact_model model;
     stewart_exact_prepare(&robot, &model);
-    static @WHAT@_legs legs;
+    static {kernel}_legs legs;
     static Real sum[100];
-    @GIVEN@
+    {given}
     counts = Counts();
-    @WHAT@_sums(&model, &motion, &legs, sum);
+    {kernel}_sums(&model, &motion, &legs, sum);
     const int status = legs.status;"""
-"""Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
 
 
 def executed(
@@ -158,7 +160,7 @@ def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> No
     calls, claims = [], []
     for kernel in reduced_motion():
         given = "for (int i = 0; i < 6; ++i) legs.F[i] = i + 1;" if F_LEG in kernel.leg.inputs else ""
-        calls.append(SUMS.replace("@WHAT@", prefix_of(kernel)).replace("@GIVEN@", given))
+        calls.append(sums(prefix_of(kernel), given))
         claimed = sum_operations(kernel) + 2 * kernel.leg.operations()
         claims.append((claimed.mul, claimed.add, claimed.div, claimed.sqrt))
     motion = random_motion(rng, robot)

@@ -77,7 +77,6 @@ _PARTS = {
     for result in ("Accelerations", "Linearisation")
     for part, first in (("a", 0), ("alpha", 3))
 }
-_FORCED = ("forward_dynamics", "linearisation")
 _ORDER = (*_STRUCTS, *(each for each in FUNCTIONS if each not in _STRUCTS))
 _INPUTS = (F_LEG, NET, TURNED, AXIAL)
 _MODEL_ONLY = ("Leg", "Robot", "LegConstants", "Added", "Platform", "Model", "Motion")
@@ -134,7 +133,7 @@ def header(
         operations="\n".join(rows),
         structs="\n".join("\n".join([*lines, ""]) for lines in texts),
         one_pose="\n".join(line for each in public for line in printer.declaration(each)),
-        forced="F is [count][6]. " if set(asked) & set(_FORCED) else "",
+        forced="F is [count][6]. " if set(asked) & set(o.FORCED) else "",
         batches="\n".join(line for each in batches for line in printer.declaration(each)),
     )
 
@@ -216,7 +215,7 @@ def _public(name: str, what: str) -> Function:
         (
             Argument("model", Record(f"stewart_{name}_model")),
             Argument("motion", Record("stewart_motion")),
-            *([Argument("F", Array(Real(), (LEGS,)))] if what in _FORCED else []),
+            *([Argument("F", Array(Real(), (LEGS,)))] if what in o.FORCED else []),
             target,
         ),
         Integer(),
@@ -234,7 +233,7 @@ def _batch_of(name: str, what: str) -> Function:
             Argument("model", Record(f"stewart_{name}_model")),
             Argument("count", Count()),
             Argument("motions", Record("stewart_motions")),
-            *([Argument("F", Pointer(Real()))] if what in _FORCED else []),
+            *([Argument("F", Pointer(Real()))] if what in o.FORCED else []),
             Argument("out", Record(f"stewart_{what}_arrays")) if what in _STRUCTS else target,
             Argument("status", Pointer(Integer()), changed=True),
         ),
@@ -246,7 +245,7 @@ def _batch_of(name: str, what: str) -> Function:
 
 def _one(name: str, what: str, record: str) -> str:
     function = _public(name, what)
-    out, forced = function.arguments[-1].name, what in _FORCED
+    out, forced = function.arguments[-1].name, what in o.FORCED
     count = sum(members(what).values())
     return filled(
         "motion_one.c",
@@ -261,7 +260,7 @@ def _one(name: str, what: str, record: str) -> str:
 
 
 def _batch(name: str, what: str) -> str:
-    forced, found = what in _FORCED, members(what)
+    forced, found = what in o.FORCED, members(what)
     struct = what in _STRUCTS
     copies = [
         f"            copy_to({f'found.{each}' if struct else 'found'}, {count}, pose, "

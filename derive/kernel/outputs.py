@@ -331,6 +331,8 @@ RESULTS = {
 }
 """The structure that each output fills."""
 OUTPUTS = tuple(RESULTS)
+FORCED = ("forward_dynamics", "linearisation")
+"""Outputs that take the actuator forces."""
 
 _STRUCTURES = (
     structure("LegInputs", "What a leg's blocks are given.", _GIVEN),

@@ -1,6 +1,6 @@
 """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from.
 
-Prints names, meanings and counts; the kernels themselves are C. Knows no dynamics.
+Prints names, meanings and counts; the kernels themselves are C.
 """
 
 from collections.abc import Mapping

@@ -60,9 +60,6 @@ RESULTS: dict[str, dict[str, tuple[int, ...]]] = {
 }
 """Members of each output that are compared."""
 
-FORCED = ("forward_dynamics", "linearisation")
-"""Outputs that take the actuator forces."""
-
 
 def statuses(line: str) -> str:
     """A line for each status, with its ``{name}``, ``{code}`` and ``{meaning}``."""
@@ -136,7 +133,7 @@ class Language(ABC):
             "version": kit.version,
             "crate": kit.symbol,
             "first": kit.outputs[0],
-            "force": self.no_force if kit.outputs[0] in FORCED else "",
+            "force": self.no_force if kit.outputs[0] in outputs.FORCED else "",
             **more,
         }
 
@@ -211,7 +208,7 @@ class PythonKit(Language):
         }
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", F" if output in FORCED else ""
+        F = ", F" if output in outputs.FORCED else ""
         return f"stewart_arrays.{output}(on, model, motion{F})"
 
 
@@ -266,7 +263,7 @@ class MatlabKit(Language):
         ]
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", zeros(6, 1)" if output in FORCED else ""
+        F = ", zeros(6, 1)" if output in outputs.FORCED else ""
         return f"stewart.{output}(model, motion{F})"
 
 
@@ -327,7 +324,7 @@ class RustKit(Language):
         return "\n".join([*lines, "}", ""])
 
     def call(self, kit: Contents, output: str) -> str:
-        F = ", &[0.0; 6]" if output in FORCED else ""
+        F = ", &[0.0; 6]" if output in outputs.FORCED else ""
         return f"{output}(&model, &motion{F})"
 
 

@@ -1569,12 +1569,12 @@ static stewart_real stretch_error(
     return total + REAL(2)*R_err*R_err*slopes;
 }
 
-/* Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it
- * to `error`. With E_H and e_c bounding these errors, and d the error of x in sizes, d <= b + G d, where
- * b = |Y| (|c - H x| + E_H |x| + e_c) and G = |1 - Y H| + |Y| E_H, and where G b <= beta b with beta <
- * 1, H is regular and d <= b / (1 - beta) (Rump, Verification methods, Acta Numerica 19 (2010), 10);
- * what is left is |Y| |c - H x| + G d. Where there is no such beta, it is infinite. Sums of seven terms
- * round seven times at most. */
+/* Bounds the rest of the error of x = Y c when the errors of H and c have been weighed by Y: adds it to
+ * `error`. With E_H and e_c bounding these errors, and d the error of x in sizes, d <= b + G d, where b
+ * = |Y| (|c - H x| + E_H |x| + e_c) and G = |1 - Y H| + |Y| E_H, and where G b <= beta b with beta < 1,
+ * H is regular and d <= b / (1 - beta) (Rump, Verification methods, Acta Numerica 19 (2010), 10); the
+ * rest is |Y| |c - H x| + G d. Where there is no such beta, it is infinite. Sums of seven terms round
+ * seven times at most. */
 static void solution_error(
     const platform_equations *of, const stewart_real x[6], stewart_real Y[6][6], stewart_real error[6])
 {

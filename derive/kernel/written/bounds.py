@@ -172,11 +172,11 @@ def stretch_error(R: "array(9)", stretch: "array(9)", R_err: "Real", of: "Slopes
 
 
 def solution_error(of: "Equations", x: "array(6)", Y: "array(6, 6)", error: "array(6)") -> None:
-    """Bounds what is left of the error of x = Y c when the errors of H and c have been weighed by Y: adds it
+    """Bounds the rest of the error of x = Y c when the errors of H and c have been weighed by Y: adds it
     to `error`. With E_H and e_c bounding these errors, and d the error of x in sizes, d <= b + G d, where
     b = |Y| (|c - H x| + E_H |x| + e_c) and G = |1 - Y H| + |Y| E_H,
     and where G b <= beta b with beta < 1, H is regular and d <= b / (1 - beta) (Rump, Verification methods,
-    Acta Numerica 19 (2010), 10); what is left is |Y| |c - H x| + G d. Where there is no such beta, it is
+    Acta Numerica 19 (2010), 10); the rest is |Y| |c - H x| + G d. Where there is no such beta, it is
     infinite. Sums of seven terms round seven times at most."""
     rest = blank(array(6))
     doubt = blank(array(6))
