@@ -1034,7 +1034,7 @@ def _parser() -> argparse.ArgumentParser:
         choices=("c", "python", "matlab", "rust"),
         default="c",
         help="python: on arrays of NumPy, JAX, PyTorch; matlab: Octave as well; rust: without its standard "
-        "library as well; of forces and motion; default: c",
+        "library as well; of forces, motion and derivatives; default: c",
     )
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
 

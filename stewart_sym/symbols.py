@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import instance, option, shown
+from .checks import finite_array, instance, option, shown
 from .dynamics import Formulation
 from .kernel import kernel_name, overflows, stored
 from .results import OK
@@ -30,6 +30,10 @@ FUNCTIONS = {
     **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
 }
 """What there are formulas of, and the function of the kernel trees that computes it."""
+
+
+_REQUIRED = ("R", "t", "F")
+"""Arguments that have no value by default."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +81,11 @@ class Symbolic:
         return Symbolic(f"d_{self.name}", result, tuple(steps), self.constants, self.arguments)
 
     def function(self) -> Callable[..., NDArray[np.float64]]:
-        """A NumPy function of one pose's arguments by name, zero where not given: (6,), (6, 3) or (6, 6)."""
+        """A NumPy function of one pose's arguments by name: (6,), (6, 3) or (6, 6).
+
+        R, t and F, where they are arguments, must be given; others are zero where not given. The function
+        raises ValueError for other names and shapes.
+        """
         import sympy as sp
 
         constants = dict(self.constants)
@@ -90,9 +98,16 @@ class Symbolic:
         def evaluated(**given: Any) -> NDArray[np.float64]:
             for argument in given:
                 option(argument, tuple(self.arguments), "argument")
-            values = {argument: np.zeros(of.shape) for argument, of in self.arguments.items()} | given
-            numbers = np.concatenate([np.ravel(values[argument]) for argument in self.arguments])
-            return np.asarray(made(*numbers), dtype=np.float64).reshape(shape)
+            for argument in _REQUIRED:
+                if argument in self.arguments and argument not in given:
+                    raise ValueError(f"{argument}: expected a value, got none")
+            numbers = [
+                np.zeros(len(of))
+                if argument not in given
+                else _of_one_pose(argument, given[argument], of.shape)
+                for argument, of in self.arguments.items()
+            ]
+            return np.asarray(made(*np.concatenate(numbers)), dtype=np.float64).reshape(shape)
 
         return evaluated
 
@@ -129,6 +144,15 @@ def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Sym
     used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
     constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
     return Symbolic(what, result, steps, constants, found.arguments)
+
+
+def _of_one_pose(name: str, value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """The numbers of an argument; ValueError that names it for other shapes and what is not finite."""
+    expected = shape if shape[1] > 1 else shape[:1]
+    found = finite_array(value, expected, name)
+    if found.shape != expected:
+        raise ValueError(f"{name}: expected shape {expected}, of one pose, got {found.shape}")
+    return found.ravel()
 
 
 def prepared(robot: Robot, function: str, formulation: Formulation) -> tuple[Any, str, SimpleNamespace]:

@@ -133,3 +133,28 @@ def test_what_spherical_joints_lack_is_one_line() -> None:
         ss.symbolic(robot, "M")
     with pytest.raises(ValueError, match=r"^argument: expected"):
         ss.symbolic(robot, "H").function()(q=3)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "line"),
+    [
+        ({"t": [0.1, 0.0]}, "t: expected shape"),
+        ({"t": np.zeros((2, 3))}, r"t: expected shape \(3,\), of one pose, got \(2, 3\)"),
+        ({"t": [0.1, 0.0], "omega": [0.0] * 4}, "t: expected shape"),
+        ({"R": "a"}, "R: expected"),
+        ({"t": [0.1, 0.0, np.nan]}, "t: expected finite"),
+        ({"R": None}, "R: expected"),
+    ],
+)
+def test_arguments_that_do_not_fit_are_one_line(wrong: dict[str, Any], line: str) -> None:
+    evaluate = ss.symbolic(dasgupta(), "H").function()
+    with pytest.raises(ValueError, match=f"^{line}"):
+        evaluate(**{"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | wrong)
+
+
+@pytest.mark.parametrize(("what", "missing"), [("H", "R"), ("H", "t"), ("a", "F")])
+def test_a_pose_and_actuator_forces_must_be_given(what: str, missing: str) -> None:
+    given = {"R": np.eye(3), "t": [0.1, 0.0, 0.5]} | ({"F": np.ones(6)} if what == "a" else {})
+    given.pop(missing)
+    with pytest.raises(ValueError, match=f"^{missing}: expected a value, got none$"):
+        ss.symbolic(dasgupta(), what).function()(**given)

@@ -173,6 +173,7 @@ class _Source:
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.extent)
+            yield read(written.clear_sum, given=p.sums(ADDED))
             yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())

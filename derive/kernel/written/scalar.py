@@ -9,17 +9,23 @@ def extent(vector: "array(3)") -> "Real":
     return size(vector[0]) + size(vector[1]) + size(vector[2])
 
 
+def clear_sum(sum: "PreparedLeg") -> None:
+    """A sum over the legs with nothing in it."""
+    CLEARED
+
+
 def prepare(robot: "Robot", model: "Model") -> "Integer":
     """Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
     number of the robot is not finite or too large, or k is zero; the model is written only if it is
     STEWART_OK."""
     found = blank(PreparedLeg)
-    sum = PreparedLeg()
+    sum = blank(PreparedLeg)
     platform = blank(PreparedPlatform)
     largest = 0.0
     lost = 0.0
     if robot is None or model is None:
         return BAD_ARGUMENT
+    clear_sum(sum)
     for i in range(6):
         prepare_leg(robot, robot.leg[i], found)
         SUMMED
