@@ -60,7 +60,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     source = os.fspath(path)
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
-    top = tables.checked_table(tables.read_toml(source, "scene"), file, _KEYS, needed)
+    top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = tables.positive(top["tolerance"], f"{file}tolerance")

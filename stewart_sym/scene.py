@@ -114,7 +114,10 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     source = tables.file_name(path)
     file = f"{source}: "
     top = tables.checked_table(
-        tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
+        tables.read_toml(source, "scene of simulate"),
+        file,
+        _TOP_KEYS,
+        ("schema", "robot", "duration", "legs"),
     )
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     folder = Path(source).parent

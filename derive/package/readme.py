@@ -111,7 +111,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         ("stewart.hpp", "the same functions for C++17"),
         ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
         ("robot.toml", "the robot file, all defaults and units written out"),
-        ("LICENSE", "terms of use: none"),
+        ("LICENSE", "terms of use: any use, without conditions (0BSD)"),
         ("manifest.json", "options, digests of robot and files, version"),
         *unit,
     ]
