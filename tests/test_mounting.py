@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
-from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli import main
@@ -70,7 +69,7 @@ def test_home_and_default_pose_are_the_same_in_other_axes(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(share(20)))
+@pytest.mark.parametrize("seed", range(20))
 def test_excitation_is_the_same_with_z_down(seed: int) -> None:
     robot = standing(seed)
     one, other = (
