@@ -134,10 +134,10 @@ def _forces(arguments: argparse.Namespace) -> int:
 
 def _singularities(arguments: argparse.Namespace) -> int:
     from .interpolation import between
+    from .paths import PATHS, path_for
     from .publish import replaced_file
     from .studies import singularities
     from .studies.output import csv_lines
-    from .trajectory import PATHS
 
     if arguments.pictures:
         _plots()
@@ -148,8 +148,9 @@ def _singularities(arguments: argparse.Namespace) -> int:
         if name in PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-            path: MotionPath = PATHS[name].path.sample
-            times = PATHS[name].path.breaks()
+            line = path_for(robot, name).path
+            path: MotionPath = line.sample
+            times = line.breaks()
         else:
             if not Path(name).exists():
                 raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")

@@ -209,6 +209,8 @@ def test_any_shape_of_times() -> None:
         ),
         ({"Omega": 9.0}, "Omega: 9 rad/s is too large"),
         ({"tau_f": 0.0}, "tau_f: expected a duration > 0 s"),
+        ({"axes": 2.0 * np.eye(3)}, "axes: expected a rotation (3, 3), got"),
+        ({"axes": -np.eye(3)}, "axes: expected a rotation (3, 3), got"),
         ({"tau_f": "2"}, "tau_f: expected a finite number, got '2'"),
         ({"V": float("nan")}, "V: expected a finite number, got nan"),
         ({"t0": (0.0, 1.0)}, "t0: expected three numbers, got (0.0, 1.0)"),
