@@ -72,7 +72,7 @@ _LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("pa
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``rate``, Hz, its forces are held between samples.
+    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read.
     """
 
     robot: Robot
@@ -86,6 +86,7 @@ class Scene:
     rtol: float
     thresholds: Thresholds
     on_force_limit: OnForceLimit = "stop"
+    files: tuple[Path, ...] = ()
 
     def run(self, progress: Progress | None = None) -> Simulation:
         """Run the simulation; progress and what is raised: as for ``simulate``."""
@@ -114,7 +115,10 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     source = tables.file_name(path)
     file = f"{source}: "
     top = tables.checked_table(
-        tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
+        tables.read_toml(source, "scene of simulate"),
+        file,
+        _TOP_KEYS,
+        ("schema", "robot", "duration", "legs"),
     )
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     folder = Path(source).parent
@@ -138,8 +142,12 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     )
     _check_start(top, legs["law"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
-    robot = Robot.from_toml(folder / tables.one_line(top["robot"], f"{file}robot"))
-    wanted = _wanted(robot, legs["path"], folder) if legs["law"] == "tracking" else None
+    read = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    robot = Robot.from_toml(read[1])
+    tracked = legs["path"] if legs["law"] == "tracking" else None
+    if tracked is not None and tracked not in PATHS:
+        read.append(folder / tracked)
+    wanted = None if tracked is None else _wanted(robot, tracked, folder)
     state = _state(given, wanted, load)
     try:
         law = _law(robot, legs, state, wanted)
@@ -157,6 +165,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
         rtol=cast(float, numbers["rtol"]),
         thresholds=thresholds,
         on_force_limit=cast(OnForceLimit, limit),
+        files=tuple(read),
     )
 
 
