@@ -18,7 +18,7 @@ from stewart_sym.derive import notation as n
 from stewart_sym.derive.generate import reduced_kinematics, reduced_rotation
 from stewart_sym.derive.kernel.constants import INTEGERS
 from stewart_sym.derive.kernel.interpret import Interpreter
-from stewart_sym.derive.kernel.kinematics import rotation_program, search_program
+from stewart_sym.derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from stewart_sym.derive.kernel.nodes import Program
 from stewart_sym.derive.package.languages import numbers_of, template
 from stewart_sym.derive.print.matlab import Matlab
@@ -30,7 +30,7 @@ Array = np.ndarray
 
 @pytest.fixture(scope="module")
 def tree() -> Program:
-    return search_program(reduced_kinematics(), public=True)
+    return search_program(reduced_kinematics(), PUBLIC)
 
 
 def side_by_side(values: Array) -> list[Array]:
