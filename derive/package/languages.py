@@ -10,6 +10,7 @@ from .. import notation as n
 from ..block import Quantity
 from ..kernel.constants import INTEGERS, NAMES, PRECISIONS, STATUS, constants
 from ..kernel.nodes import Array, Constant, Program, Record, Type, parts_of
+from ..kernel.settle import of_one_pose
 from ..print.matlab import Matlab
 from ..print.python import Python
 from ..print.rust import Rust
@@ -336,7 +337,7 @@ class MatlabKit(Language):
         tests = "\n".join(line for test in kit.tests for line in self._test(kit, test, id(test) in shown))
         calls = "\n".join(self.calls(kit).values())
         fill = self.assignments(kit, "made", "leg({1})", "    ", "[{}].")
-        made = {f"+stewart/{name}": text for name, text in Matlab(kit.program).files().items()}
+        made = {f"+stewart/{name}": text for name, text in Matlab(of_one_pose(kit.program)).files().items()}
         values = self.values(
             kit,
             statuses=statuses("    made.{name} = {code}; % {meaning}", kit.whole_numbers),
@@ -417,7 +418,7 @@ class RustKit(Language):
         calls = "\n".join(
             f'    {call}\n    println!("{output} {{:?}}", found);' for output, call in self.calls(kit).items()
         )
-        program = Rust(kit.program).source()
+        program = Rust(of_one_pose(kit.program)).source()
         return {
             "Cargo.toml": template("rust_cargo.toml", self.values(kit)),
             "src/lib.rs": template(
