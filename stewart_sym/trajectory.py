@@ -586,6 +586,26 @@ def _warn_of_units(log: _Log, coordinates: Array) -> None:
         warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=6)
 
 
+# How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
+_NEAR_UNIT = 0.2
+
+
+def _warn_of_rates(log: _Log, coordinates: Array) -> None:
+    """Warn of given rates, (3, n, 6), that differ by a power of 1000 from what coordinates and times say."""
+    changed = float(np.abs(np.diff(coordinates[0], axis=0)).sum())
+    rates = np.abs(coordinates[1]).sum(axis=-1)
+    expected = float(0.5 * (rates[1:] + rates[:-1]) @ np.diff(log.time))
+    if changed == 0.0 or expected == 0.0:
+        return
+    decades = math.log10(changed / expected)
+    nearest = 3 * round(decades / 3)
+    if nearest and abs(decades - nearest) < _NEAR_UNIT:
+        unit = {-3: "ms", -6: "us"}.get(nearest)
+        hint = f"is time in another unit (--time-unit {unit})" if unit else "are rates in another unit"
+        text = f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?"
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+
+
 def _joint_trajectory(log: _Log) -> JointTrajectory:
     L = log.vector("L")
     if np.any(L <= 0.0):
@@ -599,6 +619,7 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
         for i, name in enumerate(_LENGTH_DERIVATIVES):
             found[i + 1] = log.vector(name)
         noise = _as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
+        _warn_of_rates(log, found)
     else:
         found, noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
@@ -622,6 +643,7 @@ def _pose_log(log: _Log) -> PoseLog:
             for one, other in (_DERIVATIVES[:2], _DERIVATIVES[2:])
         ]
         noise = _as_given(log, found, [steps, *rates])
+        _warn_of_rates(log, found)
     else:
         found, noise = _differentiate(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from stewart_sym.extras import install
 from stewart_sym.motion import Motion
 from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.trajectory import PATHS, StraightLinePath, read_csv
@@ -416,7 +417,7 @@ def test_without_scipy_the_error_says_what_to_install(
     monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
     with pytest.raises(ImportError) as caught:
         read_csv(path)
-    assert 'pip install "stewart-sym[sim]"' in str(caught.value)
+    assert install("sim") in str(caught.value)
     assert "\n" not in str(caught.value)
     full = tmp_path / "full.csv"
     full.write_text("\n".join(FULL), encoding="utf-8")
