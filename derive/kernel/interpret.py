@@ -102,7 +102,7 @@ class Interpreter:
     program: Program
     arithmetic: Arithmetic
     instead: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
-    _bodies: dict[str, _Action] = field(default_factory=dict, repr=False, compare=False)
+    _bodies: dict[str, _Action] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def run(self, name: str, *arguments: Any) -> Any:
         """Result of a function of the program; arguments that it changes are changed."""
@@ -195,7 +195,8 @@ class Interpreter:
         body, index = self._run(loop.body), loop.index
 
         def action(known: Known) -> Any:
-            for known[index] in range(first(known), last(known), -1 if loop.down else step(known)):
+            for at in range(first(known), last(known), -1 if loop.down else step(known)):
+                known[index] = at
                 if (end := body(known)) is not None:
                     return None if end is _LEFT else end
             return None
@@ -236,7 +237,7 @@ class Interpreter:
                 return self._as(kind, of(inner))
             case Not(inner):
                 holds = of(inner)
-                return lambda known: self._select(holds(known), _FALSE, _TRUE, known)
+                return lambda known: self._select(holds(known), _false, _true, known)
             case Negative(inner):
                 plain = of(inner)
                 return lambda known: -plain(known)
@@ -318,11 +319,11 @@ class Interpreter:
         return (yes if test else no) if where is None else where(test, yes, no)
 
 
-def _TRUE(known: Known) -> bool:  # noqa: N802
+def _true(known: Known) -> bool:
     return True
 
 
-def _FALSE(known: Known) -> bool:  # noqa: N802
+def _false(known: Known) -> bool:
     return False
 
 
