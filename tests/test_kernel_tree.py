@@ -3,6 +3,8 @@
 import subprocess
 import sys
 from dataclasses import replace
+from fractions import Fraction
+from math import isqrt
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -269,6 +271,35 @@ def with_power(x: "array(6)") -> "Real":  # noqa: F821
 def with_hidden_change(A: "array(6, 7)", x: "array(6)") -> "Integer":  # noqa: F821
     """Not allowed: what a call changes is handed back in some languages."""
     return where(eliminate(A, x) == 0, 1, 0)  # noqa: F821
+
+
+def smallest_share(x: "Real", y: "Real") -> "Real":  # noqa: F821
+    """A quotient where there is one."""
+    root = where(y >= 0.0, sqrt(y), 0.0)  # noqa: F821
+    return where(root > 0.0, x / root, least(x))  # noqa: F821
+
+
+def least(x: "Real") -> "Real":  # noqa: F821
+    """Another function, which can be replaced."""
+    return x - 1.0
+
+
+def test_where_a_test_is_decided_what_is_not_taken_may_be_undefined() -> None:
+    functions = {"least": read.function(least, {}, {})}
+    functions["smallest_share"] = read.function(smallest_share, {}, functions)
+    tree = Program("", (), tuple(functions.values()))
+    on = Arithmetic(Fraction, {}, lambda y: Fraction(isqrt(int(y))))
+    assert [Interpreter(tree, on).run("smallest_share", 3, y) for y in (-1, 0, 4)] == [2, 2, Fraction(3, 2)]
+    assert Interpreter(tree, on, {"least": lambda x: 10 * x}).run("smallest_share", 3, -1) == 30
+    with pytest.raises(ValueError, match="nonnegative"):
+        Interpreter(tree, replace(on, where=lambda test, yes, no: no)).run("smallest_share", 3, AnyTest(-1))
+
+
+class AnyTest(Fraction):
+    """A number of which comparisons are not decided, as those of symbols and arrays are not."""
+
+    def __ge__(self, other: object) -> Any:
+        return "undecided"
 
 
 def test_a_call_that_changes_an_argument_stands_by_itself(whole: Program) -> None:

@@ -1,13 +1,16 @@
 """Kinematics as trees: legs of a pose, the search of a pose from leg lengths, orientations and rates."""
 
+import itertools
+import random
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from typing import Any
 
 from .. import kinematics as k
 from .. import notation as n
-from ..block import Block, Quantity
+from ..block import Block, Operations, Quantity
 from . import read
+from .counted import counted
 from .lower import Arguments, block_function, structure
 from .model import STATUS_FIELD, machine_structures
 from .nodes import Array, Field, Function, Program, Real, Record, Structure
@@ -49,6 +52,31 @@ def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Progra
     ]
     texts = (legs.reach_of, legs.fault_of, *_SEARCH, *(PUBLIC[name] for name in public))
     return _program("kinematics", held, made, texts)
+
+
+def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
+    """Operations of "lengths", "lengths, rates", a "search" without its steps, a "step", and "velocity"."""
+    program = search_program(blocks)
+    draw = random.Random(1)
+
+    def numbers(name: str) -> float:
+        # R is a rotation already, as far as a search of no steps can tell.
+        return next(turn) if name == "R" else moving if name == "moving" else draw.uniform(0.5, 1.5)
+
+    def run(function: str, steps: int = 0) -> Operations:
+        return counted(program, function, numbers, {"MAX_STEPS": steps})
+
+    moving, turn = 0, itertools.cycle((1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+    lengths = run("rates_of")
+    moving = 1
+    once, twice = run("search", 1), run("search", 2)
+    return {
+        "lengths": lengths,
+        "lengths, rates": run("rates_of"),
+        "search": run("pose_of"),
+        "step": twice + -1 * once,
+        "velocity": run("twist_of"),
+    }
 
 
 def rotation_program(blocks: Iterable[Block]) -> Program:
