@@ -17,9 +17,10 @@ from .checks import shown
 from .dynamics import first_fault
 from .joint_space import on_platform
 from .motion import Motion
+from .paths import PATHS, path_for
 from .reference import inverse_dynamics
 from .robot import Robot
-from .trajectory import PATHS, JointTrajectory, Trajectory, read_any_csv
+from .trajectory import JointTrajectory, Trajectory, read_any_csv
 
 Array = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ def _names(value: object, where: str) -> list[str]:
 
 def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
     if name in PATHS:
-        path, dtau = PATHS[name]
+        path, dtau = path_for(robot, name)
         motion = path.sample(path.times(dtau))
         found = _fault(robot, motion)
         if found is not None:

@@ -134,10 +134,10 @@ def _forces(arguments: argparse.Namespace) -> int:
 
 def _singularities(arguments: argparse.Namespace) -> int:
     from .interpolation import between
+    from .paths import PATHS, path_for
     from .publish import replaced_file
     from .studies import singularities
     from .studies.output import csv_lines
-    from .trajectory import PATHS
 
     if arguments.pictures:
         _plots()
@@ -149,8 +149,9 @@ def _singularities(arguments: argparse.Namespace) -> int:
         if name in PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-            path: MotionPath = PATHS[name].path.sample
-            times = PATHS[name].path.breaks()
+            line = path_for(robot, name).path
+            path: MotionPath = line.sample
+            times = line.breaks()
         else:
             if not Path(name).exists():
                 raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
@@ -1007,7 +1008,7 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "generate",
         _generate,
-        "write a C kit of one robot: kernels, constants, self-test, example, build files, README",
+        "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example",
         "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit",
         "The kit proves itself where it runs: `make` builds it and runs its self-test.",
     )
@@ -1017,7 +1018,9 @@ def _parser() -> argparse.ArgumentParser:
         "--functions",
         metavar="LIST",
         default="forces",
-        help="some of forces, reactions, motion, derivatives, kinematics, with commas; default: forces",
+        help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
+        "inertia at the actuators), derivatives (of the forces; linearisation), kinematics (inverse, "
+        "forward, velocities), with commas; default: forces",
     )
     _formulation(verb)
     verb.add_argument(
@@ -1039,8 +1042,9 @@ def _parser() -> argparse.ArgumentParser:
         "--language",
         choices=("c", "python", "matlab", "rust"),
         default="c",
-        help="python: on arrays of NumPy, JAX, PyTorch; matlab: Octave as well; rust: without its standard "
-        "library as well; of forces, motion and derivatives; default: c",
+        help="python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
+        "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
+        "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
 

@@ -19,6 +19,7 @@ from .dynamics import Formulation
 from .kernel import FORMULATIONS
 from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .motion import Motion
+from .paths import PATHS, path_for
 from .robot import Robot
 from .rotation import rotation_from_rpy
 from .simulation import (
@@ -33,7 +34,7 @@ from .simulation import (
     check_rtol,
     simulate,
 )
-from .trajectory import PATHS, interpolated, read_csv
+from .trajectory import interpolated, read_csv
 
 Array = NDArray[np.float64]
 
@@ -146,7 +147,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     tracked = legs["path"] if legs["law"] == "tracking" else None
     if tracked is not None and tracked not in PATHS:
         read.append(folder / tracked)
-    wanted = None if tracked is None else _wanted(tracked, folder)
+    wanted = None if tracked is None else _wanted(robot, tracked, folder)
     state = _state(given, wanted, load)
     try:
         law = _law(robot, legs, state, wanted)
@@ -221,8 +222,8 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
     return {key: tables.vector(given, prefix + key) for key, given in table.items()}
 
 
-def _wanted(path: str, folder: Path) -> Wanted:
-    return along(PATHS[path].path) if path in PATHS else interpolated(read_csv(folder / path))
+def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
+    return along(path_for(robot, path).path) if path in PATHS else interpolated(read_csv(folder / path))
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:

@@ -47,7 +47,7 @@ FLOORS = (
         "kernel",
         "damping",
     },
-    {"forward", "fidelity", "certificate", "interpolation", "singular_poses", "units"},
+    {"forward", "fidelity", "certificate", "interpolation", "singular_poses", "units", "paths"},
     {"dynamics", "forces", "force_noise", "passage"},
     {"closed_form", "bounds", "joint_space", "arrays", "typesetting"},
     {"symbols"},
