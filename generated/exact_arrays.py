@@ -818,7 +818,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.like(Robot(), "robot", robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -1364,8 +1364,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2130,8 +2130,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
     loads.
     """
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2407,8 +2407,8 @@ def check_bias(on: Arithmetic, out: Any) -> None:
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -3389,9 +3389,9 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
     read.
     """
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
-    F = on.like([0.0] * 6, "F", F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3523,8 +3523,8 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -5061,8 +5061,8 @@ def check_derivatives(on: Arithmetic, out: Any) -> None:
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6127,9 +6127,9 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
 
 def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
-    F = on.like([0.0] * 6, "F", F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()
