@@ -19,8 +19,9 @@ from .emit import motion as motion_text
 from .emit import regressor as regressor_text
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
+from .kernel import kinematics as search
 from .kernel.constants import STATUS
-from .kernel.nodes import Constant, Program, parts_of
+from .kernel.nodes import Constant, Program, joined, parts_of
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
@@ -180,13 +181,19 @@ def _reduced_sums(name: str, friction: bool, near: bool) -> motion.SumKernel:
 def output_program(
     form: Formulation, outputs: tuple[str, ...], level: str = "general", deep: bool = True
 ) -> Program:
-    """Some of ``kernel.outputs.OUTPUTS`` as one program; what is not of the forces is of ``exact`` alone.
+    """Some of ``kernel.outputs.OUTPUTS`` and of the kinematics as one program; what of the former is not of
+    the forces is of ``exact`` alone.
 
     deep: whether what is for poses that cost digits has been derived.
     """
+    of_model = tuple(each for each in outputs if each not in search.PUBLIC)
+    of_robot = [each for each in outputs if each in search.PUBLIC]
+    if not of_model:
+        return search.search_program(reduced_kinematics(), of_robot)
     built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
-    sums = () if outputs == (FORCES,) else reduced_motion(True, sums_used(outputs, deep), deep)
-    return program(built, sums, outputs, deep)
+    sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model, deep), deep)
+    made = program(built, sums, of_model, deep)
+    return joined(made, search.search_program(reduced_kinematics(), of_robot)) if of_robot else made
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:

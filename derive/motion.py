@@ -794,7 +794,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             "generalised forces by the tip's motion",
         )
         for name, value in (
-            ("tau_S", by.S + turning),
+            ("tau_S", by.S + turning + _by_joints(leg.at).T * bend),
             ("tau_S_dot", by.S_dot),
             ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
         )
@@ -802,23 +802,21 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
     pace = _named(build, "Y", S_dot + S_ddot * W)
-    bend = _turned(build, "bent", T, _local(build, "bent_leg", bend), "force by S as the rows turn")
-    fr = _named(build, "Z", -bend * turn)
-    mt, mr = turn * bend, turn * fr + tip.skew(by.force) * turn
-    mv = mw = by_omega = sp.zeros(3, 3)
+    zero = sp.zeros(3, 3)
+    mt, mr = zero, tip.skew(by.force) * turn
+    mv = mw = by_omega = zero
     if friction:
         C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
         by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
-        mt, mr = mt - f_S, mr + (f_S + f_S_dot * W) * turn
+        mt, mr = -f_S, mr + (f_S + f_S_dot * W) * turn
         mv, mw = -f_S_dot, f_S_dot * turn
-    zero = sp.zeros(3, 3)
     block = build.block(
         "joint_slopes_of_leg",
         "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
         _LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
-            *zip(BY_POSE, (bend, fr, mt, mr), strict=True),
+            *zip(BY_POSE, (zero, zero, mt, mr), strict=True),
             *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
             *zip(
                 TAU_BY,

@@ -28,6 +28,7 @@ from stewart_sym.budget import MARGIN, Budget, papers_motions, read_budget
 from stewart_sym.cli import main
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.extras import install
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion import Motion
@@ -178,7 +179,7 @@ def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
 
 def test_a_missing_scene_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     line = fails_in_one_line(capsys, "advise", tmp_path / "none.toml")
-    assert "none.toml: cannot read the scene: No such file" in line
+    assert "none.toml: cannot read the scene of advise: No such file" in line
 
 
 def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -688,7 +689,7 @@ def test_chart_writes_tables_without_matplotlib(
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
     before = folder_state(scene.parent)
-    assert 'pip install "stewart-sym[plot]"' in fails_in_one_line(capsys, "chart", scene, "-o", output)
+    assert install("plot") in fails_in_one_line(capsys, "chart", scene, "-o", output)
     assert folder_state(scene.parent) == before
     assert main(["chart", str(scene), "-o", str(output), "--no-pictures"]) == 0
     assert sorted(path.name for path in output.glob("[!.]*")) == TABLES

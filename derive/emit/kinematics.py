@@ -10,6 +10,7 @@ from ..block import Block
 from ..kernel.constants import SEARCH
 from ..kernel.kinematics import legs_program, rotation_program, search_operations, search_program
 from ..kernel.nodes import Program
+from ..kernel.settle import of_one_pose
 from ..kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
@@ -26,7 +27,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
     return _files(
         "kinematics",
-        search_program(blocks),
+        of_one_pose(search_program(blocks)),
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),

@@ -2,7 +2,7 @@
 
 import itertools
 import random
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -30,11 +30,10 @@ def legs_program(blocks: k.Kinematics) -> Program:
     return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.motions_of))
 
 
-def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
+def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Program:
     """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
 
-    public: ``inverse_kinematics``, ``forward_kinematics`` and ``forward_velocity`` as well, whose numbers are
-    NaN where the status is not OK.
+    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
@@ -51,8 +50,8 @@ def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
         _read(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
         _read(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
     ]
-    texts = (*_SEARCH, *_PUBLIC) if public else _SEARCH
-    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *texts))
+    texts = (legs.reach_of, legs.fault_of, *_SEARCH, *(PUBLIC[name] for name in public))
+    return _program("kinematics", held, made, texts)
 
 
 def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
@@ -107,7 +106,7 @@ def _program(
     structures = {each.name: each for each in (*machine_structures(), *held)}
     functions = {each.name: each for each in blocks}
     for text in texts:
-        functions[text.__name__] = read.function(text, structures, functions)
+        functions[text.__name__] = read.function(text, structures, functions, public=text in PUBLIC.values())
     return Program(name, tuple(structures.values()), tuple(functions.values()))
 
 
@@ -174,4 +173,8 @@ _SEARCH = (
     written.pose_of,
     written.twist_of,
 )
-_PUBLIC = (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)
+PUBLIC = {
+    each.__name__: each
+    for each in (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)
+}
+"""Functions of a program without addresses, by name."""
