@@ -44,7 +44,7 @@ PLATFORM_FIELDS = ("M", "R_0", "I_p", "g")
 _ON = SimpleNamespace(sqrt=Running.sqrt)
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
 _ORTHONORMAL = ("R", "k")
-NEAR_POLE = 1 / 64
+NEAR_POLE = 1 / 32
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
 # Leg lengths agree once they are within this many rounding units of the largest term of S = q + t - b.
