@@ -34,7 +34,6 @@ from ..kernel.nodes import (
     As,
     Assign,
     Binary,
-    Both,
     Call,
     Compare,
     Constant,
@@ -373,23 +372,21 @@ class _Source:
     def _check(self, what: str) -> Function:
         """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
         out, lost, i = Name("out"), Name("lost"), Name("i")
-        status = Member(out, "status")
-        fine = Compare("==", status, Constant("OK"))
+        status, ok, bad = Member(out, "status"), Constant("OK"), Constant("NOT_FINITE")
         none, one = (As(Count(), Number(each)) for each in (0, 1))
-        vectors: list[Statement] = []
+        vectors: list[Statement] = [If(Compare("!=", status, ok), (Return(None),))]
         matrices: list[Statement] = []
         for name, count in members(what).items():
             number = Element(Member(Member(out, "of") if what in _STRUCTS else out, name), (i,))
             finite = Compare("<=", Call("size", (number,)), Constant("MAX"))
-            known = (Assign(status, Select(fine, Constant("NOT_FINITE"), status)), Return(None))
             if count <= LEGS:
-                vectors.append(For("i", Number(0), Number(count), (If(Not(finite), known),)))
+                known = If(Not(finite), (Assign(status, bad), Return(None)))
+                vectors.append(For("i", Number(0), Number(count), (known,)))
             else:
                 counted = Assign(lost, Binary("+", lost, Select(finite, none, one)))
                 matrices.append(For("i", Number(0), Number(count), (counted,)))
         if matrices:
-            some = Both(fine, Compare("!=", lost, none))
-            found = Assign(status, Select(some, Constant("NOT_FINITE"), status))
+            found = Assign(status, Select(Compare("==", lost, none), ok, bad))
             matrices = [Variable("lost", Count(), none), *matrices, found]
         return Function(
             f"check_{what}",

@@ -1115,21 +1115,24 @@ static void place_blocks_6(
 static void check_equations(equations_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1146,7 +1149,7 @@ static void check_equations(equations_found *out)
     for (i = 0; i < 36; ++i) {
         lost = lost + (STEWART_FABS(out->of.H_dot[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    out->status = (out->status == STEWART_OK && lost != 0U) ? STEWART_NOT_FINITE : out->status;
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
@@ -1469,9 +1472,12 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1958,9 +1964,12 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -2889,11 +2898,14 @@ static int solve_pivoted_12(stewart_real A[72])
 static void check_joint_inertia(joint_inertia_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     size_t lost = 0U;
     for (i = 0; i < 36; ++i) {
         lost = lost + (STEWART_FABS(out->inertia[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    out->status = (out->status == STEWART_OK && lost != 0U) ? STEWART_NOT_FINITE : out->status;
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -4828,9 +4840,12 @@ static int solve_pivoted_24(stewart_real A[144])
 static void check_derivatives(derivatives_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -4844,7 +4859,7 @@ static void check_derivatives(derivatives_found *out)
     for (i = 0; i < 36; ++i) {
         lost = lost + (STEWART_FABS(out->of.by_acceleration[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    out->status = (out->status == STEWART_OK && lost != 0U) ? STEWART_NOT_FINITE : out->status;
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
@@ -4946,9 +4961,12 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 static void check_linearisation(linearisation_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -4959,7 +4977,7 @@ static void check_linearisation(linearisation_found *out)
     for (i = 0; i < 72; ++i) {
         lost = lost + (STEWART_FABS(out->of.B[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    out->status = (out->status == STEWART_OK && lost != 0U) ? STEWART_NOT_FINITE : out->status;
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 typedef struct {
