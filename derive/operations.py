@@ -1,21 +1,27 @@
 """Operation counts of a whole kernel: six legs, platform, sum of c, solve, F = D - x.
 
-Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Knows blocks
-and the elimination that the emitters print, not their text.
+Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Blocks are
+counted by their expressions, the solves by running their texts.
 """
 
+import random
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
+from typing import Any
 
 from . import notation as n
 from .block import Operations
+from .kernel import read
+from .kernel.counted import counted
+from .kernel.nodes import Program
+from .kernel.written import every_output, lanes, scalar
 from .kernels import Kernel
 from .prepared import arm_c
 from .regroup import ForceKernel
 
 LEGS = 6
 NOTHING = Operations()
-PIVOTS = Operations(mul=LEGS - 1)
-"""Of the product of the pivots, where it finds the poses that may be singular."""
 
 
 @dataclass(frozen=True)
@@ -48,17 +54,14 @@ class KernelOperations:
         }
 
 
-def elimination(size: int, first_column: int | None = None, last_divided: bool = False) -> Operations:
-    """Gaussian elimination of ``size`` equations with one right side, reciprocal pivots.
-
-    first_column: how many rows have an entry in the first column; None for all. last_divided: the last
-    unknown is had by division instead of a reciprocal and a product.
-    """
-    below = [size - k - 1 for k in range(size)]
-    below[0] = (first_column or size) - 1
-    update = sum(rows * (size - k) for k, rows in enumerate(below))
-    back = size * (size - 1) // 2
-    return Operations(mul=sum(below) + update + back + size - last_divided, add=update + back, div=size)
+@cache
+def solve_operations(text: Callable[..., Any], count: int = 1, about_tip: bool = False) -> Operations:
+    """Operations of a written solve, of one of ``count`` systems side by side."""
+    function = read.function(text, {}, {}, given={"ABOUT_TIP": int(about_tip), "HAS_D": 0})
+    draw = random.Random(1)
+    alone = Program("", (), (function,))
+    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": read.LANES})
+    return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
@@ -67,7 +70,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=elimination(LEGS),
+        solve=solve_operations(every_output.solve),
         forces=Operations(add=LEGS),
     )
 
@@ -81,7 +84,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
-    solve = elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True)
+    block = solve_operations(lanes.solve_block, read.LANES, kernel.about_tip)
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
@@ -89,7 +92,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve + PIVOTS if product else solve,
+        solve=solve_operations(scalar.solve) if product else block,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

@@ -3,8 +3,9 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
-square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -817,7 +818,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.arrays(robot)
+    robot = on.like(Robot(), "robot", robot)
     model = Model()
     total = Added()
     for i in range(6):
@@ -1363,8 +1364,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2129,8 +2130,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
     loads.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2406,8 +2407,8 @@ def check_bias(on: Arithmetic, out: Any) -> None:
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -3226,6 +3227,19 @@ def weigh_rows(on: Arithmetic, by: Any) -> None:
                         by.inertia[k][n] = by.inertia[k][n] + part * by.share[3 * b + j][n]
 
 
+def by_rows(on: Arithmetic, by: Any, wrench: Any, held: Any) -> None:
+    """Forces of the six coordinates' rows that add up to a wrench."""
+    for k in range(6):
+        held[k] = on.at(wrench, by.column[k]) / (on.where(by.column[k] < 3, 1.0, by.length))
+    for k in range(6):
+        for j in range(k):
+            held[k] = held[k] - by.row[j][k] * held[j]
+        held[k] = held[k] / by.row[k][k]
+    for k in range(5, -1, -1):
+        for j in range(k + 1, 6):
+            held[k] = held[k] - by.row[j][k] * held[j]
+
+
 def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any) -> None:
     """Accelerations of the coordinates' rows under which the inertia of each block balances their
     forces.
@@ -3258,8 +3272,8 @@ def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any)
             moved[3 * b + k] = on.where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / W[k][k], 0.0)
 
 
-def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest: Any, right: Any) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: Any, right: Any) -> None:
+    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 
     force: of each row, as its generalised force over its size, without accelerations. start:
     accelerations of the coordinates that balance their own large forces, from which the unknown ones
@@ -3270,7 +3284,6 @@ def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest
     balance_rows(on, by, force, moved, balanced)
     for k in range(6):
         start[k] = on.at(moved, by.order[k])
-        right[k] = on.at(wrench, by.column[k]) / (on.where(by.column[k] < 3, 1.0, by.length))
     for i in range(24):
         moved[i] = 0.0
         for k in range(6):
@@ -3283,13 +3296,7 @@ def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest
                 less = rest[3 * b + i] - by.weight[3 * b + i][j] * moved[3 * b + j]
                 rest[3 * b + i] = on.where(own, rest[3 * b + i], less)
     for k in range(6):
-        for j in range(k):
-            right[k] = right[k] - by.row[j][k] * right[j]
-        right[k] = right[k] / by.row[k][k]
-    for k in range(5, -1, -1):
-        for j in range(k + 1, 6):
-            right[k] = right[k] - by.row[j][k] * right[j]
-    for k in range(6):
+        right[k] = held[k]
         for i in range(24):
             right[k] = right[k] - by.share[i][k] * rest[i]
 
@@ -3308,27 +3315,40 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
         on.put(acceleration, x[k] / (on.where(by.column[k] < 3, 1.0, by.length)), by.column[k])
 
 
-def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any) -> None:
+def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any, held: Any) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
     whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A
     share between the two would have the rounding of both.
+
+    The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia
+    times its accelerations little may be left.
     """
     whole = [0.0] * 24
+    force = [0.0] * 24
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
+    for b in range(8):
+        for i in range(3):
+            force[3 * b + i] = rest[3 * b + i]
+            for j in range(3):
+                force[3 * b + i] = force[3 * b + i] + by.weight[3 * b + i][j] * whole[3 * b + j]
+    for k in range(6):
+        on.put(force, 0.0, by.order[k])
+    for k in range(6):
+        for i in range(24):
+            held[k] = held[k] - by.share[i][k] * force[i]
+    for k in range(6):
+        on.put(force, held[k], by.order[k])
     for b in range(6):
         k3 = legs.leg[b].k3
         thin = k3 * by.extent[3 * b + 1] / by.extent[3 * b + 2]
         by.given[b].axial = on.where((k3 < on.LEANING) & (thin * thin > 0.5), 0.0, 1.0)
         for i in range(3):
-            force = rest[3 * b + i]
             turned = 0.0
-            for j in range(3):
-                force = force + by.weight[3 * b + i][j] * whole[3 * b + j]
             for j in range(6):
                 turned = turned + by.share[3 * b + i][j] * (found[j] - start[j])
-            by.given[b].net[i] = force * by.extent[3 * b + i]
+            by.given[b].net[i] = force[3 * b + i] * by.extent[3 * b + i]
             by.given[b].turned[i] = turned / by.extent[3 * b + i]
 
 
@@ -3341,6 +3361,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     wrench = [0.0] * 6
     start = [0.0] * 6
     rest = [0.0] * 24
+    held = [0.0] * 6
     right = [0.0] * 6
     A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
@@ -3355,7 +3376,8 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(3):
         wrench[i] = summed.right_force[i]
         wrench[i + 3] = summed.right_moment[i]
-    row_right(on, by, force, wrench, start, rest, right)
+    by_rows(on, by, wrench, held)
+    row_right(on, by, force, held, start, rest, right)
     for i in range(6):
         A[i][6] = right[i]
         for j in range(6):
@@ -3364,7 +3386,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(6):
         right[i] = A[i][6]
     row_back(on, by, right, start, out.x)
-    rows_held(on, legs, by, right, start, rest)
+    rows_held(on, legs, by, right, start, rest, held)
     out.status = on.where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = on.where((out.status != OK) | (on.size(out.x[i]) <= on.MAX), out.status, NOT_FINITE)
@@ -3375,9 +3397,9 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
     read.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
+    F = on.like([0.0] * 6, "F", F)
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3517,8 +3539,8 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -5063,8 +5085,8 @@ def check_derivatives(on: Arithmetic, out: Any) -> None:
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -5312,8 +5334,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2206
-    (1382 mul, 820 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2521
+    (1584 mul, 933 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -5448,234 +5470,377 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c16 = 2.0 * h_y
     c17 = W_z * c16
     c18 = h_y * inv_L
-    c19 = W_z * inv_k3
-    c20 = c19 * k1
-    c21 = 4.0 * c20
-    c22 = c21 * theta_dot
-    c23 = c13 * h_z
-    c24 = c23 * inv_L
-    c25 = inv_k3 * k1
+    c19 = 4.0 * W_z
+    c20 = c19 * theta_dot
+    c21 = c18 * c20
+    c22 = inv_k3 * k1
+    c23 = h_z * inv_L
+    c24 = c22 * c23
     tau_S_leg_11 = (2.0 * L_dot * c14 * h_z * theta_dot + 2.0 * c13 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
-        * inv_L * own_z - c12 * inv_L - c15 * c17 - c18 * c22 - 4.0 * c24 * c25)
-    c26 = 2.0 * h_x
-    c27 = c26 * inv_L
-    c28 = c27 * own_z
-    c29 = axial * m_u
-    c30 = c29 * fall_T_y
-    c31 = L_ddot * c14
-    c32 = c14 * w_x
-    c33 = c32 * gamma_y
-    c34 = c18 * c3
-    c35 = h_z * inv_L
-    c36 = 2.0 * theta_dot
-    c37 = c35 * c36
-    c38 = h_y * own_y
-    c39 = inv_L * k1
-    c40 = c39 * inv_k3
-    c41 = h_z * own_z
-    c42 = J_zz * own_z
-    c43 = c14 * c42
-    c44 = c13 * c18
-    c45 = L_dot * L_dot
-    c46 = inv_L * inv_L * inv_L
-    c47 = c45 * c46
-    c48 = axial * c15
-    c49 = inv_k3 * inv_k3
-    c50 = 4.0 * W_z
-    c51 = 2.0 * c49
-    c52 = 4.0 * c15
-    c53 = h_y * k1
-    c54 = c53 * inv_k3
-    c55 = c15 * c36
-    tau_S_leg_12 = (C_p * W_z + W_z * c26 * c48 + W_z * c37 + axial * c28 + axial * c43 + c30 * inv_L + c31
-        * h_y + c33 + c34 + c38 * c40 + c40 * c41 + c44 * c51 - axial * c33 - c16 * c47 - c20 * c52 * h_z - c28
-        - c34 * c51 - c35 * c49 * c50 * theta_dot - c43 - c44 - c54 * c55)
-    c56 = c26 * own_y
-    c57 = c56 * inv_L
-    c58 = c29 * fall_T_z
-    c59 = J_yy * c14 * own_y
-    c60 = L_ddot * h_z
-    c61 = c3 * h_z
-    c62 = W_z * c36
-    c63 = c18 * c62
-    c64 = c32 * g_k * k3
-    c65 = gamma_n * k1
-    c66 = c32 * c65
-    c67 = 2.0 * h_z
-    c68 = c26 * theta_dot
-    c69 = 2.0 * W_z
-    c70 = c54 * c69
-    c72 = J_yy - J_zz
-    c73 = c13 * inv_k3
-    c74 = c73 * k1
-    c75 = c14 * c74
-    tau_S_leg_13 = (c14 * c60 + c15 * c70 + c24 * c51 + c49 * c63 + c57 + c58 * inv_L + c59 + c61 * inv_L + c64
-        + c66 + c72 * c75 - C_p * theta_dot - axial * c57 - axial * c59 - axial * c64 - axial * c66 - axial
-        * c72 * c75 - c24 - c47 * c67 - c48 * c68 - c63)
-    c77 = C_us * inv_L
-    c78 = c77 * theta_dot
-    c79 = 2.0 * J_yy
-    c80 = inv_L * own_y
-    c81 = J_yz * inv_L
-    c82 = c16 * theta_dot
-    c83 = W_z * c82
-    c84 = axial * c56
-    c85 = J_yy * inv_L
-    c86 = axial * c85
-    c87 = inv_L * theta_dot
-    c88 = J_xy * c87
-    c89 = c50 * c88
-    c90 = inv_L * k3
-    c91 = c90 * w_x
-    c92 = c91 * g_k
-    c93 = inv_L * w_x
-    c94 = c65 * c93
-    c95 = J_xz * c13
-    c96 = 4.0 * inv_L
-    c97 = J_xy * inv_L
-    c98 = c97 * k1
-    c99 = c98 * inv_k3
-    c100 = axial * c2
-    c101 = c15 * c79
-    c102 = 2.0 * J_yz
-    c103 = c102 * c15
-    c104 = c49 * c83
-    c105 = c23 * c49
-    c106 = 2.0 * c95
-    c107 = c49 * inv_L
-    c108 = 2.0 * k1
-    c109 = J_xy * c15
-    c110 = c108 * c109
-    c111 = c39 * c73
-    c112 = 2.0 * J_xx
-    tau_S_leg_21 = (W_z * c103 + axial * c111 * c72 + axial * c92 + axial * c94 + c100 * c68 + c101 * theta_dot
-        + c106 * c107 + c110 * c19 + c111 * (3.0 * J_zz - 3.0 * J_yy - c112) + c22 * c81 + c23 + c49 * c89 + c83
-        + c84 + c86 * own_y - c104 - c105 - c2 * c70 - c56 - c58 - c61 - c78 - c79 * c80 - c81 * own_z - c89
-        - c92 - c94 - c95 * c96 - c99 * own_z)
-    c113 = c97 * own_y
-    c114 = W_z * c68
-    c115 = gamma_y * inv_L * w_z
-    c116 = c13 * c81
-    c117 = C_s * inv_L
-    c118 = W_z * c77 * inv_k3
-    c119 = c30 * k1
-    c120 = J_yz * c31
-    c121 = c3 * c81
-    c122 = k1 * own_y
-    c123 = c122 * c81
-    c124 = inv_k3 * own_z
-    c125 = axial * k1
-    c126 = c125 * c26
-    c127 = axial * c42
-    c128 = c109 * c36
-    c129 = J_xz * W_z
-    c130 = c129 * c52
-    c131 = J_xz * k1
-    c132 = c125 * c93
-    c133 = J_xy * k1
-    c134 = c133 * c31
-    c135 = W_z * c67
-    c136 = c135 * c49
-    c137 = inv_k3 * inv_k3 * inv_k3
-    c138 = c135 * k1
-    c139 = c138 * theta_dot
-    c140 = c2 * c26
-    c141 = c125 * c140
-    c142 = 2.0 * c53
-    c143 = c13 * c137
-    c144 = c137 * c3
-    c145 = c39 * own_z
-    c146 = c129 * c87
-    c147 = J_yz * k1
-    c148 = -2.0 * J_zz
-    c149 = c112 + c148
-    c150 = J_xy * c108 * c47
-    c151 = 2.0 * c98
-    c152 = J_xz * c69
-    c153 = c14 * c45
-    c154 = c149 + c79
-    c156 = W_z * c49
-    tau_S_leg_22 = (L_ddot * c18 * c25 + W_z * c149 * c87 + c102 * c47 + c108 * c137 * c146 + c113 + c116 + c118
-        * k1 + c119 * inv_k3 + c121 * c51 + c124 * c126 + c127 * c40 + c128 * c49 + c141 * c19 + c142 * c143
-        + c144 * c151 + c145 * c72 * inv_k3 + c147 * c55 * inv_k3 + c15 * c152 * c49 + c150 * inv_k3 + c2 * c50
-        * h_z + c2 * c82 + c22 * h_z + c3 * c54 + c38 * c49 + c41 + c73 * c98 - c113 * c49 - c114 - c115 - c116
-        * c51 - c117 * inv_k3 * w_n_omega - c120 - c121 - c123 * inv_k3 - c128 - c130 - 4.0 * c131 * c19 * c87
-        - c132 * gamma_y * inv_k3 - c134 * inv_k3 - c136 * c2 - c137 * c139 - c142 * c144 - c143 * c151 - c15
-        * c154 * c20 - 2.0 * c153 * c54 - c154 * c156 * c87 - c2 * c49 * c82 - c3 * c99 - c38 - c53 * c73)
-    c157 = g_k * k1
-    c158 = gamma_n * w_z
-    c159 = h_y * own_z
-    c160 = c50 * c87
-    c161 = c137 * c160
-    c162 = c15 * c19
-    c163 = c106 * c39
-    c164 = J_xx + c72
+        * inv_L * own_z - c12 * inv_L - 4.0 * c13 * c24 - c15 * c17 - c21 * c22)
+    c25 = 2.0 * h_x
+    c26 = c25 * inv_L
+    c27 = axial * m_u
+    c28 = c27 * fall_T_y
+    c29 = c14 * w_x
+    c30 = c29 * gamma_y
+    c31 = 2.0 * theta_dot
+    c32 = c23 * c31
+    c33 = axial * inv_L
+    c34 = c33 * own_z
+    c35 = c14 * own_y
+    c36 = J_yz * c35
+    c37 = L_ddot * c14
+    c38 = c13 * c18
+    c39 = C_s * c14
+    c40 = inv_k3 * w_k_omega
+    c41 = axial * c38
+    c42 = axial * c3
+    c43 = gamma_n * w_y
+    c44 = c14 * inv_k3
+    c45 = inv_k3 * own_y
+    c46 = 2.0 * k1
+    c47 = c18 * c46
+    c48 = h_z * own_z
+    c49 = inv_L * inv_k3
+    c50 = c49 * k1
+    c51 = J_xy * c14
+    c52 = c13 * c51
+    c53 = c3 * c51
+    c54 = axial * c14
+    c55 = L_ddot * c54
+    c56 = c54 * inv_k3
+    c57 = axial * own_y
+    c58 = c22 * c57
+    c59 = 2.0 * c48
+    c60 = c59 * k1
+    c61 = L_dot * L_dot
+    c62 = inv_L * inv_L * inv_L
+    c63 = c61 * c62
+    c64 = C_s * c54
+    c65 = c51 * k1
+    c66 = c65 * inv_k3
+    c67 = c14 * own_z
+    c68 = J_xz * c46
+    c69 = c68 * inv_k3
+    c70 = W_z * axial
+    c71 = inv_k3 * inv_k3
+    c72 = W_z * c71
+    c73 = c72 * theta_dot
+    c74 = gamma_y * w_z
+    c75 = c44 * k1
+    c76 = c56 * k1
+    c78 = J_xx - J_zz
+    c79 = C_us * c14
+    c80 = c72 * c79
+    c81 = J_xx * c71
+    c82 = axial * c52
+    c83 = 3.0 * c13
+    c84 = c18 * c71
+    c85 = axial * c67
+    c86 = 2.0 * h_z
+    c87 = W_z * c86
+    c88 = c87 * k1
+    c89 = c15 * c88 * inv_k3
+    c90 = axial * c72
+    c92 = 2.0 * c14
+    c93 = J_yz * c75
+    c94 = J_yz * c76
+    c95 = h_y * k1
+    c96 = c95 * inv_k3
+    c97 = inv_k3 * inv_k3 * inv_k3
+    c98 = 2.0 * J_xx
+    c99 = c97 * c98
+    c100 = W_z * k1
+    c101 = c100 * theta_dot
+    c102 = c101 * c99
+    c103 = c31 * c72
+    tau_S_leg_12 = (C_p * W_z + J_xz * c73 * c92 + W_z * c32 + axial * c36 + axial * c80 + c102 * c14 + c13
+        * c94 + c15 * c25 * c70 + c16 * c37 + c18 * c42 + c25 * c34 + c28 * inv_L + c3 * c94 + c30 + c32 * c90
+        + c39 * c40 + c41 + c43 * c44 + c45 * c47 + 3.0 * c48 * c50 + c52 + c53 + c57 * c66 + c67 * c78 + c69
+        * c85 + c71 * c82 + c74 * c76 + c81 * c85 + c83 * c84 - J_xz * c103 * c54 - axial * c15 * c31 * c96
+        - axial * c30 - axial * c53 - axial * c89 - c102 * c54 - c13 * c93 - c16 * c63 - c18 * c58 - 6.0 * c23
+        * c73 - c26 * own_z - 2.0 * c3 * c84 - c3 * c93 - c33 * c60 * inv_k3 - c36 - 2.0 * c38 - c40 * c64 - c41
+        * c71 - c43 * c56 - c52 * c71 - c55 * h_y - c56 * net_z - c66 * own_y - c67 * c69 - c67 * c81 - c74
+        * c75 - c78 * c85 - c80 - c82 - c89)
+    c104 = c25 * own_y
+    c105 = c27 * fall_T_z
+    c106 = c79 * theta_dot
+    c107 = J_yy * c35
+    c108 = J_yz * c67
+    c109 = c3 * h_z
+    c110 = c23 * c83
+    c111 = g_k * k3
+    c112 = c111 * c29
+    c113 = gamma_n * k1
+    c114 = c113 * c29
+    c115 = gamma_n * w_z
+    c116 = c115 * k3
+    c117 = W_z * c31
+    c118 = axial * c18
+    c119 = c18 * c22 * own_z
+    c120 = c117 * c51
+    c121 = axial * c13
+    c122 = g_k * w_z
+    c123 = c122 * k1
+    c124 = J_xz * c13
+    c125 = c25 * theta_dot
+    c126 = axial * c125
+    c127 = 4.0 * c73
+    c128 = 2.0 * c124
+    c129 = axial * own_z
+    c130 = 2.0 * J_yz
+    c131 = W_z * theta_dot
+    c132 = 2.0 * W_z
+    c133 = c132 * c96
+    c134 = c103 * c51
+    c135 = c121 * c71
+    c136 = c124 * c71
+    c137 = J_yy + c78
+    c138 = c13 * c137
+    tau_S_leg_13 = (axial * c119 + axial * c134 + c101 * c130 * c56 + c104 * inv_L + c105 * inv_L + c106 + c107
+        + c108 + c109 * inv_L + c110 * c71 + c112 + c114 + c116 * c14 + c117 * c118 + c120 + 2.0 * c121 * c23
+        + c123 * c54 + c124 * c92 + c127 * c18 + c133 * c15 + c136 * c54 + c138 * c75 + c37 * c86 + c54 * net_y
+        + c64 * w_y_omega + c66 * own_z - C_p * theta_dot - axial * c106 - axial * c107 - axial * c108 - axial
+        * c112 - axial * c114 - axial * c120 - c103 * c118 - c104 * c33 - c110 - c116 * c54 - c119 - c123 * c14
+        - c126 * c15 - c128 * c54 - c129 * c66 - c13 * c137 * c76 - c130 * c131 * c75 - c134 - c135 * c23 - c136
+        * c14 - c21 - c39 * w_y_omega - c55 * h_z - c63 * c86)
+    c140 = C_s * inv_L
+    c141 = c140 * w_y_omega
+    c142 = C_us * inv_L
+    c143 = c142 * theta_dot
+    c144 = 2.0 * J_yy
+    c145 = inv_L * own_y
+    c146 = J_yz * inv_L
+    c147 = c146 * own_z
+    c148 = L_ddot * c23
+    c149 = axial * c104
+    c150 = axial * c143
+    c151 = J_yy * inv_L
+    c152 = c151 * c57
+    c153 = axial * c147
+    c154 = axial * c148
+    c155 = c122 * inv_L
+    c156 = c96 * own_z
+    c157 = inv_L * theta_dot
+    c158 = W_z * c157
+    c159 = 6.0 * J_xy
+    c160 = c16 * theta_dot
+    c161 = inv_L * k3
+    c162 = c161 * w_x
+    c163 = inv_L * k1
+    c164 = c163 * w_x
+    c165 = c33 * w_x
+    c166 = c111 * c165
+    c167 = c13 * c86
+    c168 = 2.0 * J_xy
+    c169 = c157 * c168
+    c170 = c50 * own_z
+    c171 = c126 * c2
+    c172 = c22 * c34
+    c173 = c144 * c15
+    c174 = c130 * c15
+    c175 = W_z * c174
+    c176 = c135 * h_z
+    c177 = c157 * c72
+    c178 = axial * c160
+    c179 = c146 * c46
+    c180 = c179 * theta_dot
+    c181 = c180 * inv_k3
+    c182 = J_xz * inv_L
+    c183 = c71 * c83
+    c184 = W_z * c168
+    c185 = c15 * c184
+    c186 = c13 * c49 * k1
+    tau_S_leg_21 = (J_xy * c172 + c113 * c165 + c116 * c33 + c128 * c33 + 6.0 * c131 * c146 * c22 + c138 * c22
+        * c33 + c141 + c149 + c150 + c152 + c153 + c154 + c155 * k1 + c156 + c159 * c177 + c166 + c169 * c70
+        + c171 + c173 * theta_dot + c175 + c176 + c178 * c72 + c182 * c183 + c185 * c22 + c186 * (3.0 * J_zz
+        - 3.0 * J_xx - 3.0 * J_yy) + c20 * h_y + c83 * h_z - axial * c11 - axial * c141 - axial * c156 - axial
+        * c167 - c104 - c105 - c109 - c115 * c161 - c123 * c33 - 6.0 * c124 * inv_L - c127 * h_y - c133 * c2
+        - c136 * c33 - 2.0 * c143 - c144 * c145 - 2.0 * c147 - c148 - c158 * c159 - c160 * c70 - c162 * g_k
+        - c164 * gamma_n - c167 * c71 - c168 * c170 - c169 * c90 - c181 * c70)
+    c187 = h_y * own_y
+    c188 = 2.0 * c187
+    c189 = axial * c187
+    c190 = c145 * c168
+    c191 = 2.0 * own_z
+    c192 = W_z * c125
+    c193 = axial * c59
+    c194 = J_xy * own_y
+    c195 = c194 * c33
+    c196 = J_xz * c191
+    c197 = c196 * c33
+    c198 = c2 * c87
+    c199 = c33 * c74
+    c200 = c142 * inv_k3
+    c201 = c28 * k1
+    c202 = J_yz * c37
+    c203 = c13 * c146
+    c204 = L_ddot * c18
+    c205 = axial * c198
+    c206 = c178 * c2
+    c207 = c20 * h_z
+    c208 = c129 * c25
+    c209 = c15 * c168
+    c210 = c209 * theta_dot
+    c211 = J_xz * c15
+    c212 = c19 * c211
+    c213 = c71 * own_z
+    c214 = 2.0 * c182
+    c215 = c121 * c146
+    c216 = c146 * c42
+    c217 = c13 * c95
+    c218 = 2.0 * c217
+    c219 = c140 * w_k_omega
+    c220 = c71 * k1
+    c221 = axial * c217
+    c222 = c3 * c95
+    c223 = axial * c222
+    c224 = c43 * inv_L
+    c225 = c157 * c19
+    c226 = J_xz * c225
+    c227 = c204 * k1
+    c228 = axial * c227
+    c229 = c165 * gamma_y
+    c230 = c130 * c63
+    c231 = c146 * c3
+    c232 = c142 * c97
+    c233 = c158 * c98 * inv_k3 * inv_k3 * inv_k3 * inv_k3
+    c234 = J_xx * c97
+    c235 = L_ddot * c65
+    c236 = 2.0 * J_xz
+    c237 = c213 * c33
+    c238 = c97 * k1
+    c239 = c33 * net_z
+    c240 = c70 * k1
+    c241 = c34 * k1
+    c242 = c2 * c25
+    c243 = c83 * c97
+    c244 = 2.0 * c97
+    c245 = axial * c219
+    c246 = c177 * c98
+    c247 = c13 * c33
+    c248 = J_xy * c247
+    c249 = J_xy * c3
+    c250 = c249 * c33
+    c251 = c174 * theta_dot
+    c252 = c71 * c87
+    c253 = axial * c2
+    c254 = c88 * theta_dot
+    c255 = axial * c97
+    c256 = axial * c224
+    c257 = -2.0 * J_zz
+    c258 = c257 + c98
+    c259 = J_xy * c163
+    c260 = c259 * c3
+    c261 = c248 * k1
+    c262 = c144 + c258
+    c263 = W_z * c15
+    tau_S_leg_22 = (W_z * c157 * c258 + axial * c246 + c100 * c200 + c135 * c146 + c137 * c170 + c146 * c58
+        + c168 * c186 + c168 * c22 * c63 + c177 * (-4.0 * J_xx - c144 - c257) + c182 * c191 + c188 * c71 + c189
+        + c190 + c193 + c195 * c71 + c198 + c199 * c71 + c201 * inv_k3 + 2.0 * c203 + c204 * c46 * inv_k3 + c205
+        + c206 + c207 * c22 + c208 * c22 + c210 * c71 + 2.0 * c211 * c72 + c216 * c71 + c219 * c220 + c22 * c242
+        * c70 + c22 * c251 + c220 * c224 + c221 * inv_k3 + c223 * inv_k3 + c226 * c238 + c230 + c231 * c71 + c232
+        * c240 + c233 + c234 * c241 + c236 * c237 + c243 * c95 + c244 * c260 + c254 * c255 + c261 * c97 + c59
+        * c71 - axial * c233 - c100 * c232 - c140 * inv_k3 * w_n_omega - c146 * c183 - c158 * c255 * c68 - c160
+        * c253 * c71 - c163 * c234 * own_z - c172 * c78 - c179 * c45 - c188 - c189 * c71 - c190 * c71 - c192
+        - c193 * c71 - c195 - c197 - c199 - c202 - c207 * c238 - c210 - c212 - c213 * c214 - c215 - c216 - c218
+        * inv_k3 - c22 * c226 - c22 * c229 - c22 * c248 - c22 * c250 - c22 * c262 * c263 - c220 * c239 - c220
+        * c245 - c220 * c256 - c221 * c97 - c222 * c244 - c228 * inv_k3 - c235 * inv_k3 - c243 * c259 - c252
+        * c253 - c48 - c61 * c92 * c96 - c71 * c74 * inv_L)
+    c264 = c13 * c151
+    c265 = c14 * c61
     tau_S_leg_23 = (C_us * L_dot * c14 + 2.0 * J_xy * L_dot * W_z * c14 + 2.0 * J_xy * W_z * inv_L * inv_k3
-        * k1 * theta_dot + J_xy * c49 * inv_L * own_z + J_yy * L_ddot * c14 + J_yy * c3 * inv_L + 2.0 * J_yz
-        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c49 * h_y * inv_L + 4.0
-        * W_z * c137 * h_y * k1 * theta_dot + 2.0 * c13 * c137 * h_z * k1 + c13 * c164 * c49 * inv_L + fall_T_x
-        * m_u + gamma_n * inv_L * k3 * w_x - c109 * c49 * c69 - c12 - c13 * c26 - c13 * c85 - c133 * c161 - c137
-        * c163 - 2.0 * c147 * c162 - c153 * c26 - c157 * c93 - c158 * c39 - c159 * c49 - c17 * c2 - c47 * c79
-        - c49 * c62 * c81 - c54 * c62 - c90 * g_k * w_z)
-    c165 = c26 * k3
-    c166 = c165 * own_z
-    c167 = c91 * gamma_y
-    c168 = c73 * h_y
-    c169 = J_xx * inv_k3
-    c170 = c169 * inv_L
-    c171 = 2.0 * J_xz
-    c172 = c81 * k3
-    c173 = c135 * inv_k3
-    c174 = J_xz * c19
-    c175 = 4.0 * c87
-    c176 = 2.0 * k3
-    c177 = c176 * c97
-    c178 = W_z * c165
-    c179 = c90 * own_z
-    c180 = J_yz * k3
-    c181 = c49 * k1
-    c183 = -W_z * c149 * k3
-    tau_S_leg_31 = (J_xx * c160 * c181 + axial * c166 + c100 * c178 + c110 * theta_dot + c112 * c162 + c127
-        * c90 + c13 * c177 + c130 * k1 + c15 * c183 + c167 + c168 + c174 * c175 + c177 * c3 + c179 * (J_xx + c148)
-        + c180 * c55 + c30 * k3 - axial * c167 - c108 * c116 - c108 * c121 - c113 * k1 - c118 - c138 * c2 - c145
-        * c171 - c166 - c170 * own_z - c172 * own_y - c173 * theta_dot - 2.0 * c73 * c97)
-    c184 = k3 * own_z
-    c185 = c93 * gamma_n
-    c186 = c171 * inv_k3
-    c187 = c108 * c61
-    c188 = c108 * c88
-    c189 = c67 * theta_dot
-    c190 = c2 * k3
-    c191 = c112 * inv_L
-    c192 = c67 * k1
-    c193 = J_xx - J_zz
-    tau_S_leg_32 = (2.0 * J_xx * L_dot * c14 * c49 * k1 * theta_dot + 2.0 * J_xx * c137 * c3 * inv_L + 2.0 * J_xx
-        * c45 * c46 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c14 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
-        * L_dot * c14 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c49 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
-        + 4.0 * J_xz * c45 * c46 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
-        * c14 * c193 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c49 * h_y * k1 * theta_dot + axial
-        * c13 * c72 * inv_L * k3 + axial * c7 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c13 * c164
-        * inv_L * inv_k3 + 2.0 * c13 * c49 * h_z * k1 + c13 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c14 * c45 * h_x
-        * k3 + c164 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
-        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c15 * inv_k3
-        - J_xx * c107 * c122 - J_xz * c108 * c31 - L_ddot * c165 * inv_L - W_z * c188 - axial * c13 * c72 * inv_L
-        * inv_k3 - axial * c157 * c91 - axial * c185 - 2.0 * c109 * c19 - 2.0 * c12 * k3 - c122 * c86 - c125
-        * c2 * c68 - c143 * c191 - c147 * c15 * c69 - c149 * c45 * c46 * k3 - c153 * c192 - c156 * c188 - c159
-        * inv_k3 - c163 * c49 - c163 - c169 * c31 - c170 * c3 - c172 * c62 - c181 * c78 - c184 * c97 - c185
-        * c7 - c186 * c80 - c187 * c49 - c187 - c189 * c190 - c193 * c3 * inv_L * k3 - c84 * k1 - fall_T_x * k3
-        * m_u)
-    c195 = J_xx * c145
-    c196 = c156 * k1
-    c197 = J_xy * k3
-    c198 = c171 * c19
-    c199 = 2.0 * c180
-    c200 = c13 * c49
-    c201 = c112 * c196
-    tau_S_leg_33 = (c113 * k3 + c114 * k3 + c115 * k3 + c120 * k3 + c121 * c176 + c129 * c175 * k1 + c132 * gamma_y
-        + c134 + c136 * k1 * theta_dot + c147 * c55 + c151 * c3 + c160 * c169 + c171 * c179 + c173 * c2 + c183
-        * c87 + c195 * c49 + c195 + c196 * c77 + c200 * c98 - J_xx * c161 - W_z * c141 - c108 * c146 * c49 - c119
-        - c123 - c126 * own_z - c127 * c39 - c135 * c190 - c139 - c15 * c198 - c15 * c201 - c150 - c176 * c41
-        - c197 * c55 - c199 * c47 - c200 * c53)
+        * k1 * theta_dot + J_xy * c71 * inv_L * own_z + J_yy * L_ddot * c14 + J_yy * c3 * inv_L + 2.0 * J_yz
+        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c71 * h_y * inv_L + 4.0
+        * W_z * c97 * h_y * k1 * theta_dot + c13 * c137 * c71 * inv_L + 2.0 * c13 * c97 * h_z * k1 + fall_T_x
+        * m_u + gamma_n * inv_L * k3 * w_x - J_xy * c225 * c238 - c103 * c146 - c115 * c163 - c117 * c96 - c12
+        - c128 * c163 * c97 - c13 * c25 - c144 * c63 - c155 * k3 - c164 * g_k - c17 * c2 - c175 * c22 - c209
+        * c72 - c213 * h_y - c25 * c265 - c264 - net_x)
+    c266 = c95 * own_y
+    c267 = c25 * k3
+    c268 = c267 * own_z
+    c269 = c204 * k3
+    c270 = 2.0 * own_y
+    c271 = J_xz * c163
+    c272 = c146 * k3
+    c273 = J_xx * inv_k3
+    c274 = c16 * inv_k3
+    c275 = h_y * k3
+    c276 = c13 * c275
+    c277 = c275 * c3
+    c278 = 6.0 * c158
+    c279 = c2 * c31
+    c280 = c279 * c95
+    c281 = c87 * inv_k3
+    c282 = axial * theta_dot
+    c283 = J_xy * c83
+    c284 = c146 * k1
+    c285 = J_xy * inv_k3
+    c286 = c157 * inv_k3
+    c287 = J_xz * c132
+    c288 = W_z * c267
+    c289 = c98 * inv_k3
+    c290 = c33 * k3
+    c291 = c174 * k3
+    c292 = J_xx * k1
+    c293 = c161 * own_z
+    c294 = axial * k1
+    c296 = -c258 * k3
+    tau_S_leg_31 = (J_xz * c278 * inv_k3 + axial * c268 + axial * c276 + axial * c277 + c13 * c274 + 3.0 * c161
+        * c249 + c161 * c283 + c162 * gamma_y + 6.0 * c177 * c292 + c195 * k1 + c197 * k1 + c199 * k1 + c200
+        * c70 + c210 * k1 + c212 * k1 + c215 * k1 + c216 * k1 + c219 + c224 + c247 * c285 + c253 * c288 + c258
+        * c293 + c263 * c289 + c263 * c296 + c266 + c269 + c272 * c57 + c273 * c34 + c28 * k3 + c280 + c281
+        * c282 + c291 * theta_dot + c60 - axial * c266 - axial * c269 - axial * c280 - axial * c286 * c287 - c121
+        * h_y * inv_k3 - c132 * c200 - c163 * c74 - c193 * k1 - c207 * inv_k3 - c229 * k3 - 3.0 * c231 * k1
+        - c239 - c245 - c246 * c294 - c248 * k3 - c249 * c290 - c253 * c88 - c256 - c259 * c270 - c268 - c270
+        * c272 - 4.0 * c271 * own_z - c276 - c277 - c283 * c49 - c284 * c83 - c34 * c78 * k3 - c49 * c98 * own_z)
+    c297 = gamma_n * w_x
+    c298 = c86 * k1
+    c299 = c109 * c46
+    c300 = J_xx * c49
+    c301 = c86 * theta_dot
+    c302 = c169 * k1
+    c303 = 4.0 * k1
+    tau_S_leg_32 = (C_s * axial * inv_L * k1 * w_y_omega + C_us * inv_L * k1 * theta_dot + 2.0 * J_xx * L_dot
+        * c14 * c71 * k1 * theta_dot + 2.0 * J_xx * c3 * c97 * inv_L + 2.0 * J_xx * c61 * c62 * inv_k3 + 2.0
+        * J_xy * L_dot * W_z * c14 * k3 + 2.0 * J_xy * W_z * axial * c71 * inv_L * k1 * theta_dot + J_xy * axial
+        * inv_L * k3 * own_z + 2.0 * J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz * L_dot * c14 * inv_k3 * theta_dot
+        + J_xz * axial * c13 * c71 * inv_L * k1 + 2.0 * J_xz * c3 * c71 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L
+        * k1 + 4.0 * J_xz * c61 * c62 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + 2.0 * J_yz * W_z * axial * inv_L
+        * inv_k3 * theta_dot + 2.0 * J_yz * inv_L * k1 * own_z + L_ddot * c14 * c78 * k3 + 3.0 * L_ddot * h_z
+        * inv_L * k1 + 2.0 * W_z * axial * h_y * k1 * theta_dot + 4.0 * W_z * c71 * h_y * k1 * theta_dot + axial
+        * c13 * c137 * inv_L * k3 + 2.0 * axial * c13 * h_z * k1 + axial * c7 * gamma_n * inv_L * w_x + axial
+        * fall_T_z * k1 * m_u + axial * g_k * inv_L * w_z + axial * h_y * inv_k3 * own_z + axial * inv_L * k1
+        * net_y + 3.0 * c13 * c71 * h_z * k1 + c13 * inv_L * inv_k3 * (J_yy + c98 - J_zz) + c137 * inv_L * k1
+        * own_y + 2.0 * c14 * c61 * h_x * k3 + 2.0 * c3 * h_x * k3 + c7 * g_k * inv_L * w_z + g_k * inv_L * k1
+        * k3 * w_x + gamma_n * inv_L * inv_k3 * k1 * w_z + gamma_n * inv_L * k1 * k3 * w_z + gamma_y * inv_L
+        * inv_k3 * w_y + h_y * k3 * own_z + 2.0 * h_z * inv_k3 * own_y + k3 * net_x - C_us * c15 * inv_k3 - J_xy
+        * c177 * c303 - J_xz * c270 * c49 - L_ddot * c267 * inv_L - axial * c103 * c95 - axial * c117 * c272
+        - axial * c13 * c137 * inv_L * inv_k3 - axial * c275 * own_z - c113 * c290 * w_z - c117 * c146 * inv_k3
+        - c117 * c95 - 2.0 * c12 * k3 - c122 * c33 * c7 - c124 * c33 * c46 - c13 * c298 - c13 * c99 * inv_L
+        - c141 * k1 - c143 * c71 * k1 - c149 * k1 - c150 * k1 - c152 * k1 - c153 * k1 - c154 * k1 - c155 - c163
+        * c81 * own_y - c166 * k1 - c168 * c293 - c171 * k1 - c175 * k1 - c176 * k1 - c183 * c271 - c185 * inv_k3
+        - c2 * c301 * k3 - c258 * c61 * c62 * k3 - c264 * k3 - c265 * c298 - c273 * c37 - c274 * own_z - c285
+        * c34 - c297 * c33 - c297 * c7 * inv_L - c299 * c71 - c299 - c3 * c300 - c3 * c78 * inv_L * k3 - c302
+        * c70 - c37 * c68 - fall_T_x * k3 * m_u)
+    c304 = c275 * own_y
+    c305 = c275 * c279
+    c306 = c13 * c259
+    c307 = axial * c158
+    c308 = c142 * c72
+    c309 = c163 * c98
+    tau_S_leg_33 = (axial * c177 * c68 + c121 * c272 + c127 * h_z * k1 + c158 * c296 + c189 * inv_k3 + c192
+        * k3 + c193 * inv_k3 + c194 * c49 + c195 * k3 + c196 * c49 + c197 * k3 + c199 * k3 + c202 * k3 + c203
+        * inv_k3 + c206 * inv_k3 + c213 * c309 + c217 + c22 * c239 + c22 * c245 + c22 * c256 + c221 * c71 + c222
+        + c226 * k1 + c228 + c229 * k1 + c231 * inv_k3 + c235 + c241 * c78 + c250 * k1 + c251 * k1 + c253 * c281
+        + c260 + c261 + c272 * c3 + c272 * c42 + c273 * c278 + c304 + c305 + 2.0 * c306 * c71 + c307 * c99 + c308
+        * c46 + c49 * c74 - 4.0 * J_xz * c177 * k1 - axial * c304 - axial * c305 - c13 * c272 - c132 * c211
+        * inv_k3 - c15 * c168 * k3 * theta_dot - c15 * c72 * c98 * k1 - c160 * c2 * inv_k3 - c168 * c63 * k1
+        - c187 * inv_k3 - c193 * k3 - c195 * inv_k3 - c197 * inv_k3 - c199 * inv_k3 - c201 - c205 * k3 - c208
+        * k1 - c215 * inv_k3 - c216 * inv_k3 - c218 * c71 - c219 * c22 - c22 * c224 - c220 * c248 - c221 - c223
+        - c227 - c230 * k3 - c234 * c278 - c237 * c292 - c240 * c242 - c252 * c282 * k1 - c254 - c284 * c57
+        - c289 * c307 - c294 * c308 - c306 - c59 * inv_k3)
     # generalised forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
@@ -5686,24 +5851,22 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
     tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
     tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
-    tau_S_dot_leg_11 = C_p + c18 * c69 - c37
-    c202 = c108 * c18
-    tau_S_dot_leg_12 = c15 * c16 + c202 * inv_k3 * theta_dot + c21 * c35 - W_z * c27
-    tau_S_dot_leg_13 = c15 * c67 + c26 * c87 - c19 * c202
-    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c151 * c19 - c68 - c69 * c81 - c79 * c87
-    c203 = c108 * c81
-    c204 = c203 * theta_dot
+    tau_S_dot_leg_11 = C_p + c132 * c18 - c32
+    c310 = c47 * inv_k3
+    tau_S_dot_leg_12 = c15 * c16 + c19 * c24 + c310 * theta_dot - W_z * c26
+    tau_S_dot_leg_13 = c15 * c86 + c157 * c25 - W_z * c310
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c125 - c132 * c146 - c144 * c157 - c184 * c50
     tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
-        * inv_k3 * k1 + W_z * c154 * inv_L * inv_k3 * k1 + 2.0 * W_z * c49 * h_z + 2.0 * c49 * h_y * theta_dot
-        - c103 - c107 * c152 - c110 * inv_k3 - c135 - c204 * inv_k3 - 2.0 * c49 * c88 - c82)
-    c205 = c69 * c97
-    tau_S_dot_leg_23 = c101 + c140 + c17 + c19 * c203 + c205 * c49 - c17 * c49 - c189 - c205 - c77
-    tau_S_dot_leg_31 = (W_z * c149 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c129 * c96 * k1 - c172 * c36 - c178
-        - c188 - c19 * c191)
+        * inv_k3 * k1 + W_z * c262 * inv_L * inv_k3 * k1 + 2.0 * W_z * c71 * h_z + 2.0 * c71 * h_y * theta_dot
+        - c160 - c169 * c71 - c174 - c181 - c209 * c22 - c214 * c72 - c87)
+    tau_S_dot_leg_23 = (W_z * c179 * inv_k3 + c168 * c72 * inv_L + c17 + c173 + c242 - c142 - c17 * c71 - c184
+        * inv_L - c301)
+    tau_S_dot_leg_31 = (W_z * c258 * inv_L * k3 + 2.0 * W_z * h_z * k1 - W_z * c49 * c98 - c19 * c271 - c272
+        * c31 - c288 - c302)
     tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
-        * k1 + L_dot * c14 * c149 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
-        * c177 - c112 * c15 * inv_k3 - c112 * c181 * c87 - c131 * c52 - c165 * c2 - c17 * inv_k3 - c186 * c87)
-    tau_S_dot_leg_33 = c110 + c112 * c156 * c39 + c15 * c199 + 2.0 * c197 * c87 + c198 * inv_L - c173 - c204
+        * k1 + L_dot * c14 * c258 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - c15
+        * c289 - c157 * c220 * c98 - c161 * c184 - c17 * inv_k3 - c2 * c267 - c211 * c303 - c236 * c286)
+    tau_S_dot_leg_33 = c169 * k3 + c209 * k1 + c287 * c49 + c291 + c309 * c72 - c180 - c281
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
@@ -5715,14 +5878,13 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
     tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
     tau_S_ddot_leg_12 = -c18
-    tau_S_ddot_leg_13 = -c35
-    tau_S_ddot_leg_22 = c81 + c99 - c54
-    c206 = L * m_u
-    tau_S_ddot_leg_23 = -c206 - c26 - c85
-    c207 = h_y * k3
-    tau_S_ddot_leg_31 = -c207
-    tau_S_ddot_leg_32 = c165 + c170 + c171 * c39 + c206 * k3 - c192 - c193 * c90
-    tau_S_ddot_leg_33 = h_y * k1 - c172 - c98
+    tau_S_ddot_leg_13 = -c23
+    tau_S_ddot_leg_22 = J_xy * c50 + c146 - c96
+    c311 = L * m_u
+    tau_S_ddot_leg_23 = -c151 - c25 - c311
+    tau_S_ddot_leg_31 = -c275
+    tau_S_ddot_leg_32 = c267 + 2.0 * c271 + c300 + c311 * k3 - c161 * c78 - c298
+    tau_S_ddot_leg_33 = h_y * k1 - c259 - c272
     # generalised forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
@@ -5760,87 +5922,25 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
     Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
     Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
-    c208 = 1.0 - axial
-    c209 = (axial * net_z + c208 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c13 * inv_k3 + J_xy
-        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c13 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
-        * L * W_z * h_z * inv_k3 * theta_dot + L * c13 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
-        * w_k_omega - J_xx * c184 - L * c108 * c41 - L * c168 - L * c38 * k1 - L_ddot * c207 - L_dot * c138
-        - L_dot * c36 * c53 - c13 * c197 - c174 * c36 - c197 * c3 - c201 * theta_dot - gamma_n * w_y))
-    c210 = c209 * inv_rho * inv_rho
-    bent_leg_12 = -c210 * k3
-    c211 = J_xy * c62
-    c212 = (axial * net_y + c208 * (C_us * theta_dot + J_xx * c74 + J_yz * own_z + L * c104 + L * c105 + c106
-        + c124 * c133 + c158 * k3 + c211 + c60 - C_s * w_y_omega - 2.0 * L * c23 - L * c54 * own_z - L * c83
-        - c147 * c19 * c36 - c157 * w_z - c211 * c49 - c49 * c95))
-    c213 = c14 * c212
-    bent_leg_13 = c213
-    c214 = inv_L * inv_rho
-    c215 = c209 * c214
-    bent_leg_21 = -c215
-    c216 = inv_rho * k3
-    bent_leg_22 = c212 * c214 * k1 + c216 * net_x
-    bent_leg_23 = c215 * kappa
-    bent_leg_31 = c213
-    bent_leg_32 = c210 * k1
-    bent_leg_33 = inv_L * net_x
-    bent_T_xs = bent_leg_21 * y_x + bent_leg_31 * z_x
-    bent_T_xy = bent_leg_12 * s_x + bent_leg_22 * y_x + bent_leg_32 * z_x
-    bent_T_xz = bent_leg_13 * s_x + bent_leg_23 * y_x + bent_leg_33 * z_x
-    bent_T_ys = bent_leg_21 * y_y + bent_leg_31 * z_y
-    bent_T_yy = bent_leg_12 * s_y + bent_leg_22 * y_y + bent_leg_32 * z_y
-    bent_T_yz = bent_leg_13 * s_y + bent_leg_23 * y_y + bent_leg_33 * z_y
-    bent_T_zs = bent_leg_21 * y_z + bent_leg_31 * z_z
-    bent_T_zy = bent_leg_12 * s_z + bent_leg_22 * y_z + bent_leg_32 * z_z
-    bent_T_zz = bent_leg_13 * s_z + bent_leg_23 * y_z + bent_leg_33 * z_z
-    # force by S as the rows turn
-    bent_xx = bent_T_xs * s_x + bent_T_xy * y_x + bent_T_xz * z_x
-    bent_xy = bent_T_xs * s_y + bent_T_xy * y_y + bent_T_xz * z_y
-    bent_xz = bent_T_xs * s_z + bent_T_xy * y_z + bent_T_xz * z_z
-    bent_yx = bent_T_ys * s_x + bent_T_yy * y_x + bent_T_yz * z_x
-    bent_yy = bent_T_ys * s_y + bent_T_yy * y_y + bent_T_yz * z_y
-    bent_yz = bent_T_ys * s_z + bent_T_yy * y_z + bent_T_yz * z_z
-    bent_zx = bent_T_zs * s_x + bent_T_zy * y_x + bent_T_zz * z_x
-    bent_zy = bent_T_zs * s_y + bent_T_zy * y_y + bent_T_zz * z_y
-    bent_zz = bent_T_zs * s_z + bent_T_zy * y_z + bent_T_zz * z_z
-    c217 = bent_xy * q_z
-    c218 = bent_xz * q_y
-    Z_xx = c218 - c217
-    Z_xy = bent_xx * q_z - bent_xz * q_x
-    c219 = bent_xx * q_y
-    Z_xz = bent_xy * q_x - c219
-    c220 = bent_yy * q_z
-    Z_yx = bent_yz * q_y - c220
-    c221 = bent_yx * q_z
-    c222 = -bent_yz * q_x
-    Z_yy = c221 + c222
-    c223 = -bent_yy * q_x
-    Z_yz = -bent_yx * q_y - c223
-    c224 = -bent_zz * q_y
-    Z_zx = -bent_zy * q_z - c224
-    c225 = bent_zz * q_x
-    Z_zy = bent_zx * q_z - c225
-    c226 = bent_zx * q_y
-    c227 = bent_zy * q_x
-    Z_zz = c227 - c226
-    G_dot_21 = -c87
-    c228 = k1 * phi_dot
-    G_dot_22 = c228 * inv_L
+    G_dot_21 = -c157
+    G_dot_22 = c163 * phi_dot
     G_dot_23 = c15
-    G_dot_31 = -c216 * phi_dot
-    c229 = inv_rho * theta_dot
-    G_dot_32 = -c2 * inv_rho - c229 * kappa
-    G_dot_33 = c228 * inv_rho
-    c230 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c230
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c216 * theta_dot)
-    f_S_leg_13 = G_dot_33 * c230
+    c312 = inv_rho * phi_dot
+    G_dot_31 = -c312 * k3
+    c313 = inv_rho * theta_dot
+    G_dot_32 = -c2 * inv_rho - c313 * kappa
+    G_dot_33 = c312 * k1
+    c314 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c314
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c313 * k3)
+    f_S_leg_13 = G_dot_33 * c314
     f_S_leg_21 = C_s * G_dot_21
     f_S_leg_22 = C_s * G_dot_22
     f_S_leg_23 = C_s * G_dot_23
-    c231 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c231
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c229 * k1)
-    f_S_leg_33 = G_dot_33 * c231
+    c315 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c315
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c313 * k1)
+    f_S_leg_33 = G_dot_33 * c315
     f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
     f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
     f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
@@ -5860,9 +5960,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
     f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
     f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
-    f_S_dot_leg_12 = c230 * inv_rho
-    f_S_dot_leg_23 = -c117
-    f_S_dot_leg_32 = C_s * c216
+    f_S_dot_leg_12 = c314 * inv_rho
+    f_S_dot_leg_23 = -c140
+    f_S_dot_leg_32 = c315 * inv_rho
     f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
     f_S_dot_T_xz = f_S_dot_leg_23 * y_x
     f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
@@ -5879,33 +5979,29 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
     f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    c232 = R_tip_y * q_y
-    c233 = R_tip_z * q_z
-    c234 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c235 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c236 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c237 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c238 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
-    c239 = R_tip_x * q_x
-    c240 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c241 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c242 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c243 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c316 = R_tip_y * q_y
+    c317 = R_tip_z * q_z
+    c318 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c319 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c320 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c321 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c322 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c323 = R_tip_x * q_x
+    c324 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c325 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c326 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c327 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_ft = [bent_xx, bent_xy, bent_xz, bent_yx, bent_yy, bent_yz, bent_zx, bent_zy, bent_zz]
-    out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
-    out.W_mt = [c226 - c221 - f_S_xx, bent_zy * q_y - c220 - f_S_xy, -bent_yz * q_z - c224 - f_S_xz, bent_xx
-        * q_z - bent_zx * q_x - f_S_yx, c217 - c227 - f_S_yy, bent_xz * q_z - c225 - f_S_yz, bent_yx * q_x - c219
-        - f_S_zx, -bent_xy * q_y - c223 - f_S_zy, -c218 - c222 - f_S_zz]
-    out.W_mr = [Z_zx * q_y + c235 * q_z - Z_yx * q_z - c232 - c233 - c234 * q_y, R_tip_y * q_x + Z_zy * q_y
-        + c234 * q_x - Z_yy * q_z - c236 * q_z, R_tip_z * q_x + Z_zz * q_y + c236 * q_y - Z_yz * q_z - c235
-        * q_x, R_tip_x * q_y + Z_xx * q_z + c237 * q_z - Z_zx * q_x - c238 * q_y, Z_xy * q_z + c238 * q_x - Z_zy
-        * q_x - c233 - c239 - c240 * q_z, R_tip_z * q_y + Z_xz * q_z + c240 * q_y - Z_zz * q_x - c237 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c241 * q_z - Z_xx * q_y - c242 * q_y, R_tip_y * q_z + Z_yy * q_x + c242
-        * q_x - Z_xy * q_y - c243 * q_z, Z_yz * q_x + c243 * q_y - Z_xz * q_y - c232 - c239 - c241 * q_x]
+    out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
+    out.W_mr = [c319 * q_z - c316 - c317 - c318 * q_y, R_tip_y * q_x + c318 * q_x - c320 * q_z, R_tip_z * q_x
+        + c320 * q_y - c319 * q_x, R_tip_x * q_y + c321 * q_z - c322 * q_y, c322 * q_x - c317 - c323 - c324
+        * q_z, R_tip_z * q_y + c324 * q_y - c321 * q_x, R_tip_x * q_z + c325 * q_z - c326 * q_y, R_tip_y * q_z
+        + c326 * q_x - c327 * q_z, c327 * q_y - c316 - c323 - c325 * q_x]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
@@ -6004,6 +6100,7 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     force = [0.0] * 24
     forces_by = [[0.0] * 24 for _ in range(18)]
     wrench = [0.0] * 6
+    held = [0.0] * 6
     rest = [0.0] * 24
     right = [0.0] * 6
     apart = forward_apart(on, model, motion, F, by)
@@ -6035,7 +6132,8 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
             force[i] = forces_by[c][i]
         for i in range(6):
             wrench[i] = out.A[i][c + 6]
-        row_right(on, by, force, wrench, start, rest, right)
+        by_rows(on, by, wrench, held)
+        row_right(on, by, force, held, start, rest, right)
         for i in range(6):
             starts[c][i] = start[i]
             out.A[i][c + 6] = right[i]
@@ -6053,9 +6151,9 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
 
 def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.like(Model(), "model", model)
+    motion = on.like(Motion(), "motion", motion)
+    F = on.like([0.0] * 6, "F", F)
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6109,17 +6207,9 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
     """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
+    names and shapes.
     """
     made = Motion()
-    for name, value in fields.items():
-        if name not in vars(made):
-            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
-        array = on.xp.asarray(value, dtype=on.type)
-        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
-            array = on.xp.reshape(array, (*array.shape[:-2], 9))
-        count = len(getattr(made, name))
-        if array.ndim == 0 or array.shape[-1] != count:
-            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
-        setattr(made, name, [array[..., i] for i in range(count)])
+    on.fill(made, fields)
     return made

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .checks import finite_array, instance, option, shown
 from .dynamics import Formulation
-from .kernel import kernel_name, overflows, stored
+from .kernel import kernel_name, overflows
 from .results import OK
 from .robot import Robot
 
@@ -190,18 +190,9 @@ def _program(name: str, function: str) -> Any:
 
 def _numbers(robot: Robot) -> SimpleNamespace:
     """The robot as kernel trees take it."""
-    from .derive import notation
+    from .trees import robot_structure
 
-    legs = [
-        SimpleNamespace(**{q.name: _plain(getattr(robot, q.name)[i]) for q in notation.LEG}) for i in range(6)
-    ]
-    platform = {q.name: _plain(getattr(robot, q.name)) for q in notation.PLATFORM}
-    return SimpleNamespace(**platform, leg=legs)
-
-
-def _plain(value: Any) -> Any:
-    found = stored(np.asarray(value, dtype=np.float64))
-    return list(found) if found.ndim else np.float64(found)
+    return robot_structure(robot, lambda _, value: np.float64(value))
 
 
 def _chained(expr: Expression, slopes: Mapping[Any, Any]) -> Expression:

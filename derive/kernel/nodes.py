@@ -393,6 +393,13 @@ class Program:
         return next(each for each in self.functions if each.name == name)
 
 
+def joined(one: Program, other: Program) -> Program:
+    """Two programs as one; what both have under a name is the same in both."""
+    structures = {each.name: each for each in (*one.structures, *other.structures)}
+    functions = {each.name: each for each in (*one.functions, *other.functions)}
+    return Program(one.name, tuple(structures.values()), tuple(functions.values()))
+
+
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
     """Every statement of a body, those of loops, conditions and switches as well."""
     for each in body:

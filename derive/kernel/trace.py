@@ -83,9 +83,8 @@ class Tracer(Interpreter):
     def run(self, name: str, *arguments: Any) -> Any:
         """Result of a function; it is the leg's if the first argument is."""
         function = self.program.function(name)
-        known = dict(zip((each.name for each in function.arguments), arguments, strict=True))
         _, leg = self.legs.get(id(arguments[0]), (None, 0))
-        result = self._body(function, known | {_LEG: leg})
+        result = self._call(function, self._known(function, arguments) | {_LEG: leg})
         if leg and isinstance(result, SimpleNamespace):
             self.legs[id(result)] = result, leg
         return result
@@ -107,11 +106,11 @@ class Tracer(Interpreter):
     def _label(self, target: Expression, known: dict[str, Any]) -> list[str]:
         match target:
             case Element(Member(_, name) as array, (index,)):
-                count, at = len(self._value(array, known)), self._value(index, known)
+                count, at = len(self._value(array)(known)), self._value(index)(known)
                 axes = count != 6 or name in _SYMMETRIC
                 return [name, _axes(count, at) if axes else str(at + 1)]
             case Element(array, index):
-                return [*self._label(array, known), "".join(str(self._value(i, known) + 1) for i in index)]
+                return [*self._label(array, known), "".join(str(self._value(i)(known) + 1) for i in index)]
             case Member(_, name) | Name(name):
                 return [name]
         raise AssertionError(target)

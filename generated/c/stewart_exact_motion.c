@@ -2532,6 +2532,26 @@ static void weigh_rows(rows *by)
     }
 }
 
+/* Forces of the six coordinates' rows that add up to a wrench. */
+static void by_rows(const rows *by, const stewart_real wrench[6], stewart_real held[6])
+{
+    int j, k;
+    for (k = 0; k < 6; ++k) {
+        held[k] = wrench[by->column[k]]/(by->column[k] < 3 ? REAL(1) : by->length);
+    }
+    for (k = 0; k < 6; ++k) {
+        for (j = 0; j < k; ++j) {
+            held[k] = held[k] - by->row[6*j + k]*held[j];
+        }
+        held[k] = held[k]/by->row[6*k + k];
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            held[k] = held[k] - by->row[6*j + k]*held[j];
+        }
+    }
+}
+
 /* Accelerations of the coordinates' rows under which the inertia of each block balances their forces.
  *
  * ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
@@ -2576,13 +2596,13 @@ static void balance_rows(
     }
 }
 
-/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
  *
  * force: of each row, as its generalised force over its size, without accelerations. start:
  * accelerations of the coordinates that balance their own large forces, from which the unknown ones are
  * measured; rest: the rows' forces there. */
 static void row_right(
-    const rows *by, const stewart_real force[24], const stewart_real wrench[6], stewart_real start[6],
+    const rows *by, const stewart_real force[24], const stewart_real held[6], stewart_real start[6],
     stewart_real rest[24], stewart_real right[6])
 {
     int b, i, j, k;
@@ -2591,7 +2611,6 @@ static void row_right(
     balance_rows(by, force, moved, balanced);
     for (k = 0; k < 6; ++k) {
         start[k] = moved[by->order[k]];
-        right[k] = wrench[by->column[k]]/(by->column[k] < 3 ? REAL(1) : by->length);
     }
     for (i = 0; i < 24; ++i) {
         moved[i] = REAL(0);
@@ -2610,17 +2629,7 @@ static void row_right(
         }
     }
     for (k = 0; k < 6; ++k) {
-        for (j = 0; j < k; ++j) {
-            right[k] = right[k] - by->row[6*j + k]*right[j];
-        }
-        right[k] = right[k]/by->row[6*k + k];
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = k + 1; j < 6; ++j) {
-            right[k] = right[k] - by->row[6*j + k]*right[j];
-        }
-    }
-    for (k = 0; k < 6; ++k) {
+        right[k] = held[k];
         for (i = 0; i < 24; ++i) {
             right[k] = right[k] - by->share[6*i + k]*rest[i];
         }
@@ -2650,32 +2659,51 @@ static void row_back(
 
 /* Of each leg the generalised forces, the accelerations that those of the platform give to it, and
  * whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
- * between the two would have the rounding of both. */
+ * between the two would have the rounding of both.
+ *
+ * The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia times
+ * its accelerations little may be left. */
 static void rows_held(
     const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
-    const stewart_real rest[24])
+    const stewart_real rest[24], stewart_real held[6])
 {
-    int b, i, j;
+    int b, i, j, k;
     stewart_real whole[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    stewart_real force[24];
     for (i = 0; i < 24; ++i) {
         for (j = 0; j < 6; ++j) {
             whole[i] = whole[i] + by->share[6*i + j]*found[j];
         }
+    }
+    for (b = 0; b < 8; ++b) {
+        for (i = 0; i < 3; ++i) {
+            force[3*b + i] = rest[3*b + i];
+            for (j = 0; j < 3; ++j) {
+                force[3*b + i] = force[3*b + i] + by->weight[3*(3*b + i) + j]*whole[3*b + j];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        force[by->order[k]] = REAL(0);
+    }
+    for (k = 0; k < 6; ++k) {
+        for (i = 0; i < 24; ++i) {
+            held[k] = held[k] - by->share[6*i + k]*force[i];
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        force[by->order[k]] = held[k];
     }
     for (b = 0; b < 6; ++b) {
         const stewart_real k3 = legs->checked.k3[b];
         const stewart_real thin = k3*by->extent[3*b + 1]/by->extent[3*b + 2];
         by->given[b].axial = (k3 < STEWART_LEANING && thin*thin > STEWART_HALF) ? REAL(0) : REAL(1);
         for (i = 0; i < 3; ++i) {
-            stewart_real force = rest[3*b + i];
             stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                force = force + by->weight[3*(3*b + i) + j]*whole[3*b + j];
-            }
             for (j = 0; j < 6; ++j) {
                 turned = turned + by->share[6*(3*b + i) + j]*(found[j] - start[j]);
             }
-            by->given[b].net[i] = force*by->extent[3*b + i];
+            by->given[b].net[i] = force[3*b + i]*by->extent[3*b + i];
             by->given[b].turned[i] = turned/by->extent[3*b + i];
         }
     }
@@ -2693,6 +2721,7 @@ static apart_found forward_apart(
     stewart_real wrench[6];
     stewart_real start[6];
     stewart_real rest[24];
+    stewart_real held[6];
     stewart_real right[6];
     STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
@@ -2712,7 +2741,8 @@ static apart_found forward_apart(
         wrench[i] = summed[21 + i];
         wrench[i + 3] = summed[24 + i];
     }
-    row_right(by, force, wrench, start, rest, right);
+    by_rows(by, wrench, held);
+    row_right(by, force, held, start, rest, right);
     for (i = 0; i < 6; ++i) {
         A[8*i + 6] = right[i];
         for (j = 0; j < 6; ++j) {
@@ -2724,7 +2754,7 @@ static apart_found forward_apart(
         right[i] = A[8*i + 6];
     }
     row_back(by, right, start, out.x);
-    rows_held(&legs, by, right, start, rest);
+    rows_held(&legs, by, right, start, rest, held);
     out.status = legs.status == STEWART_OK ? fault : legs.status;
     for (i = 0; i < 6; ++i) {
         out.status = (out.status != STEWART_OK || STEWART_FABS(out.x[i]) <= STEWART_MAX) ? out.status : STEWART_NOT_FINITE;
@@ -5382,229 +5412,367 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c16 = REAL(2)*h_y;
         const stewart_real c17 = W_z*c16;
         const stewart_real c18 = h_y*inv_L;
-        const stewart_real c19 = W_z*inv_k3;
-        const stewart_real c20 = c19*k1;
-        const stewart_real c21 = REAL(4)*c20;
-        const stewart_real c22 = c21*theta_dot;
-        const stewart_real c23 = c13*h_z;
-        const stewart_real c24 = c23*inv_L;
-        const stewart_real c25 = inv_k3*k1;
+        const stewart_real c19 = REAL(4)*W_z;
+        const stewart_real c20 = c19*theta_dot;
+        const stewart_real c21 = c18*c20;
+        const stewart_real c22 = inv_k3*k1;
+        const stewart_real c23 = h_z*inv_L;
+        const stewart_real c24 = c22*c23;
         const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c14*h_z*theta_dot + REAL(2)*c13*h_x*inv_L + REAL(2)*c3*h_x*inv_L
-            + h_y*inv_L*own_z - c12*inv_L - c15*c17 - c18*c22 - REAL(4)*c24*c25;
-        const stewart_real c26 = REAL(2)*h_x;
-        const stewart_real c27 = c26*inv_L;
-        const stewart_real c28 = c27*own_z;
-        const stewart_real c29 = axial*m_u;
-        const stewart_real c30 = c29*fall_T_y;
-        const stewart_real c31 = L_ddot*c14;
-        const stewart_real c32 = c14*w_x;
-        const stewart_real c33 = c32*gamma_y;
-        const stewart_real c34 = c18*c3;
-        const stewart_real c35 = h_z*inv_L;
-        const stewart_real c36 = REAL(2)*theta_dot;
-        const stewart_real c37 = c35*c36;
-        const stewart_real c38 = h_y*own_y;
-        const stewart_real c39 = inv_L*k1;
-        const stewart_real c40 = c39*inv_k3;
-        const stewart_real c41 = h_z*own_z;
-        const stewart_real c42 = J_zz*own_z;
-        const stewart_real c43 = c14*c42;
-        const stewart_real c44 = c13*c18;
-        const stewart_real c45 = L_dot*L_dot;
-        const stewart_real c46 = inv_L*inv_L*inv_L;
-        const stewart_real c47 = c45*c46;
-        const stewart_real c48 = axial*c15;
-        const stewart_real c49 = inv_k3*inv_k3;
-        const stewart_real c50 = REAL(4)*W_z;
-        const stewart_real c51 = REAL(2)*c49;
-        const stewart_real c52 = REAL(4)*c15;
-        const stewart_real c53 = h_y*k1;
-        const stewart_real c54 = c53*inv_k3;
-        const stewart_real c55 = c15*c36;
-        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c26*c48 + W_z*c37 + axial*c28 + axial*c43 + c30*inv_L
-            + c31*h_y + c33 + c34 + c38*c40 + c40*c41 + c44*c51 - axial*c33 - c16*c47 - c20*c52*h_z - c28 - c34*c51
-            - c35*c49*c50*theta_dot - c43 - c44 - c54*c55;
-        const stewart_real c56 = c26*own_y;
-        const stewart_real c57 = c56*inv_L;
-        const stewart_real c58 = c29*fall_T_z;
-        const stewart_real c59 = J_yy*c14*own_y;
-        const stewart_real c60 = L_ddot*h_z;
-        const stewart_real c61 = c3*h_z;
-        const stewart_real c62 = W_z*c36;
-        const stewart_real c63 = c18*c62;
-        const stewart_real c64 = c32*g_k*k3;
-        const stewart_real c65 = gamma_n*k1;
-        const stewart_real c66 = c32*c65;
-        const stewart_real c67 = REAL(2)*h_z;
-        const stewart_real c68 = c26*theta_dot;
-        const stewart_real c69 = REAL(2)*W_z;
-        const stewart_real c70 = c54*c69;
-        const stewart_real c72 = J_yy - J_zz;
-        const stewart_real c73 = c13*inv_k3;
-        const stewart_real c74 = c73*k1;
-        const stewart_real c75 = c14*c74;
-        const stewart_real tau_S_leg_13 = c14*c60 + c15*c70 + c24*c51 + c49*c63 + c57 + c58*inv_L + c59 + c61*inv_L
-            + c64 + c66 + c72*c75 - C_p*theta_dot - axial*c57 - axial*c59 - axial*c64 - axial*c66 - axial*c72*c75
-            - c24 - c47*c67 - c48*c68 - c63;
-        const stewart_real c77 = C_us*inv_L;
-        const stewart_real c78 = c77*theta_dot;
-        const stewart_real c79 = REAL(2)*J_yy;
-        const stewart_real c80 = inv_L*own_y;
-        const stewart_real c81 = J_yz*inv_L;
-        const stewart_real c82 = c16*theta_dot;
-        const stewart_real c83 = W_z*c82;
-        const stewart_real c84 = axial*c56;
-        const stewart_real c85 = J_yy*inv_L;
-        const stewart_real c86 = axial*c85;
-        const stewart_real c87 = inv_L*theta_dot;
-        const stewart_real c88 = J_xy*c87;
-        const stewart_real c89 = c50*c88;
-        const stewart_real c90 = inv_L*k3;
-        const stewart_real c91 = c90*w_x;
-        const stewart_real c92 = c91*g_k;
-        const stewart_real c93 = inv_L*w_x;
-        const stewart_real c94 = c65*c93;
-        const stewart_real c95 = J_xz*c13;
-        const stewart_real c96 = REAL(4)*inv_L;
-        const stewart_real c97 = J_xy*inv_L;
-        const stewart_real c98 = c97*k1;
-        const stewart_real c99 = c98*inv_k3;
-        const stewart_real c100 = axial*c2;
-        const stewart_real c101 = c15*c79;
-        const stewart_real c102 = REAL(2)*J_yz;
-        const stewart_real c103 = c102*c15;
-        const stewart_real c104 = c49*c83;
-        const stewart_real c105 = c23*c49;
-        const stewart_real c106 = REAL(2)*c95;
-        const stewart_real c107 = c49*inv_L;
-        const stewart_real c108 = REAL(2)*k1;
-        const stewart_real c109 = J_xy*c15;
-        const stewart_real c110 = c108*c109;
-        const stewart_real c111 = c39*c73;
-        const stewart_real c112 = REAL(2)*J_xx;
-        const stewart_real tau_S_leg_21 = W_z*c103 + axial*c111*c72 + axial*c92 + axial*c94 + c100*c68 + c101*theta_dot
-            + c106*c107 + c110*c19 + c111*(REAL(3)*J_zz - REAL(3)*J_yy - c112) + c22*c81 + c23 + c49*c89 + c83
-            + c84 + c86*own_y - c104 - c105 - c2*c70 - c56 - c58 - c61 - c78 - c79*c80 - c81*own_z - c89 - c92
-            - c94 - c95*c96 - c99*own_z;
-        const stewart_real c113 = c97*own_y;
-        const stewart_real c114 = W_z*c68;
-        const stewart_real c115 = gamma_y*inv_L*w_z;
-        const stewart_real c116 = c13*c81;
-        const stewart_real c117 = C_s*inv_L;
-        const stewart_real c118 = W_z*c77*inv_k3;
-        const stewart_real c119 = c30*k1;
-        const stewart_real c120 = J_yz*c31;
-        const stewart_real c121 = c3*c81;
-        const stewart_real c122 = k1*own_y;
-        const stewart_real c123 = c122*c81;
-        const stewart_real c124 = inv_k3*own_z;
-        const stewart_real c125 = axial*k1;
-        const stewart_real c126 = c125*c26;
-        const stewart_real c127 = axial*c42;
-        const stewart_real c128 = c109*c36;
-        const stewart_real c129 = J_xz*W_z;
-        const stewart_real c130 = c129*c52;
-        const stewart_real c131 = J_xz*k1;
-        const stewart_real c132 = c125*c93;
-        const stewart_real c133 = J_xy*k1;
-        const stewart_real c134 = c133*c31;
-        const stewart_real c135 = W_z*c67;
-        const stewart_real c136 = c135*c49;
-        const stewart_real c137 = inv_k3*inv_k3*inv_k3;
-        const stewart_real c138 = c135*k1;
-        const stewart_real c139 = c138*theta_dot;
-        const stewart_real c140 = c2*c26;
-        const stewart_real c141 = c125*c140;
-        const stewart_real c142 = REAL(2)*c53;
-        const stewart_real c143 = c13*c137;
-        const stewart_real c144 = c137*c3;
-        const stewart_real c145 = c39*own_z;
-        const stewart_real c146 = c129*c87;
-        const stewart_real c147 = J_yz*k1;
-        const stewart_real c148 = -REAL(2)*J_zz;
-        const stewart_real c149 = c112 + c148;
-        const stewart_real c150 = J_xy*c108*c47;
-        const stewart_real c151 = REAL(2)*c98;
-        const stewart_real c152 = J_xz*c69;
-        const stewart_real c153 = c14*c45;
-        const stewart_real c154 = c149 + c79;
-        const stewart_real c156 = W_z*c49;
-        const stewart_real tau_S_leg_22 = L_ddot*c18*c25 + W_z*c149*c87 + c102*c47 + c108*c137*c146 + c113 + c116
-            + c118*k1 + c119*inv_k3 + c121*c51 + c124*c126 + c127*c40 + c128*c49 + c141*c19 + c142*c143 + c144*c151
-            + c145*c72*inv_k3 + c147*c55*inv_k3 + c15*c152*c49 + c150*inv_k3 + c2*c50*h_z + c2*c82 + c22*h_z
-            + c3*c54 + c38*c49 + c41 + c73*c98 - c113*c49 - c114 - c115 - c116*c51 - c117*inv_k3*w_n_omega - c120
-            - c121 - c123*inv_k3 - c128 - c130 - REAL(4)*c131*c19*c87 - c132*gamma_y*inv_k3 - c134*inv_k3 - c136*c2
-            - c137*c139 - c142*c144 - c143*c151 - c15*c154*c20 - REAL(2)*c153*c54 - c154*c156*c87 - c2*c49*c82
-            - c3*c99 - c38 - c53*c73;
-        const stewart_real c157 = g_k*k1;
-        const stewart_real c158 = gamma_n*w_z;
-        const stewart_real c159 = h_y*own_z;
-        const stewart_real c160 = c50*c87;
-        const stewart_real c161 = c137*c160;
-        const stewart_real c162 = c15*c19;
-        const stewart_real c163 = c106*c39;
-        const stewart_real c164 = J_xx + c72;
+            + h_y*inv_L*own_z - c12*inv_L - REAL(4)*c13*c24 - c15*c17 - c21*c22;
+        const stewart_real c25 = REAL(2)*h_x;
+        const stewart_real c26 = c25*inv_L;
+        const stewart_real c27 = axial*m_u;
+        const stewart_real c28 = c27*fall_T_y;
+        const stewart_real c29 = c14*w_x;
+        const stewart_real c30 = c29*gamma_y;
+        const stewart_real c31 = REAL(2)*theta_dot;
+        const stewart_real c32 = c23*c31;
+        const stewart_real c33 = axial*inv_L;
+        const stewart_real c34 = c33*own_z;
+        const stewart_real c35 = c14*own_y;
+        const stewart_real c36 = J_yz*c35;
+        const stewart_real c37 = L_ddot*c14;
+        const stewart_real c38 = c13*c18;
+        const stewart_real c39 = C_s*c14;
+        const stewart_real c40 = inv_k3*w_k_omega;
+        const stewart_real c41 = axial*c38;
+        const stewart_real c42 = axial*c3;
+        const stewart_real c43 = gamma_n*w_y;
+        const stewart_real c44 = c14*inv_k3;
+        const stewart_real c45 = inv_k3*own_y;
+        const stewart_real c46 = REAL(2)*k1;
+        const stewart_real c47 = c18*c46;
+        const stewart_real c48 = h_z*own_z;
+        const stewart_real c49 = inv_L*inv_k3;
+        const stewart_real c50 = c49*k1;
+        const stewart_real c51 = J_xy*c14;
+        const stewart_real c52 = c13*c51;
+        const stewart_real c53 = c3*c51;
+        const stewart_real c54 = axial*c14;
+        const stewart_real c55 = L_ddot*c54;
+        const stewart_real c56 = c54*inv_k3;
+        const stewart_real c57 = axial*own_y;
+        const stewart_real c58 = c22*c57;
+        const stewart_real c59 = REAL(2)*c48;
+        const stewart_real c60 = c59*k1;
+        const stewart_real c61 = L_dot*L_dot;
+        const stewart_real c62 = inv_L*inv_L*inv_L;
+        const stewart_real c63 = c61*c62;
+        const stewart_real c64 = C_s*c54;
+        const stewart_real c65 = c51*k1;
+        const stewart_real c66 = c65*inv_k3;
+        const stewart_real c67 = c14*own_z;
+        const stewart_real c68 = J_xz*c46;
+        const stewart_real c69 = c68*inv_k3;
+        const stewart_real c70 = W_z*axial;
+        const stewart_real c71 = inv_k3*inv_k3;
+        const stewart_real c72 = W_z*c71;
+        const stewart_real c73 = c72*theta_dot;
+        const stewart_real c74 = gamma_y*w_z;
+        const stewart_real c75 = c44*k1;
+        const stewart_real c76 = c56*k1;
+        const stewart_real c78 = J_xx - J_zz;
+        const stewart_real c79 = C_us*c14;
+        const stewart_real c80 = c72*c79;
+        const stewart_real c81 = J_xx*c71;
+        const stewart_real c82 = axial*c52;
+        const stewart_real c83 = REAL(3)*c13;
+        const stewart_real c84 = c18*c71;
+        const stewart_real c85 = axial*c67;
+        const stewart_real c86 = REAL(2)*h_z;
+        const stewart_real c87 = W_z*c86;
+        const stewart_real c88 = c87*k1;
+        const stewart_real c89 = c15*c88*inv_k3;
+        const stewart_real c90 = axial*c72;
+        const stewart_real c92 = REAL(2)*c14;
+        const stewart_real c93 = J_yz*c75;
+        const stewart_real c94 = J_yz*c76;
+        const stewart_real c95 = h_y*k1;
+        const stewart_real c96 = c95*inv_k3;
+        const stewart_real c97 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c98 = REAL(2)*J_xx;
+        const stewart_real c99 = c97*c98;
+        const stewart_real c100 = W_z*k1;
+        const stewart_real c101 = c100*theta_dot;
+        const stewart_real c102 = c101*c99;
+        const stewart_real c103 = c31*c72;
+        const stewart_real tau_S_leg_12 = C_p*W_z + J_xz*c73*c92 + W_z*c32 + axial*c36 + axial*c80 + c102*c14
+            + c13*c94 + c15*c25*c70 + c16*c37 + c18*c42 + c25*c34 + c28*inv_L + c3*c94 + c30 + c32*c90 + c39*c40
+            + c41 + c43*c44 + c45*c47 + REAL(3)*c48*c50 + c52 + c53 + c57*c66 + c67*c78 + c69*c85 + c71*c82
+            + c74*c76 + c81*c85 + c83*c84 - J_xz*c103*c54 - axial*c15*c31*c96 - axial*c30 - axial*c53 - axial*c89
+            - c102*c54 - c13*c93 - c16*c63 - c18*c58 - REAL(6)*c23*c73 - c26*own_z - REAL(2)*c3*c84 - c3*c93
+            - c33*c60*inv_k3 - c36 - REAL(2)*c38 - c40*c64 - c41*c71 - c43*c56 - c52*c71 - c55*h_y - c56*net_z
+            - c66*own_y - c67*c69 - c67*c81 - c74*c75 - c78*c85 - c80 - c82 - c89;
+        const stewart_real c104 = c25*own_y;
+        const stewart_real c105 = c27*fall_T_z;
+        const stewart_real c106 = c79*theta_dot;
+        const stewart_real c107 = J_yy*c35;
+        const stewart_real c108 = J_yz*c67;
+        const stewart_real c109 = c3*h_z;
+        const stewart_real c110 = c23*c83;
+        const stewart_real c111 = g_k*k3;
+        const stewart_real c112 = c111*c29;
+        const stewart_real c113 = gamma_n*k1;
+        const stewart_real c114 = c113*c29;
+        const stewart_real c115 = gamma_n*w_z;
+        const stewart_real c116 = c115*k3;
+        const stewart_real c117 = W_z*c31;
+        const stewart_real c118 = axial*c18;
+        const stewart_real c119 = c18*c22*own_z;
+        const stewart_real c120 = c117*c51;
+        const stewart_real c121 = axial*c13;
+        const stewart_real c122 = g_k*w_z;
+        const stewart_real c123 = c122*k1;
+        const stewart_real c124 = J_xz*c13;
+        const stewart_real c125 = c25*theta_dot;
+        const stewart_real c126 = axial*c125;
+        const stewart_real c127 = REAL(4)*c73;
+        const stewart_real c128 = REAL(2)*c124;
+        const stewart_real c129 = axial*own_z;
+        const stewart_real c130 = REAL(2)*J_yz;
+        const stewart_real c131 = W_z*theta_dot;
+        const stewart_real c132 = REAL(2)*W_z;
+        const stewart_real c133 = c132*c96;
+        const stewart_real c134 = c103*c51;
+        const stewart_real c135 = c121*c71;
+        const stewart_real c136 = c124*c71;
+        const stewart_real c137 = J_yy + c78;
+        const stewart_real c138 = c13*c137;
+        const stewart_real tau_S_leg_13 = axial*c119 + axial*c134 + c101*c130*c56 + c104*inv_L + c105*inv_L
+            + c106 + c107 + c108 + c109*inv_L + c110*c71 + c112 + c114 + c116*c14 + c117*c118 + c120 + REAL(2)*c121*c23
+            + c123*c54 + c124*c92 + c127*c18 + c133*c15 + c136*c54 + c138*c75 + c37*c86 + c54*net_y + c64*w_y_omega
+            + c66*own_z - C_p*theta_dot - axial*c106 - axial*c107 - axial*c108 - axial*c112 - axial*c114 - axial*c120
+            - c103*c118 - c104*c33 - c110 - c116*c54 - c119 - c123*c14 - c126*c15 - c128*c54 - c129*c66 - c13*c137*c76
+            - c130*c131*c75 - c134 - c135*c23 - c136*c14 - c21 - c39*w_y_omega - c55*h_z - c63*c86;
+        const stewart_real c140 = C_s*inv_L;
+        const stewart_real c141 = c140*w_y_omega;
+        const stewart_real c142 = C_us*inv_L;
+        const stewart_real c143 = c142*theta_dot;
+        const stewart_real c144 = REAL(2)*J_yy;
+        const stewart_real c145 = inv_L*own_y;
+        const stewart_real c146 = J_yz*inv_L;
+        const stewart_real c147 = c146*own_z;
+        const stewart_real c148 = L_ddot*c23;
+        const stewart_real c149 = axial*c104;
+        const stewart_real c150 = axial*c143;
+        const stewart_real c151 = J_yy*inv_L;
+        const stewart_real c152 = c151*c57;
+        const stewart_real c153 = axial*c147;
+        const stewart_real c154 = axial*c148;
+        const stewart_real c155 = c122*inv_L;
+        const stewart_real c156 = c96*own_z;
+        const stewart_real c157 = inv_L*theta_dot;
+        const stewart_real c158 = W_z*c157;
+        const stewart_real c159 = REAL(6)*J_xy;
+        const stewart_real c160 = c16*theta_dot;
+        const stewart_real c161 = inv_L*k3;
+        const stewart_real c162 = c161*w_x;
+        const stewart_real c163 = inv_L*k1;
+        const stewart_real c164 = c163*w_x;
+        const stewart_real c165 = c33*w_x;
+        const stewart_real c166 = c111*c165;
+        const stewart_real c167 = c13*c86;
+        const stewart_real c168 = REAL(2)*J_xy;
+        const stewart_real c169 = c157*c168;
+        const stewart_real c170 = c50*own_z;
+        const stewart_real c171 = c126*c2;
+        const stewart_real c172 = c22*c34;
+        const stewart_real c173 = c144*c15;
+        const stewart_real c174 = c130*c15;
+        const stewart_real c175 = W_z*c174;
+        const stewart_real c176 = c135*h_z;
+        const stewart_real c177 = c157*c72;
+        const stewart_real c178 = axial*c160;
+        const stewart_real c179 = c146*c46;
+        const stewart_real c180 = c179*theta_dot;
+        const stewart_real c181 = c180*inv_k3;
+        const stewart_real c182 = J_xz*inv_L;
+        const stewart_real c183 = c71*c83;
+        const stewart_real c184 = W_z*c168;
+        const stewart_real c185 = c15*c184;
+        const stewart_real c186 = c13*c49*k1;
+        const stewart_real tau_S_leg_21 = J_xy*c172 + c113*c165 + c116*c33 + c128*c33 + REAL(6)*c131*c146*c22
+            + c138*c22*c33 + c141 + c149 + c150 + c152 + c153 + c154 + c155*k1 + c156 + c159*c177 + c166 + c169*c70
+            + c171 + c173*theta_dot + c175 + c176 + c178*c72 + c182*c183 + c185*c22 + c186*(REAL(3)*J_zz - REAL(3)*J_xx
+            - REAL(3)*J_yy) + c20*h_y + c83*h_z - axial*c11 - axial*c141 - axial*c156 - axial*c167 - c104 - c105
+            - c109 - c115*c161 - c123*c33 - REAL(6)*c124*inv_L - c127*h_y - c133*c2 - c136*c33 - REAL(2)*c143
+            - c144*c145 - REAL(2)*c147 - c148 - c158*c159 - c160*c70 - c162*g_k - c164*gamma_n - c167*c71 - c168*c170
+            - c169*c90 - c181*c70;
+        const stewart_real c187 = h_y*own_y;
+        const stewart_real c188 = REAL(2)*c187;
+        const stewart_real c189 = axial*c187;
+        const stewart_real c190 = c145*c168;
+        const stewart_real c191 = REAL(2)*own_z;
+        const stewart_real c192 = W_z*c125;
+        const stewart_real c193 = axial*c59;
+        const stewart_real c194 = J_xy*own_y;
+        const stewart_real c195 = c194*c33;
+        const stewart_real c196 = J_xz*c191;
+        const stewart_real c197 = c196*c33;
+        const stewart_real c198 = c2*c87;
+        const stewart_real c199 = c33*c74;
+        const stewart_real c200 = c142*inv_k3;
+        const stewart_real c201 = c28*k1;
+        const stewart_real c202 = J_yz*c37;
+        const stewart_real c203 = c13*c146;
+        const stewart_real c204 = L_ddot*c18;
+        const stewart_real c205 = axial*c198;
+        const stewart_real c206 = c178*c2;
+        const stewart_real c207 = c20*h_z;
+        const stewart_real c208 = c129*c25;
+        const stewart_real c209 = c15*c168;
+        const stewart_real c210 = c209*theta_dot;
+        const stewart_real c211 = J_xz*c15;
+        const stewart_real c212 = c19*c211;
+        const stewart_real c213 = c71*own_z;
+        const stewart_real c214 = REAL(2)*c182;
+        const stewart_real c215 = c121*c146;
+        const stewart_real c216 = c146*c42;
+        const stewart_real c217 = c13*c95;
+        const stewart_real c218 = REAL(2)*c217;
+        const stewart_real c219 = c140*w_k_omega;
+        const stewart_real c220 = c71*k1;
+        const stewart_real c221 = axial*c217;
+        const stewart_real c222 = c3*c95;
+        const stewart_real c223 = axial*c222;
+        const stewart_real c224 = c43*inv_L;
+        const stewart_real c225 = c157*c19;
+        const stewart_real c226 = J_xz*c225;
+        const stewart_real c227 = c204*k1;
+        const stewart_real c228 = axial*c227;
+        const stewart_real c229 = c165*gamma_y;
+        const stewart_real c230 = c130*c63;
+        const stewart_real c231 = c146*c3;
+        const stewart_real c232 = c142*c97;
+        const stewart_real c233 = c158*c98*inv_k3*inv_k3*inv_k3*inv_k3;
+        const stewart_real c234 = J_xx*c97;
+        const stewart_real c235 = L_ddot*c65;
+        const stewart_real c236 = REAL(2)*J_xz;
+        const stewart_real c237 = c213*c33;
+        const stewart_real c238 = c97*k1;
+        const stewart_real c239 = c33*net_z;
+        const stewart_real c240 = c70*k1;
+        const stewart_real c241 = c34*k1;
+        const stewart_real c242 = c2*c25;
+        const stewart_real c243 = c83*c97;
+        const stewart_real c244 = REAL(2)*c97;
+        const stewart_real c245 = axial*c219;
+        const stewart_real c246 = c177*c98;
+        const stewart_real c247 = c13*c33;
+        const stewart_real c248 = J_xy*c247;
+        const stewart_real c249 = J_xy*c3;
+        const stewart_real c250 = c249*c33;
+        const stewart_real c251 = c174*theta_dot;
+        const stewart_real c252 = c71*c87;
+        const stewart_real c253 = axial*c2;
+        const stewart_real c254 = c88*theta_dot;
+        const stewart_real c255 = axial*c97;
+        const stewart_real c256 = axial*c224;
+        const stewart_real c257 = -REAL(2)*J_zz;
+        const stewart_real c258 = c257 + c98;
+        const stewart_real c259 = J_xy*c163;
+        const stewart_real c260 = c259*c3;
+        const stewart_real c261 = c248*k1;
+        const stewart_real c262 = c144 + c258;
+        const stewart_real c263 = W_z*c15;
+        const stewart_real tau_S_leg_22 = W_z*c157*c258 + axial*c246 + c100*c200 + c135*c146 + c137*c170 + c146*c58
+            + c168*c186 + c168*c22*c63 + c177*(-REAL(4)*J_xx - c144 - c257) + c182*c191 + c188*c71 + c189 + c190
+            + c193 + c195*c71 + c198 + c199*c71 + c201*inv_k3 + REAL(2)*c203 + c204*c46*inv_k3 + c205 + c206
+            + c207*c22 + c208*c22 + c210*c71 + REAL(2)*c211*c72 + c216*c71 + c219*c220 + c22*c242*c70 + c22*c251
+            + c220*c224 + c221*inv_k3 + c223*inv_k3 + c226*c238 + c230 + c231*c71 + c232*c240 + c233 + c234*c241
+            + c236*c237 + c243*c95 + c244*c260 + c254*c255 + c261*c97 + c59*c71 - axial*c233 - c100*c232 - c140*inv_k3*w_n_omega
+            - c146*c183 - c158*c255*c68 - c160*c253*c71 - c163*c234*own_z - c172*c78 - c179*c45 - c188 - c189*c71
+            - c190*c71 - c192 - c193*c71 - c195 - c197 - c199 - c202 - c207*c238 - c210 - c212 - c213*c214 - c215
+            - c216 - c218*inv_k3 - c22*c226 - c22*c229 - c22*c248 - c22*c250 - c22*c262*c263 - c220*c239 - c220*c245
+            - c220*c256 - c221*c97 - c222*c244 - c228*inv_k3 - c235*inv_k3 - c243*c259 - c252*c253 - c48 - c61*c92*c96
+            - c71*c74*inv_L;
+        const stewart_real c264 = c13*c151;
+        const stewart_real c265 = c14*c61;
         const stewart_real tau_S_leg_23 = C_us*L_dot*c14 + REAL(2)*J_xy*L_dot*W_z*c14 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
-            + J_xy*c49*inv_L*own_z + J_yy*L_ddot*c14 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c49*h_y*inv_L + REAL(4)*W_z*c137*h_y*k1*theta_dot + REAL(2)*c13*c137*h_z*k1
-            + c13*c164*c49*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c109*c49*c69 - c12 - c13*c26 - c13*c85
-            - c133*c161 - c137*c163 - REAL(2)*c147*c162 - c153*c26 - c157*c93 - c158*c39 - c159*c49 - c17*c2
-            - c47*c79 - c49*c62*c81 - c54*c62 - c90*g_k*w_z;
-        const stewart_real c165 = c26*k3;
-        const stewart_real c166 = c165*own_z;
-        const stewart_real c167 = c91*gamma_y;
-        const stewart_real c168 = c73*h_y;
-        const stewart_real c169 = J_xx*inv_k3;
-        const stewart_real c170 = c169*inv_L;
-        const stewart_real c171 = REAL(2)*J_xz;
-        const stewart_real c172 = c81*k3;
-        const stewart_real c173 = c135*inv_k3;
-        const stewart_real c174 = J_xz*c19;
-        const stewart_real c175 = REAL(4)*c87;
-        const stewart_real c176 = REAL(2)*k3;
-        const stewart_real c177 = c176*c97;
-        const stewart_real c178 = W_z*c165;
-        const stewart_real c179 = c90*own_z;
-        const stewart_real c180 = J_yz*k3;
-        const stewart_real c181 = c49*k1;
-        const stewart_real c183 = -W_z*c149*k3;
-        const stewart_real tau_S_leg_31 = J_xx*c160*c181 + axial*c166 + c100*c178 + c110*theta_dot + c112*c162
-            + c127*c90 + c13*c177 + c130*k1 + c15*c183 + c167 + c168 + c174*c175 + c177*c3 + c179*(J_xx + c148)
-            + c180*c55 + c30*k3 - axial*c167 - c108*c116 - c108*c121 - c113*k1 - c118 - c138*c2 - c145*c171
-            - c166 - c170*own_z - c172*own_y - c173*theta_dot - REAL(2)*c73*c97;
-        const stewart_real c184 = k3*own_z;
-        const stewart_real c185 = c93*gamma_n;
-        const stewart_real c186 = c171*inv_k3;
-        const stewart_real c187 = c108*c61;
-        const stewart_real c188 = c108*c88;
-        const stewart_real c189 = c67*theta_dot;
-        const stewart_real c190 = c2*k3;
-        const stewart_real c191 = c112*inv_L;
-        const stewart_real c192 = c67*k1;
-        const stewart_real c193 = J_xx - J_zz;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c14*c49*k1*theta_dot + REAL(2)*J_xx*c137*c3*inv_L
-            + REAL(2)*J_xx*c45*c46*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c14*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c14*inv_k3*theta_dot
-            + REAL(2)*J_xz*c3*c49*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c45*c46*k1 + REAL(2)*J_xz*inv_L*k3*own_y
-            + J_yz*inv_L*k1*own_z + L_ddot*c14*c193*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c49*h_y*k1*theta_dot
-            + axial*c13*c72*inv_L*k3 + axial*c7*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c13*c164*inv_L*inv_k3
-            + REAL(2)*c13*c49*h_z*k1 + c13*inv_L*k3*(J_xx - J_yy) + REAL(2)*c14*c45*h_x*k3 + c164*inv_L*k1*own_y
-            + REAL(2)*c3*h_x*k3 + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
-            + REAL(2)*h_z*inv_k3*own_y - C_us*c15*inv_k3 - J_xx*c107*c122 - J_xz*c108*c31 - L_ddot*c165*inv_L
-            - W_z*c188 - axial*c13*c72*inv_L*inv_k3 - axial*c157*c91 - axial*c185 - REAL(2)*c109*c19 - REAL(2)*c12*k3
-            - c122*c86 - c125*c2*c68 - c143*c191 - c147*c15*c69 - c149*c45*c46*k3 - c153*c192 - c156*c188 - c159*inv_k3
-            - c163*c49 - c163 - c169*c31 - c170*c3 - c172*c62 - c181*c78 - c184*c97 - c185*c7 - c186*c80 - c187*c49
-            - c187 - c189*c190 - c193*c3*inv_L*k3 - c84*k1 - fall_T_x*k3*m_u;
-        const stewart_real c195 = J_xx*c145;
-        const stewart_real c196 = c156*k1;
-        const stewart_real c197 = J_xy*k3;
-        const stewart_real c198 = c171*c19;
-        const stewart_real c199 = REAL(2)*c180;
-        const stewart_real c200 = c13*c49;
-        const stewart_real c201 = c112*c196;
-        const stewart_real tau_S_leg_33 = c113*k3 + c114*k3 + c115*k3 + c120*k3 + c121*c176 + c129*c175*k1 + c132*gamma_y
-            + c134 + c136*k1*theta_dot + c147*c55 + c151*c3 + c160*c169 + c171*c179 + c173*c2 + c183*c87 + c195*c49
-            + c195 + c196*c77 + c200*c98 - J_xx*c161 - W_z*c141 - c108*c146*c49 - c119 - c123 - c126*own_z - c127*c39
-            - c135*c190 - c139 - c15*c198 - c15*c201 - c150 - c176*c41 - c197*c55 - c199*c47 - c200*c53;
+            + J_xy*c71*inv_L*own_z + J_yy*L_ddot*c14 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c71*h_y*inv_L + REAL(4)*W_z*c97*h_y*k1*theta_dot + c13*c137*c71*inv_L + REAL(2)*c13*c97*h_z*k1
+            + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - J_xy*c225*c238 - c103*c146 - c115*c163 - c117*c96 - c12
+            - c128*c163*c97 - c13*c25 - c144*c63 - c155*k3 - c164*g_k - c17*c2 - c175*c22 - c209*c72 - c213*h_y
+            - c25*c265 - c264 - net_x;
+        const stewart_real c266 = c95*own_y;
+        const stewart_real c267 = c25*k3;
+        const stewart_real c268 = c267*own_z;
+        const stewart_real c269 = c204*k3;
+        const stewart_real c270 = REAL(2)*own_y;
+        const stewart_real c271 = J_xz*c163;
+        const stewart_real c272 = c146*k3;
+        const stewart_real c273 = J_xx*inv_k3;
+        const stewart_real c274 = c16*inv_k3;
+        const stewart_real c275 = h_y*k3;
+        const stewart_real c276 = c13*c275;
+        const stewart_real c277 = c275*c3;
+        const stewart_real c278 = REAL(6)*c158;
+        const stewart_real c279 = c2*c31;
+        const stewart_real c280 = c279*c95;
+        const stewart_real c281 = c87*inv_k3;
+        const stewart_real c282 = axial*theta_dot;
+        const stewart_real c283 = J_xy*c83;
+        const stewart_real c284 = c146*k1;
+        const stewart_real c285 = J_xy*inv_k3;
+        const stewart_real c286 = c157*inv_k3;
+        const stewart_real c287 = J_xz*c132;
+        const stewart_real c288 = W_z*c267;
+        const stewart_real c289 = c98*inv_k3;
+        const stewart_real c290 = c33*k3;
+        const stewart_real c291 = c174*k3;
+        const stewart_real c292 = J_xx*k1;
+        const stewart_real c293 = c161*own_z;
+        const stewart_real c294 = axial*k1;
+        const stewart_real c296 = -c258*k3;
+        const stewart_real tau_S_leg_31 = J_xz*c278*inv_k3 + axial*c268 + axial*c276 + axial*c277 + c13*c274
+            + REAL(3)*c161*c249 + c161*c283 + c162*gamma_y + REAL(6)*c177*c292 + c195*k1 + c197*k1 + c199*k1
+            + c200*c70 + c210*k1 + c212*k1 + c215*k1 + c216*k1 + c219 + c224 + c247*c285 + c253*c288 + c258*c293
+            + c263*c289 + c263*c296 + c266 + c269 + c272*c57 + c273*c34 + c28*k3 + c280 + c281*c282 + c291*theta_dot
+            + c60 - axial*c266 - axial*c269 - axial*c280 - axial*c286*c287 - c121*h_y*inv_k3 - c132*c200 - c163*c74
+            - c193*k1 - c207*inv_k3 - c229*k3 - REAL(3)*c231*k1 - c239 - c245 - c246*c294 - c248*k3 - c249*c290
+            - c253*c88 - c256 - c259*c270 - c268 - c270*c272 - REAL(4)*c271*own_z - c276 - c277 - c283*c49 - c284*c83
+            - c34*c78*k3 - c49*c98*own_z;
+        const stewart_real c297 = gamma_n*w_x;
+        const stewart_real c298 = c86*k1;
+        const stewart_real c299 = c109*c46;
+        const stewart_real c300 = J_xx*c49;
+        const stewart_real c301 = c86*theta_dot;
+        const stewart_real c302 = c169*k1;
+        const stewart_real c303 = REAL(4)*k1;
+        const stewart_real tau_S_leg_32 = C_s*axial*inv_L*k1*w_y_omega + C_us*inv_L*k1*theta_dot + REAL(2)*J_xx*L_dot*c14*c71*k1*theta_dot
+            + REAL(2)*J_xx*c3*c97*inv_L + REAL(2)*J_xx*c61*c62*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c14*k3 + REAL(2)*J_xy*W_z*axial*c71*inv_L*k1*theta_dot
+            + J_xy*axial*inv_L*k3*own_z + REAL(2)*J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c14*inv_k3*theta_dot
+            + J_xz*axial*c13*c71*inv_L*k1 + REAL(2)*J_xz*c3*c71*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c61*c62*k1
+            + REAL(2)*J_xz*inv_L*k3*own_y + REAL(2)*J_yz*W_z*axial*inv_L*inv_k3*theta_dot + REAL(2)*J_yz*inv_L*k1*own_z
+            + L_ddot*c14*c78*k3 + REAL(3)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*axial*h_y*k1*theta_dot + REAL(4)*W_z*c71*h_y*k1*theta_dot
+            + axial*c13*c137*inv_L*k3 + REAL(2)*axial*c13*h_z*k1 + axial*c7*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u
+            + axial*g_k*inv_L*w_z + axial*h_y*inv_k3*own_z + axial*inv_L*k1*net_y + REAL(3)*c13*c71*h_z*k1 + c13*inv_L*inv_k3*(J_yy
+            + c98 - J_zz) + c137*inv_L*k1*own_y + REAL(2)*c14*c61*h_x*k3 + REAL(2)*c3*h_x*k3 + c7*g_k*inv_L*w_z
+            + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_n*inv_L*k1*k3*w_z + gamma_y*inv_L*inv_k3*w_y
+            + h_y*k3*own_z + REAL(2)*h_z*inv_k3*own_y + k3*net_x - C_us*c15*inv_k3 - J_xy*c177*c303 - J_xz*c270*c49
+            - L_ddot*c267*inv_L - axial*c103*c95 - axial*c117*c272 - axial*c13*c137*inv_L*inv_k3 - axial*c275*own_z
+            - c113*c290*w_z - c117*c146*inv_k3 - c117*c95 - REAL(2)*c12*k3 - c122*c33*c7 - c124*c33*c46 - c13*c298
+            - c13*c99*inv_L - c141*k1 - c143*c71*k1 - c149*k1 - c150*k1 - c152*k1 - c153*k1 - c154*k1 - c155
+            - c163*c81*own_y - c166*k1 - c168*c293 - c171*k1 - c175*k1 - c176*k1 - c183*c271 - c185*inv_k3 - c2*c301*k3
+            - c258*c61*c62*k3 - c264*k3 - c265*c298 - c273*c37 - c274*own_z - c285*c34 - c297*c33 - c297*c7*inv_L
+            - c299*c71 - c299 - c3*c300 - c3*c78*inv_L*k3 - c302*c70 - c37*c68 - fall_T_x*k3*m_u;
+        const stewart_real c304 = c275*own_y;
+        const stewart_real c305 = c275*c279;
+        const stewart_real c306 = c13*c259;
+        const stewart_real c307 = axial*c158;
+        const stewart_real c308 = c142*c72;
+        const stewart_real c309 = c163*c98;
+        const stewart_real tau_S_leg_33 = axial*c177*c68 + c121*c272 + c127*h_z*k1 + c158*c296 + c189*inv_k3
+            + c192*k3 + c193*inv_k3 + c194*c49 + c195*k3 + c196*c49 + c197*k3 + c199*k3 + c202*k3 + c203*inv_k3
+            + c206*inv_k3 + c213*c309 + c217 + c22*c239 + c22*c245 + c22*c256 + c221*c71 + c222 + c226*k1 + c228
+            + c229*k1 + c231*inv_k3 + c235 + c241*c78 + c250*k1 + c251*k1 + c253*c281 + c260 + c261 + c272*c3
+            + c272*c42 + c273*c278 + c304 + c305 + REAL(2)*c306*c71 + c307*c99 + c308*c46 + c49*c74 - REAL(4)*J_xz*c177*k1
+            - axial*c304 - axial*c305 - c13*c272 - c132*c211*inv_k3 - c15*c168*k3*theta_dot - c15*c72*c98*k1
+            - c160*c2*inv_k3 - c168*c63*k1 - c187*inv_k3 - c193*k3 - c195*inv_k3 - c197*inv_k3 - c199*inv_k3
+            - c201 - c205*k3 - c208*k1 - c215*inv_k3 - c216*inv_k3 - c218*c71 - c219*c22 - c22*c224 - c220*c248
+            - c221 - c223 - c227 - c230*k3 - c234*c278 - c237*c292 - c240*c242 - c252*c282*k1 - c254 - c284*c57
+            - c289*c307 - c294*c308 - c306 - c59*inv_k3;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -5615,26 +5783,22 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c18*c69 - c37;
-        const stewart_real c202 = c108*c18;
-        const stewart_real tau_S_dot_leg_12 = c15*c16 + c202*inv_k3*theta_dot + c21*c35 - W_z*c27;
-        const stewart_real tau_S_dot_leg_13 = c15*c67 + c26*c87 - c19*c202;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c151*c19 - c68 - c69*c81 - c79*c87;
-        const stewart_real c203 = c108*c81;
-        const stewart_real c204 = c203*theta_dot;
+        const stewart_real tau_S_dot_leg_11 = C_p + c132*c18 - c32;
+        const stewart_real c310 = c47*inv_k3;
+        const stewart_real tau_S_dot_leg_12 = c15*c16 + c19*c24 + c310*theta_dot - W_z*c26;
+        const stewart_real tau_S_dot_leg_13 = c15*c86 + c157*c25 - W_z*c310;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c125 - c132*c146 - c144*c157 - c184*c50;
         const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
-            + W_z*c154*inv_L*inv_k3*k1 + REAL(2)*W_z*c49*h_z + REAL(2)*c49*h_y*theta_dot - c103 - c107*c152
-            - c110*inv_k3 - c135 - c204*inv_k3 - REAL(2)*c49*c88 - c82;
-        const stewart_real c205 = c69*c97;
-        const stewart_real tau_S_dot_leg_23 = c101 + c140 + c17 + c19*c203 + c205*c49 - c17*c49 - c189 - c205
-            - c77;
-        const stewart_real tau_S_dot_leg_31 = W_z*c149*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c129*c96*k1 - c172*c36
-            - c178 - c188 - c19*c191;
+            + W_z*c262*inv_L*inv_k3*k1 + REAL(2)*W_z*c71*h_z + REAL(2)*c71*h_y*theta_dot - c160 - c169*c71 - c174
+            - c181 - c209*c22 - c214*c72 - c87;
+        const stewart_real tau_S_dot_leg_23 = W_z*c179*inv_k3 + c168*c72*inv_L + c17 + c173 + c242 - c142 - c17*c71
+            - c184*inv_L - c301;
+        const stewart_real tau_S_dot_leg_31 = W_z*c258*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c49*c98 - c19*c271
+            - c272*c31 - c288 - c302;
         const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
-            + L_dot*c14*c149*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c177 - c112*c15*inv_k3
-            - c112*c181*c87 - c131*c52 - c165*c2 - c17*inv_k3 - c186*c87;
-        const stewart_real tau_S_dot_leg_33 = c110 + c112*c156*c39 + c15*c199 + REAL(2)*c197*c87 + c198*inv_L
-            - c173 - c204;
+            + L_dot*c14*c258*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - c15*c289 - c157*c220*c98
+            - c161*c184 - c17*inv_k3 - c2*c267 - c211*c303 - c236*c286;
+        const stewart_real tau_S_dot_leg_33 = c169*k3 + c209*k1 + c287*c49 + c291 + c309*c72 - c180 - c281;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
         const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
@@ -5646,14 +5810,13 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
         const stewart_real tau_S_ddot_leg_12 = -c18;
-        const stewart_real tau_S_ddot_leg_13 = -c35;
-        const stewart_real tau_S_ddot_leg_22 = c81 + c99 - c54;
-        const stewart_real c206 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c206 - c26 - c85;
-        const stewart_real c207 = h_y*k3;
-        const stewart_real tau_S_ddot_leg_31 = -c207;
-        const stewart_real tau_S_ddot_leg_32 = c165 + c170 + c171*c39 + c206*k3 - c192 - c193*c90;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c172 - c98;
+        const stewart_real tau_S_ddot_leg_13 = -c23;
+        const stewart_real tau_S_ddot_leg_22 = J_xy*c50 + c146 - c96;
+        const stewart_real c311 = L*m_u;
+        const stewart_real tau_S_ddot_leg_23 = -c151 - c25 - c311;
+        const stewart_real tau_S_ddot_leg_31 = -c275;
+        const stewart_real tau_S_ddot_leg_32 = c267 + REAL(2)*c271 + c300 + c311*k3 - c161*c78 - c298;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c259 - c272;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
         const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
@@ -5691,87 +5854,25 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real c208 = REAL(1) - axial;
-        const stewart_real c209 = axial*net_z + c208*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c13*inv_k3
-            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c13*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
-            + L*c13*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c184 - L*c108*c41 - L*c168
-            - L*c38*k1 - L_ddot*c207 - L_dot*c138 - L_dot*c36*c53 - c13*c197 - c174*c36 - c197*c3 - c201*theta_dot
-            - gamma_n*w_y);
-        const stewart_real c210 = c209*inv_rho*inv_rho;
-        const stewart_real bent_leg_12 = -c210*k3;
-        const stewart_real c211 = J_xy*c62;
-        const stewart_real c212 = axial*net_y + c208*(C_us*theta_dot + J_xx*c74 + J_yz*own_z + L*c104 + L*c105
-            + c106 + c124*c133 + c158*k3 + c211 + c60 - C_s*w_y_omega - REAL(2)*L*c23 - L*c54*own_z - L*c83
-            - c147*c19*c36 - c157*w_z - c211*c49 - c49*c95);
-        const stewart_real c213 = c14*c212;
-        const stewart_real bent_leg_13 = c213;
-        const stewart_real c214 = inv_L*inv_rho;
-        const stewart_real c215 = c209*c214;
-        const stewart_real bent_leg_21 = -c215;
-        const stewart_real c216 = inv_rho*k3;
-        const stewart_real bent_leg_22 = c212*c214*k1 + c216*net_x;
-        const stewart_real bent_leg_23 = c215*kappa;
-        const stewart_real bent_leg_31 = c213;
-        const stewart_real bent_leg_32 = c210*k1;
-        const stewart_real bent_leg_33 = inv_L*net_x;
-        const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
-        const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
-        const stewart_real bent_T_xz = bent_leg_13*s_x + bent_leg_23*y_x + bent_leg_33*z_x;
-        const stewart_real bent_T_ys = bent_leg_21*y_y + bent_leg_31*z_y;
-        const stewart_real bent_T_yy = bent_leg_12*s_y + bent_leg_22*y_y + bent_leg_32*z_y;
-        const stewart_real bent_T_yz = bent_leg_13*s_y + bent_leg_23*y_y + bent_leg_33*z_y;
-        const stewart_real bent_T_zs = bent_leg_21*y_z + bent_leg_31*z_z;
-        const stewart_real bent_T_zy = bent_leg_12*s_z + bent_leg_22*y_z + bent_leg_32*z_z;
-        const stewart_real bent_T_zz = bent_leg_13*s_z + bent_leg_23*y_z + bent_leg_33*z_z;
-        /* force by S as the rows turn */
-        const stewart_real bent_xx = bent_T_xs*s_x + bent_T_xy*y_x + bent_T_xz*z_x;
-        const stewart_real bent_xy = bent_T_xs*s_y + bent_T_xy*y_y + bent_T_xz*z_y;
-        const stewart_real bent_xz = bent_T_xs*s_z + bent_T_xy*y_z + bent_T_xz*z_z;
-        const stewart_real bent_yx = bent_T_ys*s_x + bent_T_yy*y_x + bent_T_yz*z_x;
-        const stewart_real bent_yy = bent_T_ys*s_y + bent_T_yy*y_y + bent_T_yz*z_y;
-        const stewart_real bent_yz = bent_T_ys*s_z + bent_T_yy*y_z + bent_T_yz*z_z;
-        const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
-        const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
-        const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
-        const stewart_real c217 = bent_xy*q_z;
-        const stewart_real c218 = bent_xz*q_y;
-        const stewart_real Z_xx = c218 - c217;
-        const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
-        const stewart_real c219 = bent_xx*q_y;
-        const stewart_real Z_xz = bent_xy*q_x - c219;
-        const stewart_real c220 = bent_yy*q_z;
-        const stewart_real Z_yx = bent_yz*q_y - c220;
-        const stewart_real c221 = bent_yx*q_z;
-        const stewart_real c222 = -bent_yz*q_x;
-        const stewart_real Z_yy = c221 + c222;
-        const stewart_real c223 = -bent_yy*q_x;
-        const stewart_real Z_yz = -bent_yx*q_y - c223;
-        const stewart_real c224 = -bent_zz*q_y;
-        const stewart_real Z_zx = -bent_zy*q_z - c224;
-        const stewart_real c225 = bent_zz*q_x;
-        const stewart_real Z_zy = bent_zx*q_z - c225;
-        const stewart_real c226 = bent_zx*q_y;
-        const stewart_real c227 = bent_zy*q_x;
-        const stewart_real Z_zz = c227 - c226;
-        const stewart_real G_dot_21 = -c87;
-        const stewart_real c228 = k1*phi_dot;
-        const stewart_real G_dot_22 = c228*inv_L;
+        const stewart_real G_dot_21 = -c157;
+        const stewart_real G_dot_22 = c163*phi_dot;
         const stewart_real G_dot_23 = c15;
-        const stewart_real G_dot_31 = -c216*phi_dot;
-        const stewart_real c229 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c2*inv_rho - c229*kappa;
-        const stewart_real G_dot_33 = c228*inv_rho;
-        const stewart_real c230 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c230;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c216*theta_dot);
-        const stewart_real f_S_leg_13 = G_dot_33*c230;
+        const stewart_real c312 = inv_rho*phi_dot;
+        const stewart_real G_dot_31 = -c312*k3;
+        const stewart_real c313 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c313*kappa;
+        const stewart_real G_dot_33 = c312*k1;
+        const stewart_real c314 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c314;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c313*k3);
+        const stewart_real f_S_leg_13 = G_dot_33*c314;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c231 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c231;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c229*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c231;
+        const stewart_real c315 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c315;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c313*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c315;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -5791,9 +5892,9 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c230*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c117;
-        const stewart_real f_S_dot_leg_32 = C_s*c216;
+        const stewart_real f_S_dot_leg_12 = c314*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c140;
+        const stewart_real f_S_dot_leg_32 = c315*inv_rho;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -5810,18 +5911,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c232 = R_tip_y*q_y;
-        const stewart_real c233 = R_tip_z*q_z;
-        const stewart_real c234 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c235 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c236 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c237 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c238 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c239 = R_tip_x*q_x;
-        const stewart_real c240 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c241 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c242 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c243 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c316 = R_tip_y*q_y;
+        const stewart_real c317 = R_tip_z*q_z;
+        const stewart_real c318 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c319 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c320 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c321 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c322 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c323 = R_tip_x*q_x;
+        const stewart_real c324 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c325 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c326 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c327 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5843,42 +5944,42 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[18][l] = REAL(0);
         out->sum[19][l] = REAL(0);
         out->sum[20][l] = REAL(0);
-        out->sum[21][l] = bent_xx;
-        out->sum[22][l] = bent_xy;
-        out->sum[23][l] = bent_xz;
-        out->sum[24][l] = bent_yx;
-        out->sum[25][l] = bent_yy;
-        out->sum[26][l] = bent_yz;
-        out->sum[27][l] = bent_zx;
-        out->sum[28][l] = bent_zy;
-        out->sum[29][l] = bent_zz;
-        out->sum[30][l] = Z_xx;
-        out->sum[31][l] = Z_xy;
-        out->sum[32][l] = Z_xz;
-        out->sum[33][l] = Z_yx;
-        out->sum[34][l] = Z_yy;
-        out->sum[35][l] = Z_yz;
-        out->sum[36][l] = Z_zx;
-        out->sum[37][l] = Z_zy;
-        out->sum[38][l] = Z_zz;
-        out->sum[39][l] = c226 - c221 - f_S_xx;
-        out->sum[40][l] = bent_zy*q_y - c220 - f_S_xy;
-        out->sum[41][l] = -bent_yz*q_z - c224 - f_S_xz;
-        out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
-        out->sum[43][l] = c217 - c227 - f_S_yy;
-        out->sum[44][l] = bent_xz*q_z - c225 - f_S_yz;
-        out->sum[45][l] = bent_yx*q_x - c219 - f_S_zx;
-        out->sum[46][l] = -bent_xy*q_y - c223 - f_S_zy;
-        out->sum[47][l] = -c218 - c222 - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c235*q_z - Z_yx*q_z - c232 - c233 - c234*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c234*q_x - Z_yy*q_z - c236*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c236*q_y - Z_yz*q_z - c235*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c237*q_z - Z_zx*q_x - c238*q_y;
-        out->sum[52][l] = Z_xy*q_z + c238*q_x - Z_zy*q_x - c233 - c239 - c240*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c240*q_y - Z_zz*q_x - c237*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c241*q_z - Z_xx*q_y - c242*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c242*q_x - Z_xy*q_y - c243*q_z;
-        out->sum[56][l] = Z_yz*q_x + c243*q_y - Z_xz*q_y - c232 - c239 - c241*q_x;
+        out->sum[21][l] = REAL(0);
+        out->sum[22][l] = REAL(0);
+        out->sum[23][l] = REAL(0);
+        out->sum[24][l] = REAL(0);
+        out->sum[25][l] = REAL(0);
+        out->sum[26][l] = REAL(0);
+        out->sum[27][l] = REAL(0);
+        out->sum[28][l] = REAL(0);
+        out->sum[29][l] = REAL(0);
+        out->sum[30][l] = REAL(0);
+        out->sum[31][l] = REAL(0);
+        out->sum[32][l] = REAL(0);
+        out->sum[33][l] = REAL(0);
+        out->sum[34][l] = REAL(0);
+        out->sum[35][l] = REAL(0);
+        out->sum[36][l] = REAL(0);
+        out->sum[37][l] = REAL(0);
+        out->sum[38][l] = REAL(0);
+        out->sum[39][l] = -f_S_xx;
+        out->sum[40][l] = -f_S_xy;
+        out->sum[41][l] = -f_S_xz;
+        out->sum[42][l] = -f_S_yx;
+        out->sum[43][l] = -f_S_yy;
+        out->sum[44][l] = -f_S_yz;
+        out->sum[45][l] = -f_S_zx;
+        out->sum[46][l] = -f_S_zy;
+        out->sum[47][l] = -f_S_zz;
+        out->sum[48][l] = c319*q_z - c316 - c317 - c318*q_y;
+        out->sum[49][l] = R_tip_y*q_x + c318*q_x - c320*q_z;
+        out->sum[50][l] = R_tip_z*q_x + c320*q_y - c319*q_x;
+        out->sum[51][l] = R_tip_x*q_y + c321*q_z - c322*q_y;
+        out->sum[52][l] = c322*q_x - c317 - c323 - c324*q_z;
+        out->sum[53][l] = R_tip_z*q_y + c324*q_y - c321*q_x;
+        out->sum[54][l] = R_tip_x*q_z + c325*q_z - c326*q_y;
+        out->sum[55][l] = R_tip_y*q_z + c326*q_x - c327*q_z;
+        out->sum[56][l] = c327*q_y - c316 - c323 - c325*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -6029,6 +6130,7 @@ static slopes_found slopes_apart(
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
+    stewart_real held[6];
     stewart_real rest[24];
     stewart_real right[6];
     const apart_found apart = forward_apart(model, motion, F, &by);
@@ -6071,7 +6173,8 @@ static slopes_found slopes_apart(
         for (i = 0; i < 6; ++i) {
             wrench[i] = out.A[24*i + (c + 6)];
         }
-        row_right(&by, force, wrench, start, rest, right);
+        by_rows(&by, wrench, held);
+        row_right(&by, force, held, start, rest, right);
         for (i = 0; i < 6; ++i) {
             starts[c][i] = start[i];
             out.A[24*i + (c + 6)] = right[i];
