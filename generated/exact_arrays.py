@@ -2741,21 +2741,29 @@ def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
     for k in range(5, -1, -1):
         for j in range(6, 8):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(8):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
@@ -3452,21 +3460,29 @@ def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 12
     for k in range(5, -1, -1):
         for j in range(6, 12):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 12):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 12
+    for j in range(12):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(12):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
@@ -4989,21 +5005,29 @@ def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 24
     for k in range(5, -1, -1):
         for j in range(6, 24):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 24):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 24
+    for j in range(24):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(24):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:

@@ -85,6 +85,20 @@
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
 
+/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
+#if defined(__GNUC__) && defined(__AVX__)
+#define STEWART_ALIGNED __attribute__((aligned(64)))
+#else
+#define STEWART_ALIGNED
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
+#endif
+
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
 STEWART_APART static void add_legs(
@@ -226,7 +240,7 @@ typedef struct {
     stewart_real H_dot_moment[3][LANES];
     leg_checks checked;
     int status;
-} equations_legs;
+} STEWART_ALIGNED equations_legs;
 
 /* The platform's part. */
 static void equations_of_pose(
@@ -1100,91 +1114,75 @@ static void place_blocks_6(
 /* Says where a number of a result is not finite. */
 static void check_equations(equations_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.M[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.C[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.M[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H_dot[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.C[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H_dot[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
-static equations_found find_equations(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_equations(
+    const stewart_exact_model *model, const stewart_motion *motion, equations_found *out)
 {
     int i, j;
-    equations_found out;
     equations_legs legs;
     stewart_real summed[69];
     equations_sums(model, motion, &legs, summed);
-    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out.of.M);
-    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out.of.C);
+    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out->of.M);
+    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out->of.C);
     for (i = 0; i < 3; ++i) {
-        out.of.g[i] = summed[57 + i];
-        out.of.g[i + 3] = summed[60 + i];
-        out.of.friction[i] = summed[63 + i];
-        out.of.friction[i + 3] = summed[66 + i];
+        out->of.g[i] = summed[57 + i];
+        out->of.g[i + 3] = summed[60 + i];
+        out->of.friction[i] = summed[63 + i];
+        out->of.friction[i + 3] = summed[66 + i];
         for (j = 0; j < 6; ++j) {
-            out.of.H[6*i + j] = legs.H_force[i][j];
-            out.of.H[6*(i + 3) + j] = legs.H_moment[i][j];
-            out.of.H_dot[6*i + j] = legs.H_dot_force[i][j];
-            out.of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
+            out->of.H[6*i + j] = legs.H_force[i][j];
+            out->of.H[6*(i + 3) + j] = legs.H_moment[i][j];
+            out->of.H_dot[6*i + j] = legs.H_dot_force[i][j];
+            out->of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
         }
     }
     for (i = 0; i < 6; ++i) {
-        stewart_real total_bias = out.of.g[i] + out.of.friction[i];
+        stewart_real total_bias = out->of.g[i] + out->of.friction[i];
         for (j = 0; j < 3; ++j) {
-            total_bias = total_bias + out.of.C[6*i + j]*motion->v[j] + out.of.C[6*i + (j + 3)]*motion->omega[j];
+            total_bias = total_bias + out->of.C[6*i + j]*motion->v[j] + out->of.C[6*i + (j + 3)]*motion->omega[j];
         }
-        out.of.bias[i] = total_bias;
+        out->of.bias[i] = total_bias;
     }
-    out.status = legs.status;
-    check_equations(&out);
-    return out;
+    out->status = legs.status;
+    check_equations(out);
 }
 
 int stewart_exact_equations(
@@ -1194,7 +1192,7 @@ int stewart_exact_equations(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_equations(model, motion);
+    find_equations(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -1209,7 +1207,7 @@ typedef struct {
     stewart_real sum[6][LANES];
     leg_checks checked;
     int status;
-} bias_legs;
+} STEWART_ALIGNED bias_legs;
 
 /* The platform's part. */
 static void bias_of_pose(
@@ -1474,29 +1472,30 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
 }
 
 /* C [v; omega] + g + friction without C. */
-static bias_found find_bias(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_bias(const stewart_exact_model *model, const stewart_motion *motion, bias_found *out)
 {
     int i;
-    bias_found out;
     bias_legs legs;
     stewart_real summed[6];
     bias_sums(model, motion, &legs, summed);
     for (i = 0; i < 3; ++i) {
-        out.bias[i] = summed[i];
-        out.bias[i + 3] = summed[3 + i];
+        out->bias[i] = summed[i];
+        out->bias[i + 3] = summed[3 + i];
     }
-    out.status = legs.status;
-    check_bias(&out);
-    return out;
+    out->status = legs.status;
+    check_bias(out);
 }
 
 int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
@@ -1505,7 +1504,7 @@ int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *m
     if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_bias(model, motion);
+    find_bias(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.bias, 6, bias);
     }
@@ -1521,7 +1520,7 @@ typedef struct {
     stewart_real F[LANES];
     leg_checks checked;
     int status;
-} forward_legs;
+} STEWART_ALIGNED forward_legs;
 
 /* The platform's part. */
 static void forward_of_pose(
@@ -1905,27 +1904,35 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[LANES];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 8; ++j) {
-            A[8*k + j] = A[8*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 8; ++j) {
+            row[j] = A[8*k + j]*inverse[k];
+            A[8*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[8*i + k];
-            for (j = 6; j < 8; ++j) {
-                A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+            STEWART_LOOP for (j = 6; j < 8; ++j) {
+                A[8*i + j] = A[8*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[LANES];
+    STEWART_LOOP for (j = 0; j < 8; ++j) {
+        row[j] = A[8*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[8*i + k]*inverse;
-        for (j = 0; j < 8; ++j) {
-            A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+        STEWART_LOOP for (j = 0; j < 8; ++j) {
+            A[8*i + j] = A[8*i + j] - factor*row[j];
         }
     }
 }
@@ -1957,15 +1964,12 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    if (out->status != STEWART_OK) {
+        return;
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+    for (i = 0; i < 6; ++i) {
+        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1984,7 +1988,7 @@ typedef struct {
     stewart_real tau[3][LANES];
     leg_checks checked;
     int status;
-} joint_rows_legs;
+} STEWART_ALIGNED joint_rows_legs;
 
 /* The platform's part. */
 static void joint_rows_of_pose(
@@ -2719,8 +2723,8 @@ static apart_found forward_apart(
     stewart_real rest[24];
     stewart_real held[6];
     stewart_real right[6];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2759,15 +2763,15 @@ static apart_found forward_apart(
 }
 
 /* Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read. */
-static forward_dynamics_found find_forward_dynamics(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    forward_dynamics_found *out)
 {
     int i;
-    forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2788,12 +2792,11 @@ static forward_dynamics_found find_forward_dynamics(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.acceleration[i] = A[8*i + 6];
-        out.acceleration[3 + i] = A[8*(i + 3) + 6];
+        out->acceleration[i] = A[8*i + 6];
+        out->acceleration[3 + i] = A[8*(i + 3) + 6];
     }
-    out.status = status == STEWART_OK ? fault : status;
-    check_forward_dynamics(&out);
-    return out;
+    out->status = status == STEWART_OK ? fault : status;
+    check_forward_dynamics(out);
 }
 
 int stewart_exact_forward_dynamics(
@@ -2804,7 +2807,7 @@ int stewart_exact_forward_dynamics(
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_forward_dynamics(model, motion, F);
+    find_forward_dynamics(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         copy(found.acceleration, 6, acceleration);
     }
@@ -2858,27 +2861,35 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[12];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 12; ++j) {
-            A[12*k + j] = A[12*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 12; ++j) {
+            row[j] = A[12*k + j]*inverse[k];
+            A[12*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[12*i + k];
-            for (j = 6; j < 12; ++j) {
-                A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+            STEWART_LOOP for (j = 6; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[12];
+    STEWART_LOOP for (j = 0; j < 12; ++j) {
+        row[j] = A[12*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[12*i + k]*inverse;
-        for (j = 0; j < 12; ++j) {
-            A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+        STEWART_LOOP for (j = 0; j < 12; ++j) {
+            A[12*i + j] = A[12*i + j] - factor*row[j];
         }
     }
 }
@@ -2899,7 +2910,7 @@ static int solve_pivoted_12(stewart_real A[72])
             most = entry > most ? entry : most;
         }
         if (pivot != k) {
-            for (j = 0; j < 12; ++j) {
+            STEWART_LOOP for (j = 0; j < 12; ++j) {
                 const stewart_real upper = A[12*k + j];
                 A[12*k + j] = A[12*pivot + j];
                 A[12*pivot + j] = upper;
@@ -2916,15 +2927,15 @@ static int solve_pivoted_12(stewart_real A[72])
 /* Says where a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->inertia[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->inertia[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -3035,14 +3046,13 @@ static int columns_status(
 }
 
 /* Inertia that the actuators feel, H^-1 M H^-T. */
-static joint_inertia_found find_joint_inertia(
-    const stewart_exact_model *model, const stewart_motion *motion)
+static void find_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
     int i, j;
-    joint_inertia_found out;
     equations_legs legs;
     stewart_real summed[69];
-    stewart_real A[72];
+    STEWART_ALIGNED stewart_real A[72];
     stewart_real half[6][6];
     equations_sums(model, motion, &legs, summed);
     int status = legs.status;
@@ -3077,12 +3087,11 @@ static joint_inertia_found find_joint_inertia(
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
+            out->inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
         }
     }
-    out.status = status;
-    check_joint_inertia(&out);
-    return out;
+    out->status = status;
+    check_joint_inertia(out);
 }
 
 int stewart_exact_joint_inertia(
@@ -3092,7 +3101,7 @@ int stewart_exact_joint_inertia(
     if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_joint_inertia(model, motion);
+    find_joint_inertia(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.inertia, 36, inertia);
     }
@@ -3100,15 +3109,13 @@ int stewart_exact_joint_inertia(
 }
 
 /* Actuator forces. */
-static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_forces(const stewart_exact_model *model, const stewart_motion *motion, forces_found *out)
 {
     int i;
-    forces_found out;
     for (i = 0; i < 6; ++i) {
-        out.F[i] = REAL(0);
+        out->F[i] = REAL(0);
     }
-    out.status = stewart_exact_forces(model, motion, out.F);
-    return out;
+    out->status = stewart_exact_forces(model, motion, out->F);
 }
 
 typedef struct {
@@ -3122,7 +3129,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} derivatives_legs;
+} STEWART_ALIGNED derivatives_legs;
 
 /* The platform's part. */
 static void derivatives_of_pose(
@@ -4796,27 +4803,35 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[24];
     for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[24*k + j] = A[24*k + j]*inverse[k];
+            row[j] = A[24*k + j]*inverse[k];
+            A[24*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[24*i + k];
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+                A[24*i + j] = A[24*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[24];
+    for (j = 0; j < 24; ++j) {
+        row[j] = A[24*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[24*i + k]*inverse;
         for (j = 0; j < 24; ++j) {
-            A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+            A[24*i + j] = A[24*i + j] - factor*row[j];
         }
     }
 }
@@ -4854,48 +4869,39 @@ static int solve_pivoted_24(stewart_real A[144])
 /* Says where a number of a result is not finite. */
 static void check_derivatives(derivatives_found *out)
 {
-    int i, j;
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_pose[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_pose[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_twist[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_twist[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_acceleration[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_acceleration[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
-static derivatives_found find_derivatives(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_derivatives(
+    const stewart_exact_model *model, const stewart_motion *motion, derivatives_found *out)
 {
     int i, j;
-    derivatives_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    const forces_found acting = find_forces(model, motion);
+    STEWART_ALIGNED stewart_real A[144];
+    forces_found acting;
+    find_forces(model, motion, &acting);
     for (i = 0; i < 6; ++i) {
         legs.F[i] = acting.F[i];
     }
@@ -4912,16 +4918,15 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     scale_moments_24(model->per_length, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
-        out.of.F[i] = acting.F[i];
+        out->of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
-            out.of.by_pose[6*i + j] = A[24*i + (j + 6)];
-            out.of.by_twist[6*i + j] = A[24*i + (j + 12)];
-            out.of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
+            out->of.by_pose[6*i + j] = A[24*i + (j + 6)];
+            out->of.by_twist[6*i + j] = A[24*i + (j + 12)];
+            out->of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
         }
     }
-    out.status = acting.status == STEWART_OK ? legs.status : acting.status;
-    check_derivatives(&out);
-    return out;
+    out->status = acting.status == STEWART_OK ? legs.status : acting.status;
+    check_derivatives(out);
 }
 
 int stewart_exact_derivatives(
@@ -4931,7 +4936,7 @@ int stewart_exact_derivatives(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_derivatives(model, motion);
+    find_derivatives(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -4985,35 +4990,24 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 /* Says where a number of a result is not finite. */
 static void check_linearisation(linearisation_found *out)
 {
-    int i, j;
-    for (i = 0; i < 3; ++i) {
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
+    for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->of.acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 144; ++i) {
+        lost = lost + (STEWART_FABS(out->of.A[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 12; ++j) {
-            if (!(STEWART_FABS(out->of.A[12*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 72; ++i) {
+        lost = lost + (STEWART_FABS(out->of.B[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.B[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 typedef struct {
@@ -5033,7 +5027,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} joint_slopes_legs;
+} STEWART_ALIGNED joint_slopes_legs;
 
 /* The platform's part. */
 static void joint_slopes_of_pose(
@@ -6022,7 +6016,7 @@ static slopes_found slopes_apart(
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    STEWART_ALIGNED stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -6035,7 +6029,7 @@ static slopes_found slopes_apart(
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real held[6];
     stewart_real rest[24];
@@ -6103,15 +6097,16 @@ static slopes_found slopes_apart(
 }
 
 /* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
-static linearisation_found find_linearisation(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_linearisation(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    linearisation_found *out)
 {
     int i, j;
-    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    forward_dynamics_found moved = find_forward_dynamics(model, motion, F);
+    STEWART_ALIGNED stewart_real A[144];
+    forward_dynamics_found moved;
+    find_forward_dynamics(model, motion, F, &moved);
     const int status = moved.status;
     const stewart_motion moving = with_acceleration(motion, &moved.acceleration[0], &moved.acceleration[3]);
     for (i = 0; i < 6; ++i) {
@@ -6143,29 +6138,28 @@ static linearisation_found find_linearisation(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.of.acceleration[i] = moved.acceleration[i];
-        out.of.acceleration[3 + i] = moved.acceleration[3 + i];
+        out->of.acceleration[i] = moved.acceleration[i];
+        out->of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 12; ++j) {
-            out.of.A[12*i + j] = REAL(0);
-            out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
+            out->of.A[12*i + j] = REAL(0);
+            out->of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
-            out.of.B[6*i + j] = REAL(0);
-            out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
+            out->of.B[6*i + j] = REAL(0);
+            out->of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
-        out.of.A[12*i + (i + 6)] = REAL(1);
+        out->of.A[12*i + (i + 6)] = REAL(1);
     }
-    out.of.A[40] = -motion->omega[2];
-    out.of.A[41] = motion->omega[1];
-    out.of.A[51] = motion->omega[2];
-    out.of.A[53] = -motion->omega[0];
-    out.of.A[63] = -motion->omega[1];
-    out.of.A[64] = motion->omega[0];
-    out.status = status == STEWART_OK ? fault : status;
-    check_linearisation(&out);
-    return out;
+    out->of.A[40] = -motion->omega[2];
+    out->of.A[41] = motion->omega[1];
+    out->of.A[51] = motion->omega[2];
+    out->of.A[53] = -motion->omega[0];
+    out->of.A[63] = -motion->omega[1];
+    out->of.A[64] = motion->omega[0];
+    out->status = status == STEWART_OK ? fault : status;
+    check_linearisation(out);
 }
 
 int stewart_exact_linearisation(
@@ -6176,7 +6170,7 @@ int stewart_exact_linearisation(
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_linearisation(model, motion, F);
+    find_linearisation(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
