@@ -11,6 +11,7 @@ from machines import dasgupta, random_motion, random_robot
 from stewart_sym import closed_form
 from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.emit.motion import sum_operations
+from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.outputs import prefix_of
@@ -174,6 +175,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     kernel = reduced_forces(EXACT, friction=False)
     sources = {
         "stewart.h": common_header("test"),
+        **shared_headers("test"),
         "stewart_exact_forces.h": lanes.header(kernel, kernel, "test"),
         "stewart_exact_forces.c": lanes.source(kernel, "test"),
     }
