@@ -17,6 +17,7 @@ from .emit import bounds, c, lanes, numpy
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
 from .emit import regressor as regressor_text
+from .emit.shared import shared_headers
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel import kinematics as search
@@ -95,8 +96,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
     version = generator_version()
     models: dict[str, int] = {}
-    files = {
-        "c/stewart.h": common_header(version),
+    headers = {"stewart.h": common_header(version)} | shared_headers(version)
+    files = {f"c/{name}": text for name, text in headers.items()} | {
         "assembly.py": numpy.assembly(version),
         "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
         "__init__.py": _PACKAGE.format(version=version),
@@ -130,7 +131,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
     files |= {f"c/{name}": text for name, text in made.items()}
-    files["interface.py"] = layout(models, version)
+    files["interface.py"] = layout(models, headers, version)
     return files
 
 

@@ -5,8 +5,8 @@ counted by their expressions, the solves by running their texts.
 """
 
 import random
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -14,7 +14,10 @@ from . import notation as n
 from .block import Operations
 from .kernel import read
 from .kernel.counted import counted
-from .kernel.nodes import Program
+from .kernel.elimination import BY_POINTERS, ONCE, in_lanes
+from .kernel.nodes import Name, Program, Return
+from .kernel.read import LANES, Given
+from .kernel.shared import FORCE
 from .kernel.written import every_output, lanes, scalar
 from .kernels import Kernel
 from .prepared import arm_c
@@ -54,13 +57,24 @@ class KernelOperations:
         }
 
 
+_SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
+    "every output": (every_output.solve, ONCE, 1),
+    "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
+    "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
+    "one pose": (scalar.solve, BY_POINTERS, 1),
+}
+
+
 @cache
-def solve_operations(text: Callable[..., Any], count: int = 1, about_tip: bool = False) -> Operations:
-    """Operations of a written solve, of one of ``count`` systems side by side."""
-    function = read.function(text, {}, {}, given={"ABOUT_TIP": int(about_tip), "HAS_D": 0})
+def solve_operations(name: str) -> Operations:
+    """Operations of a written solve, of one of the systems where it solves several side by side."""
+    text, given, count = _SOLVES[name]
+    # F = D - x is counted apart.
+    force = replace(FORCE, body=(Return(Name("x")),))
+    function = read.function(text, {}, {force.name: force}, given=given)
     draw = random.Random(1)
-    alone = Program("", (), (function,))
-    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": read.LANES})
+    alone = Program("", (), (force, function))
+    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": LANES})
     return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 
@@ -70,7 +84,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=solve_operations(every_output.solve),
+        solve=solve_operations("every output"),
         forces=Operations(add=LEGS),
     )
 
@@ -84,7 +98,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
-    block = solve_operations(lanes.solve_block, read.LANES, kernel.about_tip)
+    block = solve_operations("block about tip" if kernel.about_tip else "block")
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
@@ -92,7 +106,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve_operations(scalar.solve) if product else block,
+        solve=solve_operations("one pose") if product else block,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

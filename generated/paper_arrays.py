@@ -673,14 +673,13 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
         for i in range(k + 1, 6):
             larger_below = on.size(A[i][k]) > on.size(A[k][k])
             for j in range(k, 7):
-                upper = A[k][j]
+                above = A[k][j]
                 A[k][j] = on.where(larger_below, A[i][j], A[k][j])
-                A[i][j] = on.where(larger_below, upper, A[i][j])
+                A[i][j] = on.where(larger_below, above, A[i][j])
         suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
-        inverse = 1.0 / A[k][k]
-        x[k] = inverse
+        x[k] = 1.0 / A[k][k]
         for i in range(k + 1, 6):
-            factor = A[i][k] * inverse
+            factor = A[i][k] * x[k]
             for j in range(k + 1, 7):
                 A[i][j] = A[i][j] - factor * A[k][j]
     for i in range(5, -1, -1):

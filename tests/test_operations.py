@@ -12,13 +12,10 @@ from stewart_sym import closed_form
 from stewart_sym.derive.block import Operations
 from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.emit.motion import sum_operations
+from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.outputs import prefix_of
-from stewart_sym.derive.kernel.read import LANES
-from stewart_sym.derive.kernel.written import every_output
-from stewart_sym.derive.kernel.written import lanes as written_lanes
-from stewart_sym.derive.kernel.written import scalar as written_scalar
 from stewart_sym.derive.motion import F_LEG
 from stewart_sym.derive.operations import kernel_operations, solve_operations
 from stewart_sym.derive.package.header import common_header
@@ -179,6 +176,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     kernel = reduced_forces(EXACT, friction=False)
     sources = {
         "stewart.h": common_header("test"),
+        **shared_headers("test"),
         "stewart_exact_forces.h": lanes.header(kernel, kernel, "test"),
         "stewart_exact_forces.c": lanes.source(kernel, "test"),
     }
@@ -219,10 +217,10 @@ def test_a_solve_counts_what_its_text_does() -> None:
     below = [5 - k for k in range(6)]
     update = sum(rows * (6 - k) for k, rows in enumerate(below))
     whole = Operations(mul=sum(below) + update + 15 + 6, add=update + 15, div=6)
-    assert solve_operations(every_output.solve) == whole
+    assert solve_operations("every output") == whole
     tip = Operations(mul=whole.mul - 3 * 7 - 1, add=whole.add - 3 * 6, div=6)
-    assert solve_operations(written_lanes.solve_block, LANES, about_tip=True) == tip
-    assert solve_operations(written_scalar.solve) == tip + Operations(mul=5 + 1)
+    assert solve_operations("block about tip") == tip
+    assert solve_operations("one pose") == tip + Operations(mul=5 + 1)
 
 
 def test_dasgupta_machine_counts_like_any_other(tmp_path: Path) -> None:

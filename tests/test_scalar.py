@@ -21,6 +21,7 @@ from stewart_sym import fidelity, native
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import scalar
+from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.fidelity import FIDELITIES, fidelity_kernel
 from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import shared_blocks
@@ -91,6 +92,7 @@ def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str
     file = f"stewart_{kernel.name}_pose"
     sources = {
         "stewart.h": common_header(""),
+        **shared_headers(""),
         f"{file}.h": scalar.header(kernel, before, ""),
         f"{file}.c": scalar.source(kernel, ""),
     }

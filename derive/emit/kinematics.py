@@ -14,6 +14,7 @@ from ..kernel.settle import of_one_pose
 from ..kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
+from .shared import ARITHMETIC, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
@@ -62,6 +63,6 @@ def _files(
     }
     printer = C(program.functions, None, True, snake | records, program.structures)
     own = (each for each in program.structures if each.name not in records)
-    top = filled("top.c", file=file, version=version) + filled("arithmetic.c")
-    source = printer.source(top, *own, *program.functions, filled(f"{name}.c"))
+    before = top(file, version, ARITHMETIC)
+    source = printer.source(before, *own, *program.functions, filled(f"{name}.c"))
     return {f"{file}.h": filled(f"{name}.h", version=version, **said), f"{file}.c": source}

@@ -58,11 +58,13 @@ from ..kernel.nodes import (
     Structure,
     Variable,
 )
+from ..kernel.shared import SINGULAR_STATUS
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..regroup import ForceKernel
+from .shared import SIZES, SOLVE, top
 
 LEGS, LANES = 6, 8
 FUNCTIONS = tuple(each for each in o.OUTPUTS if each != o.FORCES)
@@ -155,10 +157,9 @@ def source(
     for none.
     """
     name = model.formulation.kernel_name
-    top = filled("top.c", file=f"stewart_{name}_motion", version=version)
-    macros = "".join(filled(each) for each in ("arithmetic.c", "lanes.c", "suspect.c", "motion.c"))
+    before = "\n".join([top(f"stewart_{name}_motion", version, SOLVE), filled("motion.c")])
     parts = _Source(kernels, model, _asked(functions)).parts()
-    return C(sizes={LANES: "LANES"}).source(f"{top}{macros}", *parts)
+    return C(sizes=SIZES).source(before, *parts)
 
 
 def kernels_of(functions: Collection[str]) -> tuple[str, ...]:
@@ -325,8 +326,8 @@ class _Source:
         for function in self.program.functions:
             if function.name.endswith("_sums"):
                 yield from self._kernel(function.name.removesuffix("_sums"))
-            elif function.name == "singular_status":
-                yield filled("singular_status.c")
+            elif function.name == SINGULAR_STATUS.name:
+                continue
             elif function.name == "forces":
                 yield self._forces()
             elif function.name.startswith("check_"):

@@ -13,6 +13,7 @@ from .. import prepared as p
 from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
+from .elimination import IN_ARRAYS
 from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
@@ -23,7 +24,7 @@ from .model import (
     model_structures,
 )
 from .nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
-from .prepare import SINGULAR_STATUS
+from .shared import SINGULAR_STATUS
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -33,10 +34,11 @@ Written = Callable[..., Any]
 
 @dataclass(frozen=True)
 class Text:
-    """A written function, and what some of its names stand for."""
+    """A written function, and what some of its names stand for; given: as ``read.function`` has it."""
 
     written: Written
     names: read.Names = field(default_factory=dict)
+    given: Mapping[str, read.Given] = field(default_factory=dict)
 
 
 Definition = Structure | Text | Callable[[], Function]
@@ -133,7 +135,7 @@ class _Needed:
                     self.add(each)
             public = name in self.public
             self.functions[name] = read.function(
-                found.written, self.structures, self.functions, name, public, names=found.names
+                found.written, self.structures, self.functions, name, public, found.given, found.names
             )
         else:
             made = found()
@@ -164,6 +166,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found: dict[str, Definition] = {
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
+    found["eliminate"] = Text(solve.eliminate, given=IN_ARRAYS)
     if kernel.leg_near_pole is None:
         found["find_legs"] = Text(forces.find_legs_of_one_form)
     return found

@@ -101,9 +101,11 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         if kit.has_robot
         else []
     )
+    shared = dict.fromkeys(name for part in kit.parts for name in part.shared)
     unit = [(kit.unit, "co-simulation unit, FMI 2.0")] if kit.unit else []
     return [
         ("stewart.h", "types and status codes"),
+        ("`, `".join(shared), "arithmetic and functions that the sources share; callers include none of it"),
         *((f"{part.header}`, `{part.source}", _stems(part) or part.says) for part in kit.parts),
         *robot,
         ("test/selftest.c", "calls every function with inputs whose answers were computed at 50 digits"),

@@ -1,7 +1,7 @@
 """C99: structures by pointer, arrays with their dimensions, names with the prefix ``STEWART_``."""
 
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
 from ..kernel.nodes import (
@@ -55,7 +55,8 @@ class C(Printer):
 
     functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
     ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
-    records: names of structures in C, where those are others. structures: those that variables have.
+    records: names of structures in C, where those are others. structures: those that variables have. static:
+    before functions that are not of the interface. unread: arguments that macros may leave unread.
     """
 
     def __init__(
@@ -65,9 +66,12 @@ class C(Printer):
         brackets: bool = False,
         records: Mapping[str, str] | None = None,
         structures: Iterable[Structure] = (),
+        static: str = "static ",
+        unread: Collection[str] = (),
     ) -> None:
         self.functions_by_name = {each.name: each for each in functions}
         self.sizes, self.brackets = dict(sizes or {}), brackets
+        self.static, self.unread = static, unread
         self.records = dict(records or {})
         self.structures = {each.name: each for each in structures}
         self.empty: set[str] = set()
@@ -327,8 +331,8 @@ class C(Printer):
         """A definition; those of the interface have their comments where they are declared."""
         self._enter(function)
         apart = "STEWART_APART " if function.apart else ""
-        static = "" if function.public else f"{apart}static "
-        used = {each.name for each in names_in(function.body)}
+        static = "" if function.public else f"{apart}{self.static}"
+        used = {each.name for each in names_in(function.body)}.difference(self.unread)
         return [
             *([] if function.public else self.remark(function.meaning)),
             *self.head(static, function, ""),

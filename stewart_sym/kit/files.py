@@ -184,7 +184,8 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
         symbol,
         generator(),
         sources=tuple(sorted(n for n in texts if n.endswith(".c") and "/" not in n)),
-        headers=tuple(sorted(n for n in texts if n.endswith(".h"))),
+        headers=tuple(sorted(n for n in texts if n.endswith(".h") and n not in made.shared)),
+        shared=made.shared,
         precision=choice.precision,
         has_cpp=True,
     )
@@ -290,7 +291,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     part = next(part for part in made.parts for function in part.functions if function.stem == "forces")
     (forces,) = part.functions
     start = _start(robot, choice.formulation)
-    needed = {"stewart.h", part.header, part.source}
+    needed = {"stewart.h", part.header, part.source, *part.shared}
     payload = None
     if forces.subject:
         needed |= {HEADER, SOURCE}

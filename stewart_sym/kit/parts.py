@@ -15,6 +15,7 @@ from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
+from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, SOLVE, shared_headers
 from ..derive.formulation import EXACT
 from ..derive.generate import (
     generator_version,
@@ -49,11 +50,18 @@ class Parts:
 
     @property
     def files(self) -> dict[str, str]:
-        """Headers and sources of all parts and ``stewart.h``: file name -> text."""
+        """Headers and sources of all parts and what they share: file name -> text."""
         found = {"stewart.h": common_header(generator_version(), self.precision)}
+        texts = shared_headers(generator_version())
+        found |= {name: texts[name] for name in self.shared}
         for part in self.parts:
             found |= part.files
         return found
+
+    @property
+    def shared(self) -> tuple[str, ...]:
+        """Headers that the sources of parts share."""
+        return tuple(dict.fromkeys(name for part in self.parts for name in part.shared))
 
     @property
     def functions(self) -> tuple[Function, ...]:
@@ -109,7 +117,7 @@ def _force_part(
     )
     files = _committed(file) if sources is None else sources
     kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
-    return Part(file, files, (function,), (kind,), says)
+    return Part(file, files, (function,), (kind,), says, INCLUDED[SOLVE if one_pose else LANES])
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
@@ -166,12 +174,13 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
         for stem in STEMS["reactions"]
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
-    return Part(f"stewart_{name}", _committed(f"stewart_{name}"), tuple(functions), ("reactions",), says)
+    file = f"stewart_{name}"
+    return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[SOLVE])
 
 
 def _model(file: str) -> Part:
     says = "The prepared constants that the equations of motion read; the forces come with them."
-    return Part(file, _committed(file), (), ("forces",), says)
+    return Part(file, _committed(file), (), ("forces",), says, INCLUDED[LANES])
 
 
 def _motion(choice: Choice) -> Part:
@@ -184,7 +193,7 @@ def _motion(choice: Choice) -> Part:
         for stem in stems
     ]
     files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
-    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems))
+    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems), INCLUDED[SOLVE])
 
 
 _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
@@ -214,7 +223,7 @@ def _kinematics() -> Part:
         for stem in STEMS[_KINEMATICS]
     ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
-    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says)
+    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says, INCLUDED[ARITHMETIC])
 
 
 def _rotation() -> Part:
@@ -225,13 +234,20 @@ def _rotation() -> Part:
         )
         for stem, block in reduced_rotation().items()
     )
-    return Part("stewart_rotation", _committed("stewart_rotation"), functions, ("rotation",), says)
+    return Part(
+        "stewart_rotation",
+        _committed("stewart_rotation"),
+        functions,
+        ("rotation",),
+        says,
+        INCLUDED[ARITHMETIC],
+    )
 
 
 def _committed(file: str) -> dict[str, str]:
     """Header and source from ``generated/c``."""
     sources = c_sources(file.removeprefix("stewart_"))
-    return {name: text for name, text in sources.items() if name != "stewart.h"}
+    return {name: sources[name] for name in (f"{file}.h", f"{file}.c")}
 
 
 def generator() -> str:

@@ -4,25 +4,7 @@
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
     """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
     suspect = 0
-    for k in range(6):
-        for i in range(k + 1, 6):
-            larger_below = size(A[i][k]) > size(A[k][k])
-            for j in range(k, 7):
-                upper = A[k][j]
-                A[k][j] = where(larger_below, A[i][j], A[k][j])
-                A[i][j] = where(larger_below, upper, A[i][j])
-        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
-        inverse = 1.0 / A[k][k]
-        x[k] = inverse
-        for i in range(k + 1, 6):
-            factor = A[i][k] * inverse
-            for j in range(k + 1, 7):
-                A[i][j] = A[i][j] - factor * A[k][j]
-    for i in reversed(range(6)):
-        total = A[i][6]
-        for j in range(i + 1, 6):
-            total = total - A[i][j] * x[j]
-        x[i] = where(i == 5, total / A[i][i], total * x[i])
+    elimination()
     return suspect
 
 
