@@ -794,11 +794,14 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             "generalised forces by the tip's motion",
         )
         for name, value in (
-            ("tau_S", by.S + turning + _by_joints(leg.at).T * bend),
+            ("tau_S", by.S + turning),
             ("tau_S_dot", by.S_dot),
             ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
         )
     )
+    # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
+    bent = _local(build, "bent_leg", _by_joints(leg.at).T * bend)
+    S = _named(build, "tau_place", S + bent * T.T, "generalised forces by the tip's place, as the rows turn")
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
     pace = _named(build, "Y", S_dot + S_ddot * W)

@@ -818,7 +818,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.like(Robot(), "robot", robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -1364,8 +1364,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2130,8 +2130,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
     loads.
     """
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2407,8 +2407,8 @@ def check_bias(on: Arithmetic, out: Any) -> None:
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -2741,21 +2741,29 @@ def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
     for k in range(5, -1, -1):
         for j in range(6, 8):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(8):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
@@ -3389,9 +3397,9 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
     read.
     """
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
-    F = on.like([0.0] * 6, "F", F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3452,21 +3460,29 @@ def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 12
     for k in range(5, -1, -1):
         for j in range(6, 12):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 12):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 12
+    for j in range(12):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(12):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
@@ -3523,8 +3539,8 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -4989,21 +5005,29 @@ def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 24
     for k in range(5, -1, -1):
         for j in range(6, 24):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 24):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 24
+    for j in range(24):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(24):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
@@ -5061,8 +5085,8 @@ def check_derivatives(on: Arithmetic, out: Any) -> None:
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -5310,8 +5334,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2521
-    (1584 mul, 933 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2086
+    (1316 mul, 766 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -5397,24 +5421,25 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c3 = theta_dot * theta_dot
     theta_dot2 = c3
     phi_dot2 = phi_dot * phi_dot
-    inv_k3 = L * inv_rho
+    c4 = L * inv_rho
+    inv_k3 = c4
     # (6) leg's turning about z
     W_z = c1 * inv_L
-    c4 = omega_z * w_q_y
-    c5 = omega_x * w_q_z - omega_z * w_q_x
-    c6 = omega_y * w_q_x
+    c5 = omega_z * w_q_y
+    c6 = omega_x * w_q_z - omega_z * w_q_x
+    c7 = omega_y * w_q_x
     # (7) acceleration of the platform point
-    S_ddot_x = omega_y * w_q_z - c4
-    S_ddot_y = -c5
-    S_ddot_z = omega_x * w_q_y - c6
-    c7 = k3 * k3
+    S_ddot_x = omega_y * w_q_z - c5
+    S_ddot_y = -c6
+    S_ddot_z = omega_x * w_q_y - c7
+    c8 = k3 * k3
     # (8) acceleration of the length
-    L_ddot = L * (c7 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
-    c8 = 2.0 * L_share
-    c9 = k3 * turned_z
+    L_ddot = L * (c8 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
+    c9 = 2.0 * L_share
+    c10 = k3 * turned_z
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c8 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
-    own_z = c9 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c8
+    own_y = turned_y - c9 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_z = c10 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c9
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
@@ -5426,397 +5451,254 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
     w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
     w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
-    c10 = inv_rho * net_z
-    c11 = inv_L * net_y
+    c11 = inv_rho * net_z
+    c12 = inv_L * net_y
     # force at the tip, less the actuator's
-    R_tip_x = c10 * y_x + net_x * s_x - c11 * z_x
-    R_tip_y = c10 * y_y + net_x * s_y - c11 * z_y
-    R_tip_z = c10 * y_z + net_x * s_z - c11 * z_z
-    fall_x = omega_y * w_q_z - c4 - g_x
-    fall_y = -c5 - g_y
-    fall_z = omega_x * w_q_y - c6 - g_z
+    R_tip_x = c11 * y_x + net_x * s_x - c12 * z_x
+    R_tip_y = c11 * y_y + net_x * s_y - c12 * z_y
+    R_tip_z = c11 * y_z + net_x * s_z - c12 * z_z
+    fall_x = omega_y * w_q_z - c5 - g_x
+    fall_y = -c6 - g_y
+    fall_z = omega_x * w_q_y - c7 - g_z
     # acceleration of the platform point from free fall, leg frame
     fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z + turned_x
-    fall_T_y = L * c9 + fall_x * y_x + fall_y * y_y + fall_z * y_z
+    fall_T_y = L * c10 + fall_x * y_x + fall_y * y_y + fall_z * y_z
     fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z - L * turned_y
-    c12 = h_z * own_y
-    c13 = W_z * W_z
-    c14 = inv_L * inv_L
-    c15 = L_dot * c14
-    c16 = 2.0 * h_y
-    c17 = W_z * c16
-    c18 = h_y * inv_L
-    c19 = 4.0 * W_z
-    c20 = c19 * theta_dot
-    c21 = c18 * c20
-    c22 = inv_k3 * k1
-    c23 = h_z * inv_L
-    c24 = c22 * c23
-    tau_S_leg_11 = (2.0 * L_dot * c14 * h_z * theta_dot + 2.0 * c13 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
-        * inv_L * own_z - c12 * inv_L - 4.0 * c13 * c24 - c15 * c17 - c21 * c22)
-    c25 = 2.0 * h_x
-    c26 = c25 * inv_L
-    c27 = axial * m_u
-    c28 = c27 * fall_T_y
-    c29 = c14 * w_x
-    c30 = c29 * gamma_y
-    c31 = 2.0 * theta_dot
-    c32 = c23 * c31
-    c33 = axial * inv_L
-    c34 = c33 * own_z
-    c35 = c14 * own_y
-    c36 = J_yz * c35
-    c37 = L_ddot * c14
-    c38 = c13 * c18
-    c39 = C_s * c14
-    c40 = inv_k3 * w_k_omega
-    c41 = axial * c38
-    c42 = axial * c3
-    c43 = gamma_n * w_y
-    c44 = c14 * inv_k3
-    c45 = inv_k3 * own_y
-    c46 = 2.0 * k1
-    c47 = c18 * c46
-    c48 = h_z * own_z
-    c49 = inv_L * inv_k3
-    c50 = c49 * k1
-    c51 = J_xy * c14
-    c52 = c13 * c51
-    c53 = c3 * c51
-    c54 = axial * c14
-    c55 = L_ddot * c54
-    c56 = c54 * inv_k3
-    c57 = axial * own_y
-    c58 = c22 * c57
-    c59 = 2.0 * c48
-    c60 = c59 * k1
-    c61 = L_dot * L_dot
-    c62 = inv_L * inv_L * inv_L
-    c63 = c61 * c62
-    c64 = C_s * c54
-    c65 = c51 * k1
-    c66 = c65 * inv_k3
-    c67 = c14 * own_z
-    c68 = J_xz * c46
-    c69 = c68 * inv_k3
-    c70 = W_z * axial
-    c71 = inv_k3 * inv_k3
-    c72 = W_z * c71
-    c73 = c72 * theta_dot
-    c74 = gamma_y * w_z
-    c75 = c44 * k1
-    c76 = c56 * k1
-    c78 = J_xx - J_zz
-    c79 = C_us * c14
-    c80 = c72 * c79
-    c81 = J_xx * c71
-    c82 = axial * c52
-    c83 = 3.0 * c13
-    c84 = c18 * c71
-    c85 = axial * c67
-    c86 = 2.0 * h_z
-    c87 = W_z * c86
-    c88 = c87 * k1
-    c89 = c15 * c88 * inv_k3
-    c90 = axial * c72
-    c92 = 2.0 * c14
-    c93 = J_yz * c75
-    c94 = J_yz * c76
-    c95 = h_y * k1
-    c96 = c95 * inv_k3
-    c97 = inv_k3 * inv_k3 * inv_k3
-    c98 = 2.0 * J_xx
-    c99 = c97 * c98
-    c100 = W_z * k1
-    c101 = c100 * theta_dot
-    c102 = c101 * c99
-    c103 = c31 * c72
-    tau_S_leg_12 = (C_p * W_z + J_xz * c73 * c92 + W_z * c32 + axial * c36 + axial * c80 + c102 * c14 + c13
-        * c94 + c15 * c25 * c70 + c16 * c37 + c18 * c42 + c25 * c34 + c28 * inv_L + c3 * c94 + c30 + c32 * c90
-        + c39 * c40 + c41 + c43 * c44 + c45 * c47 + 3.0 * c48 * c50 + c52 + c53 + c57 * c66 + c67 * c78 + c69
-        * c85 + c71 * c82 + c74 * c76 + c81 * c85 + c83 * c84 - J_xz * c103 * c54 - axial * c15 * c31 * c96
-        - axial * c30 - axial * c53 - axial * c89 - c102 * c54 - c13 * c93 - c16 * c63 - c18 * c58 - 6.0 * c23
-        * c73 - c26 * own_z - 2.0 * c3 * c84 - c3 * c93 - c33 * c60 * inv_k3 - c36 - 2.0 * c38 - c40 * c64 - c41
-        * c71 - c43 * c56 - c52 * c71 - c55 * h_y - c56 * net_z - c66 * own_y - c67 * c69 - c67 * c81 - c74
-        * c75 - c78 * c85 - c80 - c82 - c89)
-    c104 = c25 * own_y
-    c105 = c27 * fall_T_z
-    c106 = c79 * theta_dot
-    c107 = J_yy * c35
-    c108 = J_yz * c67
-    c109 = c3 * h_z
-    c110 = c23 * c83
-    c111 = g_k * k3
-    c112 = c111 * c29
-    c113 = gamma_n * k1
-    c114 = c113 * c29
-    c115 = gamma_n * w_z
-    c116 = c115 * k3
-    c117 = W_z * c31
-    c118 = axial * c18
-    c119 = c18 * c22 * own_z
-    c120 = c117 * c51
-    c121 = axial * c13
-    c122 = g_k * w_z
-    c123 = c122 * k1
-    c124 = J_xz * c13
-    c125 = c25 * theta_dot
-    c126 = axial * c125
-    c127 = 4.0 * c73
-    c128 = 2.0 * c124
-    c129 = axial * own_z
-    c130 = 2.0 * J_yz
-    c131 = W_z * theta_dot
-    c132 = 2.0 * W_z
-    c133 = c132 * c96
-    c134 = c103 * c51
-    c135 = c121 * c71
-    c136 = c124 * c71
-    c137 = J_yy + c78
-    c138 = c13 * c137
-    tau_S_leg_13 = (axial * c119 + axial * c134 + c101 * c130 * c56 + c104 * inv_L + c105 * inv_L + c106 + c107
-        + c108 + c109 * inv_L + c110 * c71 + c112 + c114 + c116 * c14 + c117 * c118 + c120 + 2.0 * c121 * c23
-        + c123 * c54 + c124 * c92 + c127 * c18 + c133 * c15 + c136 * c54 + c138 * c75 + c37 * c86 + c54 * net_y
-        + c64 * w_y_omega + c66 * own_z - C_p * theta_dot - axial * c106 - axial * c107 - axial * c108 - axial
-        * c112 - axial * c114 - axial * c120 - c103 * c118 - c104 * c33 - c110 - c116 * c54 - c119 - c123 * c14
-        - c126 * c15 - c128 * c54 - c129 * c66 - c13 * c137 * c76 - c130 * c131 * c75 - c134 - c135 * c23 - c136
-        * c14 - c21 - c39 * w_y_omega - c55 * h_z - c63 * c86)
-    c140 = C_s * inv_L
-    c141 = c140 * w_y_omega
-    c142 = C_us * inv_L
-    c143 = c142 * theta_dot
-    c144 = 2.0 * J_yy
-    c145 = inv_L * own_y
-    c146 = J_yz * inv_L
-    c147 = c146 * own_z
-    c148 = L_ddot * c23
-    c149 = axial * c104
-    c150 = axial * c143
-    c151 = J_yy * inv_L
-    c152 = c151 * c57
-    c153 = axial * c147
-    c154 = axial * c148
-    c155 = c122 * inv_L
-    c156 = c96 * own_z
-    c157 = inv_L * theta_dot
-    c158 = W_z * c157
-    c159 = 6.0 * J_xy
-    c160 = c16 * theta_dot
-    c161 = inv_L * k3
-    c162 = c161 * w_x
-    c163 = inv_L * k1
-    c164 = c163 * w_x
-    c165 = c33 * w_x
-    c166 = c111 * c165
-    c167 = c13 * c86
-    c168 = 2.0 * J_xy
-    c169 = c157 * c168
-    c170 = c50 * own_z
-    c171 = c126 * c2
-    c172 = c22 * c34
-    c173 = c144 * c15
-    c174 = c130 * c15
-    c175 = W_z * c174
-    c176 = c135 * h_z
-    c177 = c157 * c72
-    c178 = axial * c160
-    c179 = c146 * c46
-    c180 = c179 * theta_dot
-    c181 = c180 * inv_k3
-    c182 = J_xz * inv_L
-    c183 = c71 * c83
-    c184 = W_z * c168
-    c185 = c15 * c184
-    c186 = c13 * c49 * k1
-    tau_S_leg_21 = (J_xy * c172 + c113 * c165 + c116 * c33 + c128 * c33 + 6.0 * c131 * c146 * c22 + c138 * c22
-        * c33 + c141 + c149 + c150 + c152 + c153 + c154 + c155 * k1 + c156 + c159 * c177 + c166 + c169 * c70
-        + c171 + c173 * theta_dot + c175 + c176 + c178 * c72 + c182 * c183 + c185 * c22 + c186 * (3.0 * J_zz
-        - 3.0 * J_xx - 3.0 * J_yy) + c20 * h_y + c83 * h_z - axial * c11 - axial * c141 - axial * c156 - axial
-        * c167 - c104 - c105 - c109 - c115 * c161 - c123 * c33 - 6.0 * c124 * inv_L - c127 * h_y - c133 * c2
-        - c136 * c33 - 2.0 * c143 - c144 * c145 - 2.0 * c147 - c148 - c158 * c159 - c160 * c70 - c162 * g_k
-        - c164 * gamma_n - c167 * c71 - c168 * c170 - c169 * c90 - c181 * c70)
-    c187 = h_y * own_y
-    c188 = 2.0 * c187
-    c189 = axial * c187
-    c190 = c145 * c168
-    c191 = 2.0 * own_z
-    c192 = W_z * c125
-    c193 = axial * c59
-    c194 = J_xy * own_y
-    c195 = c194 * c33
-    c196 = J_xz * c191
-    c197 = c196 * c33
-    c198 = c2 * c87
-    c199 = c33 * c74
-    c200 = c142 * inv_k3
-    c201 = c28 * k1
-    c202 = J_yz * c37
-    c203 = c13 * c146
-    c204 = L_ddot * c18
-    c205 = axial * c198
-    c206 = c178 * c2
-    c207 = c20 * h_z
-    c208 = c129 * c25
-    c209 = c15 * c168
-    c210 = c209 * theta_dot
-    c211 = J_xz * c15
-    c212 = c19 * c211
-    c213 = c71 * own_z
-    c214 = 2.0 * c182
-    c215 = c121 * c146
-    c216 = c146 * c42
-    c217 = c13 * c95
-    c218 = 2.0 * c217
-    c219 = c140 * w_k_omega
-    c220 = c71 * k1
-    c221 = axial * c217
-    c222 = c3 * c95
-    c223 = axial * c222
-    c224 = c43 * inv_L
-    c225 = c157 * c19
-    c226 = J_xz * c225
-    c227 = c204 * k1
-    c228 = axial * c227
-    c229 = c165 * gamma_y
-    c230 = c130 * c63
-    c231 = c146 * c3
-    c232 = c142 * c97
-    c233 = c158 * c98 * inv_k3 * inv_k3 * inv_k3 * inv_k3
-    c234 = J_xx * c97
-    c235 = L_ddot * c65
-    c236 = 2.0 * J_xz
-    c237 = c213 * c33
-    c238 = c97 * k1
-    c239 = c33 * net_z
-    c240 = c70 * k1
-    c241 = c34 * k1
-    c242 = c2 * c25
-    c243 = c83 * c97
-    c244 = 2.0 * c97
-    c245 = axial * c219
-    c246 = c177 * c98
-    c247 = c13 * c33
-    c248 = J_xy * c247
-    c249 = J_xy * c3
-    c250 = c249 * c33
-    c251 = c174 * theta_dot
-    c252 = c71 * c87
-    c253 = axial * c2
-    c254 = c88 * theta_dot
-    c255 = axial * c97
-    c256 = axial * c224
-    c257 = -2.0 * J_zz
-    c258 = c257 + c98
-    c259 = J_xy * c163
-    c260 = c259 * c3
-    c261 = c248 * k1
-    c262 = c144 + c258
-    c263 = W_z * c15
-    tau_S_leg_22 = (W_z * c157 * c258 + axial * c246 + c100 * c200 + c135 * c146 + c137 * c170 + c146 * c58
-        + c168 * c186 + c168 * c22 * c63 + c177 * (-4.0 * J_xx - c144 - c257) + c182 * c191 + c188 * c71 + c189
-        + c190 + c193 + c195 * c71 + c198 + c199 * c71 + c201 * inv_k3 + 2.0 * c203 + c204 * c46 * inv_k3 + c205
-        + c206 + c207 * c22 + c208 * c22 + c210 * c71 + 2.0 * c211 * c72 + c216 * c71 + c219 * c220 + c22 * c242
-        * c70 + c22 * c251 + c220 * c224 + c221 * inv_k3 + c223 * inv_k3 + c226 * c238 + c230 + c231 * c71 + c232
-        * c240 + c233 + c234 * c241 + c236 * c237 + c243 * c95 + c244 * c260 + c254 * c255 + c261 * c97 + c59
-        * c71 - axial * c233 - c100 * c232 - c140 * inv_k3 * w_n_omega - c146 * c183 - c158 * c255 * c68 - c160
-        * c253 * c71 - c163 * c234 * own_z - c172 * c78 - c179 * c45 - c188 - c189 * c71 - c190 * c71 - c192
-        - c193 * c71 - c195 - c197 - c199 - c202 - c207 * c238 - c210 - c212 - c213 * c214 - c215 - c216 - c218
-        * inv_k3 - c22 * c226 - c22 * c229 - c22 * c248 - c22 * c250 - c22 * c262 * c263 - c220 * c239 - c220
-        * c245 - c220 * c256 - c221 * c97 - c222 * c244 - c228 * inv_k3 - c235 * inv_k3 - c243 * c259 - c252
-        * c253 - c48 - c61 * c92 * c96 - c71 * c74 * inv_L)
-    c264 = c13 * c151
-    c265 = c14 * c61
-    tau_S_leg_23 = (C_us * L_dot * c14 + 2.0 * J_xy * L_dot * W_z * c14 + 2.0 * J_xy * W_z * inv_L * inv_k3
-        * k1 * theta_dot + J_xy * c71 * inv_L * own_z + J_yy * L_ddot * c14 + J_yy * c3 * inv_L + 2.0 * J_yz
-        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c71 * h_y * inv_L + 4.0
-        * W_z * c97 * h_y * k1 * theta_dot + c13 * c137 * c71 * inv_L + 2.0 * c13 * c97 * h_z * k1 + fall_T_x
-        * m_u + gamma_n * inv_L * k3 * w_x - J_xy * c225 * c238 - c103 * c146 - c115 * c163 - c117 * c96 - c12
-        - c128 * c163 * c97 - c13 * c25 - c144 * c63 - c155 * k3 - c164 * g_k - c17 * c2 - c175 * c22 - c209
-        * c72 - c213 * h_y - c25 * c265 - c264 - net_x)
-    c266 = c95 * own_y
-    c267 = c25 * k3
-    c268 = c267 * own_z
-    c269 = c204 * k3
-    c270 = 2.0 * own_y
-    c271 = J_xz * c163
-    c272 = c146 * k3
-    c273 = J_xx * inv_k3
-    c274 = c16 * inv_k3
-    c275 = h_y * k3
-    c276 = c13 * c275
-    c277 = c275 * c3
-    c278 = 6.0 * c158
-    c279 = c2 * c31
-    c280 = c279 * c95
-    c281 = c87 * inv_k3
-    c282 = axial * theta_dot
-    c283 = J_xy * c83
-    c284 = c146 * k1
-    c285 = J_xy * inv_k3
-    c286 = c157 * inv_k3
-    c287 = J_xz * c132
-    c288 = W_z * c267
-    c289 = c98 * inv_k3
-    c290 = c33 * k3
-    c291 = c174 * k3
-    c292 = J_xx * k1
-    c293 = c161 * own_z
-    c294 = axial * k1
-    c296 = -c258 * k3
-    tau_S_leg_31 = (J_xz * c278 * inv_k3 + axial * c268 + axial * c276 + axial * c277 + c13 * c274 + 3.0 * c161
-        * c249 + c161 * c283 + c162 * gamma_y + 6.0 * c177 * c292 + c195 * k1 + c197 * k1 + c199 * k1 + c200
-        * c70 + c210 * k1 + c212 * k1 + c215 * k1 + c216 * k1 + c219 + c224 + c247 * c285 + c253 * c288 + c258
-        * c293 + c263 * c289 + c263 * c296 + c266 + c269 + c272 * c57 + c273 * c34 + c28 * k3 + c280 + c281
-        * c282 + c291 * theta_dot + c60 - axial * c266 - axial * c269 - axial * c280 - axial * c286 * c287 - c121
-        * h_y * inv_k3 - c132 * c200 - c163 * c74 - c193 * k1 - c207 * inv_k3 - c229 * k3 - 3.0 * c231 * k1
-        - c239 - c245 - c246 * c294 - c248 * k3 - c249 * c290 - c253 * c88 - c256 - c259 * c270 - c268 - c270
-        * c272 - 4.0 * c271 * own_z - c276 - c277 - c283 * c49 - c284 * c83 - c34 * c78 * k3 - c49 * c98 * own_z)
-    c297 = gamma_n * w_x
-    c298 = c86 * k1
-    c299 = c109 * c46
-    c300 = J_xx * c49
-    c301 = c86 * theta_dot
-    c302 = c169 * k1
-    c303 = 4.0 * k1
-    tau_S_leg_32 = (C_s * axial * inv_L * k1 * w_y_omega + C_us * inv_L * k1 * theta_dot + 2.0 * J_xx * L_dot
-        * c14 * c71 * k1 * theta_dot + 2.0 * J_xx * c3 * c97 * inv_L + 2.0 * J_xx * c61 * c62 * inv_k3 + 2.0
-        * J_xy * L_dot * W_z * c14 * k3 + 2.0 * J_xy * W_z * axial * c71 * inv_L * k1 * theta_dot + J_xy * axial
-        * inv_L * k3 * own_z + 2.0 * J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz * L_dot * c14 * inv_k3 * theta_dot
-        + J_xz * axial * c13 * c71 * inv_L * k1 + 2.0 * J_xz * c3 * c71 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L
-        * k1 + 4.0 * J_xz * c61 * c62 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + 2.0 * J_yz * W_z * axial * inv_L
-        * inv_k3 * theta_dot + 2.0 * J_yz * inv_L * k1 * own_z + L_ddot * c14 * c78 * k3 + 3.0 * L_ddot * h_z
-        * inv_L * k1 + 2.0 * W_z * axial * h_y * k1 * theta_dot + 4.0 * W_z * c71 * h_y * k1 * theta_dot + axial
-        * c13 * c137 * inv_L * k3 + 2.0 * axial * c13 * h_z * k1 + axial * c7 * gamma_n * inv_L * w_x + axial
-        * fall_T_z * k1 * m_u + axial * g_k * inv_L * w_z + axial * h_y * inv_k3 * own_z + axial * inv_L * k1
-        * net_y + 3.0 * c13 * c71 * h_z * k1 + c13 * inv_L * inv_k3 * (J_yy + c98 - J_zz) + c137 * inv_L * k1
-        * own_y + 2.0 * c14 * c61 * h_x * k3 + 2.0 * c3 * h_x * k3 + c7 * g_k * inv_L * w_z + g_k * inv_L * k1
-        * k3 * w_x + gamma_n * inv_L * inv_k3 * k1 * w_z + gamma_n * inv_L * k1 * k3 * w_z + gamma_y * inv_L
-        * inv_k3 * w_y + h_y * k3 * own_z + 2.0 * h_z * inv_k3 * own_y + k3 * net_x - C_us * c15 * inv_k3 - J_xy
-        * c177 * c303 - J_xz * c270 * c49 - L_ddot * c267 * inv_L - axial * c103 * c95 - axial * c117 * c272
-        - axial * c13 * c137 * inv_L * inv_k3 - axial * c275 * own_z - c113 * c290 * w_z - c117 * c146 * inv_k3
-        - c117 * c95 - 2.0 * c12 * k3 - c122 * c33 * c7 - c124 * c33 * c46 - c13 * c298 - c13 * c99 * inv_L
-        - c141 * k1 - c143 * c71 * k1 - c149 * k1 - c150 * k1 - c152 * k1 - c153 * k1 - c154 * k1 - c155 - c163
-        * c81 * own_y - c166 * k1 - c168 * c293 - c171 * k1 - c175 * k1 - c176 * k1 - c183 * c271 - c185 * inv_k3
-        - c2 * c301 * k3 - c258 * c61 * c62 * k3 - c264 * k3 - c265 * c298 - c273 * c37 - c274 * own_z - c285
-        * c34 - c297 * c33 - c297 * c7 * inv_L - c299 * c71 - c299 - c3 * c300 - c3 * c78 * inv_L * k3 - c302
-        * c70 - c37 * c68 - fall_T_x * k3 * m_u)
-    c304 = c275 * own_y
-    c305 = c275 * c279
-    c306 = c13 * c259
-    c307 = axial * c158
-    c308 = c142 * c72
-    c309 = c163 * c98
-    tau_S_leg_33 = (axial * c177 * c68 + c121 * c272 + c127 * h_z * k1 + c158 * c296 + c189 * inv_k3 + c192
-        * k3 + c193 * inv_k3 + c194 * c49 + c195 * k3 + c196 * c49 + c197 * k3 + c199 * k3 + c202 * k3 + c203
-        * inv_k3 + c206 * inv_k3 + c213 * c309 + c217 + c22 * c239 + c22 * c245 + c22 * c256 + c221 * c71 + c222
-        + c226 * k1 + c228 + c229 * k1 + c231 * inv_k3 + c235 + c241 * c78 + c250 * k1 + c251 * k1 + c253 * c281
-        + c260 + c261 + c272 * c3 + c272 * c42 + c273 * c278 + c304 + c305 + 2.0 * c306 * c71 + c307 * c99 + c308
-        * c46 + c49 * c74 - 4.0 * J_xz * c177 * k1 - axial * c304 - axial * c305 - c13 * c272 - c132 * c211
-        * inv_k3 - c15 * c168 * k3 * theta_dot - c15 * c72 * c98 * k1 - c160 * c2 * inv_k3 - c168 * c63 * k1
-        - c187 * inv_k3 - c193 * k3 - c195 * inv_k3 - c197 * inv_k3 - c199 * inv_k3 - c201 - c205 * k3 - c208
-        * k1 - c215 * inv_k3 - c216 * inv_k3 - c218 * c71 - c219 * c22 - c22 * c224 - c220 * c248 - c221 - c223
-        - c227 - c230 * k3 - c234 * c278 - c237 * c292 - c240 * c242 - c252 * c282 * k1 - c254 - c284 * c57
-        - c289 * c307 - c294 * c308 - c306 - c59 * inv_k3)
+    c13 = h_z * own_y
+    c14 = W_z * W_z
+    c15 = inv_L * inv_L
+    c16 = L_dot * c15
+    c17 = 2.0 * h_y
+    c18 = W_z * c17
+    c19 = h_y * inv_L
+    c20 = W_z * inv_k3
+    c21 = c20 * k1
+    c22 = 4.0 * c21
+    c23 = c22 * theta_dot
+    c24 = c14 * h_z
+    c25 = c24 * inv_L
+    c26 = inv_k3 * k1
+    tau_S_leg_11 = (2.0 * L_dot * c15 * h_z * theta_dot + 2.0 * c14 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
+        * inv_L * own_z - c13 * inv_L - c16 * c18 - c19 * c23 - 4.0 * c25 * c26)
+    c27 = 2.0 * h_x
+    c28 = c27 * inv_L
+    c29 = c28 * own_z
+    c30 = axial * m_u
+    c31 = c30 * fall_T_y
+    c32 = L_ddot * c15
+    c33 = c15 * w_x
+    c34 = c33 * gamma_y
+    c35 = c19 * c3
+    c36 = h_z * inv_L
+    c37 = 2.0 * theta_dot
+    c38 = c36 * c37
+    c39 = h_y * own_y
+    c40 = inv_L * k1
+    c41 = c40 * inv_k3
+    c42 = h_z * own_z
+    c43 = J_zz * own_z
+    c44 = c15 * c43
+    c45 = c14 * c19
+    c46 = L_dot * L_dot
+    c47 = inv_L * inv_L * inv_L
+    c48 = c46 * c47
+    c49 = axial * c16
+    c50 = inv_k3 * inv_k3
+    c51 = 4.0 * W_z
+    c52 = 2.0 * c50
+    c53 = 4.0 * c16
+    c54 = h_y * k1
+    c55 = c54 * inv_k3
+    c56 = c16 * c37
+    tau_S_leg_12 = (C_p * W_z + W_z * c27 * c49 + W_z * c38 + axial * c29 + axial * c44 + c31 * inv_L + c32
+        * h_y + c34 + c35 + c39 * c41 + c41 * c42 + c45 * c52 - axial * c34 - c17 * c48 - c21 * c53 * h_z - c29
+        - c35 * c52 - c36 * c50 * c51 * theta_dot - c44 - c45 - c55 * c56)
+    c57 = c27 * own_y
+    c58 = c57 * inv_L
+    c59 = c30 * fall_T_z
+    c60 = J_yy * c15 * own_y
+    c61 = L_ddot * h_z
+    c62 = c3 * h_z
+    c63 = W_z * c37
+    c64 = c19 * c63
+    c65 = c33 * g_k * k3
+    c66 = gamma_n * k1
+    c67 = c33 * c66
+    c68 = 2.0 * h_z
+    c69 = c27 * theta_dot
+    c70 = 2.0 * W_z
+    c71 = c55 * c70
+    c73 = J_yy - J_zz
+    c74 = c14 * inv_k3
+    c75 = c74 * k1
+    c76 = c15 * c75
+    tau_S_leg_13 = (c15 * c61 + c16 * c71 + c25 * c52 + c50 * c64 + c58 + c59 * inv_L + c60 + c62 * inv_L + c65
+        + c67 + c73 * c76 - C_p * theta_dot - axial * c58 - axial * c60 - axial * c65 - axial * c67 - axial
+        * c73 * c76 - c25 - c48 * c68 - c49 * c69 - c64)
+    c78 = C_us * inv_L
+    c79 = c78 * theta_dot
+    c80 = 2.0 * J_yy
+    c81 = inv_L * own_y
+    c82 = J_yz * inv_L
+    c83 = c17 * theta_dot
+    c84 = W_z * c83
+    c85 = axial * c57
+    c86 = J_yy * inv_L
+    c87 = axial * c86
+    c88 = inv_L * theta_dot
+    c89 = J_xy * c88
+    c90 = c51 * c89
+    c91 = inv_L * k3
+    c92 = c91 * w_x
+    c93 = c92 * g_k
+    c94 = inv_L * w_x
+    c95 = c66 * c94
+    c96 = J_xz * c14
+    c97 = 4.0 * inv_L
+    c98 = J_xy * inv_L
+    c99 = c98 * k1
+    c100 = c99 * inv_k3
+    c101 = axial * c2
+    c102 = c16 * c80
+    c103 = 2.0 * J_yz
+    c104 = c103 * c16
+    c105 = c50 * c84
+    c106 = c24 * c50
+    c107 = 2.0 * c96
+    c108 = c50 * inv_L
+    c109 = 2.0 * k1
+    c110 = J_xy * c16
+    c111 = c109 * c110
+    c112 = c40 * c74
+    c113 = 2.0 * J_xx
+    tau_S_leg_21 = (W_z * c104 + axial * c112 * c73 + axial * c93 + axial * c95 + c101 * c69 + c102 * theta_dot
+        + c107 * c108 + c111 * c20 + c112 * (3.0 * J_zz - 3.0 * J_yy - c113) + c23 * c82 + c24 + c50 * c90 + c84
+        + c85 + c87 * own_y - c100 * own_z - c105 - c106 - c2 * c71 - c57 - c59 - c62 - c79 - c80 * c81 - c82
+        * own_z - c90 - c93 - c95 - c96 * c97)
+    c114 = c98 * own_y
+    c115 = W_z * c69
+    c116 = gamma_y * inv_L * w_z
+    c117 = c14 * c82
+    c118 = C_s * inv_L
+    c119 = W_z * c78 * inv_k3
+    c120 = c31 * k1
+    c121 = J_yz * c32
+    c122 = c3 * c82
+    c123 = k1 * own_y
+    c124 = c123 * c82
+    c125 = inv_k3 * own_z
+    c126 = axial * k1
+    c127 = c126 * c27
+    c128 = axial * c43
+    c129 = c110 * c37
+    c130 = J_xz * W_z
+    c131 = c130 * c53
+    c132 = J_xz * k1
+    c133 = c126 * c94
+    c134 = J_xy * k1
+    c135 = c134 * c32
+    c136 = W_z * c68
+    c137 = c136 * c50
+    c138 = inv_k3 * inv_k3 * inv_k3
+    c139 = c136 * k1
+    c140 = c139 * theta_dot
+    c141 = c2 * c27
+    c142 = c126 * c141
+    c143 = 2.0 * c54
+    c144 = c138 * c14
+    c145 = c138 * c3
+    c146 = c40 * own_z
+    c147 = c130 * c88
+    c148 = J_yz * k1
+    c149 = -2.0 * J_zz
+    c150 = c113 + c149
+    c151 = J_xy * c109 * c48
+    c152 = 2.0 * c99
+    c153 = J_xz * c70
+    c154 = c15 * c46
+    c155 = c150 + c80
+    c157 = W_z * c50
+    tau_S_leg_22 = (L_ddot * c19 * c26 + W_z * c150 * c88 + c103 * c48 + c109 * c138 * c147 + c114 + c117 + c119
+        * k1 + c120 * inv_k3 + c122 * c52 + c125 * c127 + c128 * c41 + c129 * c50 + c142 * c20 + c143 * c144
+        + c145 * c152 + c146 * c73 * inv_k3 + c148 * c56 * inv_k3 + c151 * inv_k3 + c153 * c16 * c50 + c2 * c51
+        * h_z + c2 * c83 + c23 * h_z + c3 * c55 + c39 * c50 + c42 + c74 * c99 - c100 * c3 - c114 * c50 - c115
+        - c116 - c117 * c52 - c118 * inv_k3 * w_n_omega - c121 - c122 - c124 * inv_k3 - c129 - c131 - 4.0 * c132
+        * c20 * c88 - c133 * gamma_y * inv_k3 - c135 * inv_k3 - c137 * c2 - c138 * c140 - c143 * c145 - c144
+        * c152 - 2.0 * c154 * c55 - c155 * c157 * c88 - c155 * c16 * c21 - c2 * c50 * c83 - c39 - c54 * c74)
+    c158 = g_k * k1
+    c159 = gamma_n * w_z
+    c160 = h_y * own_z
+    c161 = c51 * c88
+    c162 = c138 * c161
+    c163 = c16 * c20
+    c164 = c107 * c40
+    c165 = J_xx + c73
+    tau_S_leg_23 = (C_us * L_dot * c15 + 2.0 * J_xy * L_dot * W_z * c15 + 2.0 * J_xy * W_z * inv_L * inv_k3
+        * k1 * theta_dot + J_xy * c50 * inv_L * own_z + J_yy * L_ddot * c15 + J_yy * c3 * inv_L + 2.0 * J_yz
+        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c50 * h_y * inv_L + 4.0
+        * W_z * c138 * h_y * k1 * theta_dot + 2.0 * c138 * c14 * h_z * k1 + c14 * c165 * c50 * inv_L + fall_T_x
+        * m_u + gamma_n * inv_L * k3 * w_x - c110 * c50 * c70 - c13 - c134 * c162 - c138 * c164 - c14 * c27
+        - c14 * c86 - 2.0 * c148 * c163 - c154 * c27 - c158 * c94 - c159 * c40 - c160 * c50 - c18 * c2 - c48
+        * c80 - c50 * c63 * c82 - c55 * c63 - c91 * g_k * w_z)
+    c166 = c27 * k3
+    c167 = c166 * own_z
+    c168 = c92 * gamma_y
+    c169 = c74 * h_y
+    c170 = J_xx * inv_k3
+    c171 = c170 * inv_L
+    c172 = 2.0 * J_xz
+    c173 = c82 * k3
+    c174 = c136 * inv_k3
+    c175 = J_xz * c20
+    c176 = 4.0 * c88
+    c177 = 2.0 * k3
+    c178 = c177 * c98
+    c179 = W_z * c166
+    c180 = c91 * own_z
+    c181 = J_yz * k3
+    c182 = c50 * k1
+    c184 = -W_z * c150 * k3
+    tau_S_leg_31 = (J_xx * c161 * c182 + axial * c167 + c101 * c179 + c111 * theta_dot + c113 * c163 + c128
+        * c91 + c131 * k1 + c14 * c178 + c16 * c184 + c168 + c169 + c175 * c176 + c178 * c3 + c180 * (J_xx + c149)
+        + c181 * c56 + c31 * k3 - axial * c168 - c109 * c117 - c109 * c122 - c114 * k1 - c119 - c139 * c2 - c146
+        * c172 - c167 - c171 * own_z - c173 * own_y - c174 * theta_dot - 2.0 * c74 * c98)
+    c185 = k3 * own_z
+    c186 = c94 * gamma_n
+    c187 = c172 * inv_k3
+    c188 = c109 * c62
+    c189 = c109 * c89
+    c190 = c68 * theta_dot
+    c191 = c2 * k3
+    c192 = c113 * inv_L
+    c193 = c68 * k1
+    c194 = J_xx - J_zz
+    tau_S_leg_32 = (2.0 * J_xx * L_dot * c15 * c50 * k1 * theta_dot + 2.0 * J_xx * c138 * c3 * inv_L + 2.0 * J_xx
+        * c46 * c47 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c15 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
+        * L_dot * c15 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c50 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
+        + 4.0 * J_xz * c46 * c47 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
+        * c15 * c194 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c50 * h_y * k1 * theta_dot + axial
+        * c14 * c73 * inv_L * k3 + axial * c8 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c14 * c165
+        * inv_L * inv_k3 + 2.0 * c14 * c50 * h_z * k1 + c14 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c15 * c46 * h_x
+        * k3 + c165 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
+        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c16 * inv_k3
+        - J_xx * c108 * c123 - J_xz * c109 * c32 - L_ddot * c166 * inv_L - W_z * c189 - axial * c14 * c73 * inv_L
+        * inv_k3 - axial * c158 * c92 - axial * c186 - 2.0 * c110 * c20 - c123 * c87 - c126 * c2 * c69 - 2.0
+        * c13 * k3 - c144 * c192 - c148 * c16 * c70 - c150 * c46 * c47 * k3 - c154 * c193 - c157 * c189 - c160
+        * inv_k3 - c164 * c50 - c164 - c170 * c32 - c171 * c3 - c173 * c63 - c182 * c79 - c185 * c98 - c186
+        * c8 - c187 * c81 - c188 * c50 - c188 - c190 * c191 - c194 * c3 * inv_L * k3 - c85 * k1 - fall_T_x * k3
+        * m_u)
+    c196 = J_xx * c146
+    c197 = c157 * k1
+    c198 = J_xy * k3
+    c199 = c172 * c20
+    c200 = 2.0 * c181
+    c201 = c14 * c50
+    c202 = c113 * c197
+    tau_S_leg_33 = (c114 * k3 + c115 * k3 + c116 * k3 + c121 * k3 + c122 * c177 + c130 * c176 * k1 + c133 * gamma_y
+        + c135 + c137 * k1 * theta_dot + c148 * c56 + c152 * c3 + c161 * c170 + c172 * c180 + c174 * c2 + c184
+        * c88 + c196 * c50 + c196 + c197 * c78 + c201 * c99 - J_xx * c162 - W_z * c142 - c109 * c147 * c50 - c120
+        - c124 - c127 * own_z - c128 * c40 - c136 * c191 - c140 - c151 - c16 * c199 - c16 * c202 - c177 * c42
+        - c198 * c56 - c200 * c48 - c201 * c54)
     # generalised forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
@@ -5827,22 +5709,24 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
     tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
     tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
-    tau_S_dot_leg_11 = C_p + c132 * c18 - c32
-    c310 = c47 * inv_k3
-    tau_S_dot_leg_12 = c15 * c16 + c19 * c24 + c310 * theta_dot - W_z * c26
-    tau_S_dot_leg_13 = c15 * c86 + c157 * c25 - W_z * c310
-    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c125 - c132 * c146 - c144 * c157 - c184 * c50
+    tau_S_dot_leg_11 = C_p + c19 * c70 - c38
+    c203 = c109 * c19
+    tau_S_dot_leg_12 = c16 * c17 + c203 * inv_k3 * theta_dot + c22 * c36 - W_z * c28
+    tau_S_dot_leg_13 = c16 * c68 + c27 * c88 - c20 * c203
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c152 * c20 - c69 - c70 * c82 - c80 * c88
+    c204 = c109 * c82
+    c205 = c204 * theta_dot
     tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
-        * inv_k3 * k1 + W_z * c262 * inv_L * inv_k3 * k1 + 2.0 * W_z * c71 * h_z + 2.0 * c71 * h_y * theta_dot
-        - c160 - c169 * c71 - c174 - c181 - c209 * c22 - c214 * c72 - c87)
-    tau_S_dot_leg_23 = (W_z * c179 * inv_k3 + c168 * c72 * inv_L + c17 + c173 + c242 - c142 - c17 * c71 - c184
-        * inv_L - c301)
-    tau_S_dot_leg_31 = (W_z * c258 * inv_L * k3 + 2.0 * W_z * h_z * k1 - W_z * c49 * c98 - c19 * c271 - c272
-        * c31 - c288 - c302)
+        * inv_k3 * k1 + W_z * c155 * inv_L * inv_k3 * k1 + 2.0 * W_z * c50 * h_z + 2.0 * c50 * h_y * theta_dot
+        - c104 - c108 * c153 - c111 * inv_k3 - c136 - c205 * inv_k3 - 2.0 * c50 * c89 - c83)
+    c206 = c70 * c98
+    tau_S_dot_leg_23 = c102 + c141 + c18 + c20 * c204 + c206 * c50 - c18 * c50 - c190 - c206 - c78
+    tau_S_dot_leg_31 = (W_z * c150 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c130 * c97 * k1 - c173 * c37 - c179
+        - c189 - c192 * c20)
     tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
-        * k1 + L_dot * c14 * c258 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - c15
-        * c289 - c157 * c220 * c98 - c161 * c184 - c17 * inv_k3 - c2 * c267 - c211 * c303 - c236 * c286)
-    tau_S_dot_leg_33 = c169 * k3 + c209 * k1 + c287 * c49 + c291 + c309 * c72 - c180 - c281
+        * k1 + L_dot * c15 * c150 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
+        * c178 - c113 * c16 * inv_k3 - c113 * c182 * c88 - c132 * c53 - c166 * c2 - c18 * inv_k3 - c187 * c88)
+    tau_S_dot_leg_33 = c111 + c113 * c157 * c40 + c16 * c200 + 2.0 * c198 * c88 + c199 * inv_L - c174 - c205
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
@@ -5853,14 +5737,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_dot_zx = s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x + tau_S_dot_leg_33 * z_x
     tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
     tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
-    tau_S_ddot_leg_12 = -c18
-    tau_S_ddot_leg_13 = -c23
-    tau_S_ddot_leg_22 = J_xy * c50 + c146 - c96
-    c311 = L * m_u
-    tau_S_ddot_leg_23 = -c151 - c25 - c311
-    tau_S_ddot_leg_31 = -c275
-    tau_S_ddot_leg_32 = c267 + 2.0 * c271 + c300 + c311 * k3 - c161 * c78 - c298
-    tau_S_ddot_leg_33 = h_y * k1 - c259 - c272
+    tau_S_ddot_leg_12 = -c19
+    tau_S_ddot_leg_13 = -c36
+    tau_S_ddot_leg_22 = c100 + c82 - c55
+    c207 = L * m_u
+    tau_S_ddot_leg_23 = -c207 - c27 - c86
+    c208 = h_y * k3
+    tau_S_ddot_leg_31 = -c208
+    tau_S_ddot_leg_32 = c166 + c171 + c172 * c40 + c207 * k3 - c193 - c194 * c91
+    tau_S_ddot_leg_33 = h_y * k1 - c173 - c99
     # generalised forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
@@ -5871,23 +5756,56 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_zx = s_x * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_x + tau_S_ddot_leg_33 * z_x
     tau_S_ddot_zy = s_y * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_y + tau_S_ddot_leg_33 * z_y
     tau_S_ddot_zz = s_z * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_z + tau_S_ddot_leg_33 * z_z
-    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_S_xx
+    c209 = 1.0 - axial
+    c210 = L * k1
+    c211 = (axial * net_z + c209 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c14 * inv_k3 + J_xy
+        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c14 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
+        * L * W_z * h_z * inv_k3 * theta_dot + L * c14 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
+        * w_k_omega - J_xx * c185 - L * c109 * c42 - L * c169 - L_ddot * c208 - L_dot * c139 - L_dot * c37 * c54
+        - c14 * c198 - c175 * c37 - c198 * c3 - c202 * theta_dot - c210 * c39 - gamma_n * w_y))
+    c212 = c211 * inv_rho * inv_rho
+    bent_leg_12 = -c212 * k3
+    c213 = J_xy * c63
+    c214 = (axial * net_y + c209 * (C_us * theta_dot + J_xx * c75 + J_yz * own_z + L * c105 + L * c106 + c107
+        + c125 * c134 + c159 * k3 + c213 + c61 - C_s * w_y_omega - 2.0 * L * c24 - L * c55 * own_z - L * c84
+        - c148 * c20 * c37 - c158 * w_z - c213 * c50 - c50 * c96))
+    c215 = c15 * c214
+    bent_leg_13 = c215
+    bent_leg_21 = -L * c215
+    bent_leg_22 = -c210 * c212
+    bent_leg_23 = -L * inv_L * net_x
+    c216 = c211 * c4 * c91
+    bent_leg_31 = -c216
+    c217 = inv_rho * k3
+    bent_leg_32 = L * k3 * (c214 * c40 * inv_rho + c217 * net_x)
+    bent_leg_33 = c216 * kappa
+    # generalised forces by the tip's place, as the rows turn
+    tau_place_xx = bent_leg_12 * y_x + bent_leg_13 * z_x + tau_S_xx
+    tau_place_xy = bent_leg_12 * y_y + bent_leg_13 * z_y + tau_S_xy
+    tau_place_xz = bent_leg_12 * y_z + bent_leg_13 * z_z + tau_S_xz
+    tau_place_yx = bent_leg_21 * s_x + bent_leg_22 * y_x + bent_leg_23 * z_x + tau_S_yx
+    tau_place_yy = bent_leg_21 * s_y + bent_leg_22 * y_y + bent_leg_23 * z_y + tau_S_yy
+    tau_place_yz = bent_leg_21 * s_z + bent_leg_22 * y_z + bent_leg_23 * z_z + tau_S_yz
+    tau_place_zx = bent_leg_31 * s_x + bent_leg_32 * y_x + bent_leg_33 * z_x + tau_S_zx
+    tau_place_zy = bent_leg_31 * s_y + bent_leg_32 * y_y + bent_leg_33 * z_y + tau_S_zy
+    tau_place_zz = bent_leg_31 * s_z + bent_leg_32 * y_z + bent_leg_33 * z_z + tau_S_zz
+    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_place_xx
         - omega_y * tau_S_dot_xz)
-    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_S_xy
+    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_place_xy
         - omega_z * tau_S_dot_xx)
-    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_S_xz
+    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_place_xz
         - omega_x * tau_S_dot_xy)
-    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_S_yx
+    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_place_yx
         - omega_y * tau_S_dot_yz)
-    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_S_yy
+    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_place_yy
         - omega_z * tau_S_dot_yx)
-    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_S_yz
+    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_place_yz
         - omega_x * tau_S_dot_yy)
-    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_S_zx
+    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_place_zx
         - omega_y * tau_S_dot_zz)
-    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_S_zy
+    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_place_zy
         - omega_z * tau_S_dot_zx)
-    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_S_zz
+    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_place_zz
         - omega_x * tau_S_dot_zy)
     Y_xx = omega_z * tau_S_ddot_xy + tau_S_dot_xx - omega_y * tau_S_ddot_xz
     Y_xy = omega_x * tau_S_ddot_xz + tau_S_dot_xy - omega_z * tau_S_ddot_xx
@@ -5898,25 +5816,25 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
     Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
     Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
-    G_dot_21 = -c157
-    G_dot_22 = c163 * phi_dot
-    G_dot_23 = c15
-    c312 = inv_rho * phi_dot
-    G_dot_31 = -c312 * k3
-    c313 = inv_rho * theta_dot
-    G_dot_32 = -c2 * inv_rho - c313 * kappa
-    G_dot_33 = c312 * k1
-    c314 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c314
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c313 * k3)
-    f_S_leg_13 = G_dot_33 * c314
+    G_dot_21 = -c88
+    c218 = k1 * phi_dot
+    G_dot_22 = c218 * inv_L
+    G_dot_23 = c16
+    G_dot_31 = -c217 * phi_dot
+    c219 = inv_rho * theta_dot
+    G_dot_32 = -c2 * inv_rho - c219 * kappa
+    G_dot_33 = c218 * inv_rho
+    c220 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c220
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c217 * theta_dot)
+    f_S_leg_13 = G_dot_33 * c220
     f_S_leg_21 = C_s * G_dot_21
     f_S_leg_22 = C_s * G_dot_22
     f_S_leg_23 = C_s * G_dot_23
-    c315 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c315
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c313 * k1)
-    f_S_leg_33 = G_dot_33 * c315
+    c221 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c221
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c219 * k1)
+    f_S_leg_33 = G_dot_33 * c221
     f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
     f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
     f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
@@ -5936,9 +5854,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
     f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
     f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
-    f_S_dot_leg_12 = c314 * inv_rho
-    f_S_dot_leg_23 = -c140
-    f_S_dot_leg_32 = c315 * inv_rho
+    f_S_dot_leg_12 = c220 * inv_rho
+    f_S_dot_leg_23 = -c118
+    f_S_dot_leg_32 = C_s * c217
     f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
     f_S_dot_T_xz = f_S_dot_leg_23 * y_x
     f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
@@ -5955,18 +5873,18 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
     f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    c316 = R_tip_y * q_y
-    c317 = R_tip_z * q_z
-    c318 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c319 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c320 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c321 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c322 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
-    c323 = R_tip_x * q_x
-    c324 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c325 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c326 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c327 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c222 = R_tip_y * q_y
+    c223 = R_tip_z * q_z
+    c224 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c225 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c226 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c227 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c228 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c229 = R_tip_x * q_x
+    c230 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c231 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c232 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c233 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -5974,10 +5892,10 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
-    out.W_mr = [c319 * q_z - c316 - c317 - c318 * q_y, R_tip_y * q_x + c318 * q_x - c320 * q_z, R_tip_z * q_x
-        + c320 * q_y - c319 * q_x, R_tip_x * q_y + c321 * q_z - c322 * q_y, c322 * q_x - c317 - c323 - c324
-        * q_z, R_tip_z * q_y + c324 * q_y - c321 * q_x, R_tip_x * q_z + c325 * q_z - c326 * q_y, R_tip_y * q_z
-        + c326 * q_x - c327 * q_z, c327 * q_y - c316 - c323 - c325 * q_x]
+    out.W_mr = [c225 * q_z - c222 - c223 - c224 * q_y, R_tip_y * q_x + c224 * q_x - c226 * q_z, R_tip_z * q_x
+        + c226 * q_y - c225 * q_x, R_tip_x * q_y + c227 * q_z - c228 * q_y, c228 * q_x - c223 - c229 - c230
+        * q_z, R_tip_z * q_y + c230 * q_y - c227 * q_x, R_tip_x * q_z + c231 * q_z - c232 * q_y, R_tip_y * q_z
+        + c232 * q_x - c233 * q_z, c233 * q_y - c222 - c229 - c231 * q_x]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
@@ -5986,7 +5904,8 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * q_x, f_S_dot_yy * q_z - f_S_dot_yz * q_y, f_S_dot_yz * q_x - f_S_dot_yx * q_z, f_S_dot_yx * q_y - f_S_dot_yy
         * q_x, f_S_dot_zy * q_z - f_S_dot_zz * q_y, f_S_dot_zz * q_x - f_S_dot_zx * q_z, f_S_dot_zx * q_y - f_S_dot_zy
         * q_x]
-    out.tau_t = [tau_S_xx, tau_S_xy, tau_S_xz, tau_S_yx, tau_S_yy, tau_S_yz, tau_S_zx, tau_S_zy, tau_S_zz]
+    out.tau_t = [tau_place_xx, tau_place_xy, tau_place_xz, tau_place_yx, tau_place_yy, tau_place_yz,
+        tau_place_zx, tau_place_zy, tau_place_zz]
     out.tau_r = [X_xz * q_y - X_xy * q_z, X_xx * q_z - X_xz * q_x, X_xy * q_x - X_xx * q_y, X_yz * q_y - X_yy
         * q_z, X_yx * q_z - X_yz * q_x, X_yy * q_x - X_yx * q_y, X_zz * q_y - X_zy * q_z, X_zx * q_z - X_zz
         * q_x, X_zy * q_x - X_zx * q_y]
@@ -6127,9 +6046,9 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
 
 def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
-    F = on.like([0.0] * 6, "F", F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()

@@ -293,7 +293,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.like(Robot(), "robot", robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -666,8 +666,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.like(Model(), "model", model)
-    motion = on.like(Motion(), "motion", motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]

@@ -1011,7 +1011,8 @@ def _parser() -> argparse.ArgumentParser:
         _generate,
         "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example",
         "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit",
-        "The kit proves itself where it runs: `make` builds it and runs its self-test.",
+        "The kit proves itself where it runs: in C, `make` builds it and runs its self-test; in another "
+        "language its README names the command.",
     )
     _robot(verb)
     _output(verb, "DIR", "folder to write to", None)

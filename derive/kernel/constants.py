@@ -42,7 +42,7 @@ def constants(precision: str) -> dict[str, float]:
         "MAX": largest,
         "ROUNDING": 16 * epsilon,
         "POLE_SINE": 4096 * epsilon,
-        "NEAR_POLE": 2.0**-6,
+        "NEAR_POLE": 2.0**-5,
         "SHORTEST": sqrt(1 / largest / epsilon),
         "SUSPECT": 2.0**-13 if double else 2.0**-7,
         "SHORT_SHARE": 64 * sqrt(epsilon) if double else 2.0**-4,

@@ -17,7 +17,6 @@ from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
-    branching_check,
     check_function,
     legs_function,
     model_functions,
@@ -72,8 +71,8 @@ def program(
 
 
 def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]) -> Program:
-    """The closed form's outputs without what lanes do in another way: sums, forces and ``singular_status``,
-    which have no bodies."""
+    """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
+    the checks of results, which have no bodies."""
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _NAMED
     model, motion = Argument("model", Record("Model")), Argument("motion", Record("Motion"))
@@ -85,7 +84,8 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
         )
         known[f"{name}_sums"] = partial(Function, f"{name}_sums", "", (model, motion, legs, summed), None, ())
     for of, result in RESULTS.items():
-        known[f"check_{of}"] = partial(branching_check, f"check_{of}", result)
+        out = Argument("out", Record(result.name), changed=True)
+        known[f"check_{of}"] = partial(Function, f"check_{of}", "", (out,), None, ())
     known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
     known["singular_status"] = lambda: replace(SINGULAR_STATUS, result=Integer())
     needed = _Needed(known, tuple(outputs), of_model, {})

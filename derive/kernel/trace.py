@@ -19,6 +19,7 @@ from .constants import constants
 from .interpret import Arithmetic, Interpreter
 from .nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 from .outputs import FORWARD
+from .prepare import PER_LENGTH
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
@@ -117,12 +118,24 @@ class Tracer(Interpreter):
 
 
 _LEG = "leg of the call"
-_SYMMETRIC = {
-    each.name
-    for module in (n, motion, prepared)
-    for each in vars(module).values()
-    if isinstance(each, Quantity) and each.symmetric
-}
+_QUANTITIES = [
+    each for module in (n, motion, prepared) for each in vars(module).values() if isinstance(each, Quantity)
+]
+_SYMMETRIC = {each.name for each in _QUANTITIES if each.symmetric}
+
+
+def described(constants: Iterable[str]) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of the quantities that constants are components of, by name, in their order."""
+    of = {name: each for each in reversed(_QUANTITIES) for name in each.names}
+    unit, meaning = PER_LENGTH.meaning.split(": ", 1)
+    found = {}
+    for name in constants:
+        quantity = of.get(re.sub(r"_[1-6]$", "", name))
+        if quantity is not None:
+            found[quantity.name] = quantity.unit, quantity.meaning
+        else:
+            found[name] = unit, meaning
+    return found
 
 
 def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> Steps:

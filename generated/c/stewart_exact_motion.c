@@ -25,8 +25,8 @@
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost six bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.015625)
+ * along that axis has lost five bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.03125)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
@@ -84,6 +84,20 @@
 /* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
+
+/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
+#if defined(__GNUC__) && defined(__AVX__)
+#define STEWART_ALIGNED __attribute__((aligned(64)))
+#else
+#define STEWART_ALIGNED
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
+#endif
 
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
@@ -226,7 +240,7 @@ typedef struct {
     stewart_real H_dot_moment[3][LANES];
     leg_checks checked;
     int status;
-} equations_legs;
+} STEWART_ALIGNED equations_legs;
 
 /* The platform's part. */
 static void equations_of_pose(
@@ -1100,91 +1114,75 @@ static void place_blocks_6(
 /* Says where a number of a result is not finite. */
 static void check_equations(equations_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.M[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.C[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.M[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H_dot[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.C[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H_dot[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
-static equations_found find_equations(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_equations(
+    const stewart_exact_model *model, const stewart_motion *motion, equations_found *out)
 {
     int i, j;
-    equations_found out;
     equations_legs legs;
     stewart_real summed[69];
     equations_sums(model, motion, &legs, summed);
-    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out.of.M);
-    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out.of.C);
+    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out->of.M);
+    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out->of.C);
     for (i = 0; i < 3; ++i) {
-        out.of.g[i] = summed[57 + i];
-        out.of.g[i + 3] = summed[60 + i];
-        out.of.friction[i] = summed[63 + i];
-        out.of.friction[i + 3] = summed[66 + i];
+        out->of.g[i] = summed[57 + i];
+        out->of.g[i + 3] = summed[60 + i];
+        out->of.friction[i] = summed[63 + i];
+        out->of.friction[i + 3] = summed[66 + i];
         for (j = 0; j < 6; ++j) {
-            out.of.H[6*i + j] = legs.H_force[i][j];
-            out.of.H[6*(i + 3) + j] = legs.H_moment[i][j];
-            out.of.H_dot[6*i + j] = legs.H_dot_force[i][j];
-            out.of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
+            out->of.H[6*i + j] = legs.H_force[i][j];
+            out->of.H[6*(i + 3) + j] = legs.H_moment[i][j];
+            out->of.H_dot[6*i + j] = legs.H_dot_force[i][j];
+            out->of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
         }
     }
     for (i = 0; i < 6; ++i) {
-        stewart_real total_bias = out.of.g[i] + out.of.friction[i];
+        stewart_real total_bias = out->of.g[i] + out->of.friction[i];
         for (j = 0; j < 3; ++j) {
-            total_bias = total_bias + out.of.C[6*i + j]*motion->v[j] + out.of.C[6*i + (j + 3)]*motion->omega[j];
+            total_bias = total_bias + out->of.C[6*i + j]*motion->v[j] + out->of.C[6*i + (j + 3)]*motion->omega[j];
         }
-        out.of.bias[i] = total_bias;
+        out->of.bias[i] = total_bias;
     }
-    out.status = legs.status;
-    check_equations(&out);
-    return out;
+    out->status = legs.status;
+    check_equations(out);
 }
 
 int stewart_exact_equations(
@@ -1194,7 +1192,7 @@ int stewart_exact_equations(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_equations(model, motion);
+    find_equations(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -1209,7 +1207,7 @@ typedef struct {
     stewart_real sum[6][LANES];
     leg_checks checked;
     int status;
-} bias_legs;
+} STEWART_ALIGNED bias_legs;
 
 /* The platform's part. */
 static void bias_of_pose(
@@ -1474,29 +1472,30 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
 }
 
 /* C [v; omega] + g + friction without C. */
-static bias_found find_bias(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_bias(const stewart_exact_model *model, const stewart_motion *motion, bias_found *out)
 {
     int i;
-    bias_found out;
     bias_legs legs;
     stewart_real summed[6];
     bias_sums(model, motion, &legs, summed);
     for (i = 0; i < 3; ++i) {
-        out.bias[i] = summed[i];
-        out.bias[i + 3] = summed[3 + i];
+        out->bias[i] = summed[i];
+        out->bias[i + 3] = summed[3 + i];
     }
-    out.status = legs.status;
-    check_bias(&out);
-    return out;
+    out->status = legs.status;
+    check_bias(out);
 }
 
 int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
@@ -1505,7 +1504,7 @@ int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *m
     if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_bias(model, motion);
+    find_bias(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.bias, 6, bias);
     }
@@ -1521,7 +1520,7 @@ typedef struct {
     stewart_real F[LANES];
     leg_checks checked;
     int status;
-} forward_legs;
+} STEWART_ALIGNED forward_legs;
 
 /* The platform's part. */
 static void forward_of_pose(
@@ -1905,27 +1904,35 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[LANES];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 8; ++j) {
-            A[8*k + j] = A[8*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 8; ++j) {
+            row[j] = A[8*k + j]*inverse[k];
+            A[8*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[8*i + k];
-            for (j = 6; j < 8; ++j) {
-                A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+            STEWART_LOOP for (j = 6; j < 8; ++j) {
+                A[8*i + j] = A[8*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[LANES];
+    STEWART_LOOP for (j = 0; j < 8; ++j) {
+        row[j] = A[8*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[8*i + k]*inverse;
-        for (j = 0; j < 8; ++j) {
-            A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+        STEWART_LOOP for (j = 0; j < 8; ++j) {
+            A[8*i + j] = A[8*i + j] - factor*row[j];
         }
     }
 }
@@ -1957,15 +1964,12 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    if (out->status != STEWART_OK) {
+        return;
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+    for (i = 0; i < 6; ++i) {
+        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1984,7 +1988,7 @@ typedef struct {
     stewart_real tau[3][LANES];
     leg_checks checked;
     int status;
-} joint_rows_legs;
+} STEWART_ALIGNED joint_rows_legs;
 
 /* The platform's part. */
 static void joint_rows_of_pose(
@@ -2719,8 +2723,8 @@ static apart_found forward_apart(
     stewart_real rest[24];
     stewart_real held[6];
     stewart_real right[6];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2759,15 +2763,15 @@ static apart_found forward_apart(
 }
 
 /* Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read. */
-static forward_dynamics_found find_forward_dynamics(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    forward_dynamics_found *out)
 {
     int i;
-    forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2788,12 +2792,11 @@ static forward_dynamics_found find_forward_dynamics(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.acceleration[i] = A[8*i + 6];
-        out.acceleration[3 + i] = A[8*(i + 3) + 6];
+        out->acceleration[i] = A[8*i + 6];
+        out->acceleration[3 + i] = A[8*(i + 3) + 6];
     }
-    out.status = status == STEWART_OK ? fault : status;
-    check_forward_dynamics(&out);
-    return out;
+    out->status = status == STEWART_OK ? fault : status;
+    check_forward_dynamics(out);
 }
 
 int stewart_exact_forward_dynamics(
@@ -2804,7 +2807,7 @@ int stewart_exact_forward_dynamics(
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_forward_dynamics(model, motion, F);
+    find_forward_dynamics(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         copy(found.acceleration, 6, acceleration);
     }
@@ -2858,27 +2861,35 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[12];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 12; ++j) {
-            A[12*k + j] = A[12*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 12; ++j) {
+            row[j] = A[12*k + j]*inverse[k];
+            A[12*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[12*i + k];
-            for (j = 6; j < 12; ++j) {
-                A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+            STEWART_LOOP for (j = 6; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[12];
+    STEWART_LOOP for (j = 0; j < 12; ++j) {
+        row[j] = A[12*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[12*i + k]*inverse;
-        for (j = 0; j < 12; ++j) {
-            A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+        STEWART_LOOP for (j = 0; j < 12; ++j) {
+            A[12*i + j] = A[12*i + j] - factor*row[j];
         }
     }
 }
@@ -2899,7 +2910,7 @@ static int solve_pivoted_12(stewart_real A[72])
             most = entry > most ? entry : most;
         }
         if (pivot != k) {
-            for (j = 0; j < 12; ++j) {
+            STEWART_LOOP for (j = 0; j < 12; ++j) {
                 const stewart_real upper = A[12*k + j];
                 A[12*k + j] = A[12*pivot + j];
                 A[12*pivot + j] = upper;
@@ -2916,15 +2927,15 @@ static int solve_pivoted_12(stewart_real A[72])
 /* Says where a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->inertia[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->inertia[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 #if !defined(STEWART_SINGULAR_STATUS)
@@ -3035,14 +3046,13 @@ static int columns_status(
 }
 
 /* Inertia that the actuators feel, H^-1 M H^-T. */
-static joint_inertia_found find_joint_inertia(
-    const stewart_exact_model *model, const stewart_motion *motion)
+static void find_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
     int i, j;
-    joint_inertia_found out;
     equations_legs legs;
     stewart_real summed[69];
-    stewart_real A[72];
+    STEWART_ALIGNED stewart_real A[72];
     stewart_real half[6][6];
     equations_sums(model, motion, &legs, summed);
     int status = legs.status;
@@ -3077,12 +3087,11 @@ static joint_inertia_found find_joint_inertia(
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
+            out->inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
         }
     }
-    out.status = status;
-    check_joint_inertia(&out);
-    return out;
+    out->status = status;
+    check_joint_inertia(out);
 }
 
 int stewart_exact_joint_inertia(
@@ -3092,7 +3101,7 @@ int stewart_exact_joint_inertia(
     if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_joint_inertia(model, motion);
+    find_joint_inertia(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.inertia, 36, inertia);
     }
@@ -3100,15 +3109,13 @@ int stewart_exact_joint_inertia(
 }
 
 /* Actuator forces. */
-static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_forces(const stewart_exact_model *model, const stewart_motion *motion, forces_found *out)
 {
     int i;
-    forces_found out;
     for (i = 0; i < 6; ++i) {
-        out.F[i] = REAL(0);
+        out->F[i] = REAL(0);
     }
-    out.status = stewart_exact_forces(model, motion, out.F);
-    return out;
+    out->status = stewart_exact_forces(model, motion, out->F);
 }
 
 typedef struct {
@@ -3122,7 +3129,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} derivatives_legs;
+} STEWART_ALIGNED derivatives_legs;
 
 /* The platform's part. */
 static void derivatives_of_pose(
@@ -4796,27 +4803,35 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[24];
     for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[24*k + j] = A[24*k + j]*inverse[k];
+            row[j] = A[24*k + j]*inverse[k];
+            A[24*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[24*i + k];
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+                A[24*i + j] = A[24*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[24];
+    for (j = 0; j < 24; ++j) {
+        row[j] = A[24*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[24*i + k]*inverse;
         for (j = 0; j < 24; ++j) {
-            A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+            A[24*i + j] = A[24*i + j] - factor*row[j];
         }
     }
 }
@@ -4854,48 +4869,39 @@ static int solve_pivoted_24(stewart_real A[144])
 /* Says where a number of a result is not finite. */
 static void check_derivatives(derivatives_found *out)
 {
-    int i, j;
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_pose[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_pose[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_twist[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_twist[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_acceleration[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_acceleration[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
-static derivatives_found find_derivatives(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_derivatives(
+    const stewart_exact_model *model, const stewart_motion *motion, derivatives_found *out)
 {
     int i, j;
-    derivatives_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    const forces_found acting = find_forces(model, motion);
+    STEWART_ALIGNED stewart_real A[144];
+    forces_found acting;
+    find_forces(model, motion, &acting);
     for (i = 0; i < 6; ++i) {
         legs.F[i] = acting.F[i];
     }
@@ -4912,16 +4918,15 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     scale_moments_24(model->per_length, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
-        out.of.F[i] = acting.F[i];
+        out->of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
-            out.of.by_pose[6*i + j] = A[24*i + (j + 6)];
-            out.of.by_twist[6*i + j] = A[24*i + (j + 12)];
-            out.of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
+            out->of.by_pose[6*i + j] = A[24*i + (j + 6)];
+            out->of.by_twist[6*i + j] = A[24*i + (j + 12)];
+            out->of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
         }
     }
-    out.status = acting.status == STEWART_OK ? legs.status : acting.status;
-    check_derivatives(&out);
-    return out;
+    out->status = acting.status == STEWART_OK ? legs.status : acting.status;
+    check_derivatives(out);
 }
 
 int stewart_exact_derivatives(
@@ -4931,7 +4936,7 @@ int stewart_exact_derivatives(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_derivatives(model, motion);
+    find_derivatives(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -4985,35 +4990,24 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 /* Says where a number of a result is not finite. */
 static void check_linearisation(linearisation_found *out)
 {
-    int i, j;
-    for (i = 0; i < 3; ++i) {
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
+    for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->of.acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 144; ++i) {
+        lost = lost + (STEWART_FABS(out->of.A[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 12; ++j) {
-            if (!(STEWART_FABS(out->of.A[12*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 72; ++i) {
+        lost = lost + (STEWART_FABS(out->of.B[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.B[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 typedef struct {
@@ -5033,7 +5027,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} joint_slopes_legs;
+} STEWART_ALIGNED joint_slopes_legs;
 
 /* The platform's part. */
 static void joint_slopes_of_pose(
@@ -5368,25 +5362,26 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c3 = theta_dot*theta_dot;
         const stewart_real theta_dot2 = c3;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real inv_k3 = L*inv_rho;
+        const stewart_real c4 = L*inv_rho;
+        const stewart_real inv_k3 = c4;
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
-        const stewart_real c4 = omega_z*w_q_y;
-        const stewart_real c5 = omega_x*w_q_z - omega_z*w_q_x;
-        const stewart_real c6 = omega_y*w_q_x;
+        const stewart_real c5 = omega_z*w_q_y;
+        const stewart_real c6 = omega_x*w_q_z - omega_z*w_q_x;
+        const stewart_real c7 = omega_y*w_q_x;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = omega_y*w_q_z - c4;
-        const stewart_real S_ddot_y = -c5;
-        const stewart_real S_ddot_z = omega_x*w_q_y - c6;
-        const stewart_real c7 = k3*k3;
+        const stewart_real S_ddot_x = omega_y*w_q_z - c5;
+        const stewart_real S_ddot_y = -c6;
+        const stewart_real S_ddot_z = omega_x*w_q_y - c7;
+        const stewart_real c8 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(c7*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+        const stewart_real L_ddot = L*(c8*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
             + turned_x;
-        const stewart_real c8 = REAL(2)*L_share;
-        const stewart_real c9 = k3*turned_z;
+        const stewart_real c9 = REAL(2)*L_share;
+        const stewart_real c10 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c8*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_z = c9 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c8;
+        const stewart_real own_y = turned_y - c9*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = c10 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c9;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
@@ -5398,387 +5393,249 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
         const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
         const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
-        const stewart_real c10 = inv_rho*net_z;
-        const stewart_real c11 = inv_L*net_y;
+        const stewart_real c11 = inv_rho*net_z;
+        const stewart_real c12 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c10*y_x + net_x*s_x - c11*z_x;
-        const stewart_real R_tip_y = c10*y_y + net_x*s_y - c11*z_y;
-        const stewart_real R_tip_z = c10*y_z + net_x*s_z - c11*z_z;
-        const stewart_real fall_x = omega_y*w_q_z - c4 - g_x;
-        const stewart_real fall_y = -c5 - g_y;
-        const stewart_real fall_z = omega_x*w_q_y - c6 - g_z;
+        const stewart_real R_tip_x = c11*y_x + net_x*s_x - c12*z_x;
+        const stewart_real R_tip_y = c11*y_y + net_x*s_y - c12*z_y;
+        const stewart_real R_tip_z = c11*y_z + net_x*s_z - c12*z_z;
+        const stewart_real fall_x = omega_y*w_q_z - c5 - g_x;
+        const stewart_real fall_y = -c6 - g_y;
+        const stewart_real fall_z = omega_x*w_q_y - c7 - g_z;
         /* acceleration of the platform point from free fall, leg frame */
         const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x;
-        const stewart_real fall_T_y = L*c9 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_y = L*c10 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
         const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y;
-        const stewart_real c12 = h_z*own_y;
-        const stewart_real c13 = W_z*W_z;
-        const stewart_real c14 = inv_L*inv_L;
-        const stewart_real c15 = L_dot*c14;
-        const stewart_real c16 = REAL(2)*h_y;
-        const stewart_real c17 = W_z*c16;
-        const stewart_real c18 = h_y*inv_L;
-        const stewart_real c19 = REAL(4)*W_z;
-        const stewart_real c20 = c19*theta_dot;
-        const stewart_real c21 = c18*c20;
-        const stewart_real c22 = inv_k3*k1;
-        const stewart_real c23 = h_z*inv_L;
-        const stewart_real c24 = c22*c23;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c14*h_z*theta_dot + REAL(2)*c13*h_x*inv_L + REAL(2)*c3*h_x*inv_L
-            + h_y*inv_L*own_z - c12*inv_L - REAL(4)*c13*c24 - c15*c17 - c21*c22;
-        const stewart_real c25 = REAL(2)*h_x;
-        const stewart_real c26 = c25*inv_L;
-        const stewart_real c27 = axial*m_u;
-        const stewart_real c28 = c27*fall_T_y;
-        const stewart_real c29 = c14*w_x;
-        const stewart_real c30 = c29*gamma_y;
-        const stewart_real c31 = REAL(2)*theta_dot;
-        const stewart_real c32 = c23*c31;
-        const stewart_real c33 = axial*inv_L;
-        const stewart_real c34 = c33*own_z;
-        const stewart_real c35 = c14*own_y;
-        const stewart_real c36 = J_yz*c35;
-        const stewart_real c37 = L_ddot*c14;
-        const stewart_real c38 = c13*c18;
-        const stewart_real c39 = C_s*c14;
-        const stewart_real c40 = inv_k3*w_k_omega;
-        const stewart_real c41 = axial*c38;
-        const stewart_real c42 = axial*c3;
-        const stewart_real c43 = gamma_n*w_y;
-        const stewart_real c44 = c14*inv_k3;
-        const stewart_real c45 = inv_k3*own_y;
-        const stewart_real c46 = REAL(2)*k1;
-        const stewart_real c47 = c18*c46;
-        const stewart_real c48 = h_z*own_z;
-        const stewart_real c49 = inv_L*inv_k3;
-        const stewart_real c50 = c49*k1;
-        const stewart_real c51 = J_xy*c14;
-        const stewart_real c52 = c13*c51;
-        const stewart_real c53 = c3*c51;
-        const stewart_real c54 = axial*c14;
-        const stewart_real c55 = L_ddot*c54;
-        const stewart_real c56 = c54*inv_k3;
-        const stewart_real c57 = axial*own_y;
-        const stewart_real c58 = c22*c57;
-        const stewart_real c59 = REAL(2)*c48;
-        const stewart_real c60 = c59*k1;
-        const stewart_real c61 = L_dot*L_dot;
-        const stewart_real c62 = inv_L*inv_L*inv_L;
-        const stewart_real c63 = c61*c62;
-        const stewart_real c64 = C_s*c54;
-        const stewart_real c65 = c51*k1;
-        const stewart_real c66 = c65*inv_k3;
-        const stewart_real c67 = c14*own_z;
-        const stewart_real c68 = J_xz*c46;
-        const stewart_real c69 = c68*inv_k3;
-        const stewart_real c70 = W_z*axial;
-        const stewart_real c71 = inv_k3*inv_k3;
-        const stewart_real c72 = W_z*c71;
-        const stewart_real c73 = c72*theta_dot;
-        const stewart_real c74 = gamma_y*w_z;
-        const stewart_real c75 = c44*k1;
-        const stewart_real c76 = c56*k1;
-        const stewart_real c78 = J_xx - J_zz;
-        const stewart_real c79 = C_us*c14;
-        const stewart_real c80 = c72*c79;
-        const stewart_real c81 = J_xx*c71;
-        const stewart_real c82 = axial*c52;
-        const stewart_real c83 = REAL(3)*c13;
-        const stewart_real c84 = c18*c71;
-        const stewart_real c85 = axial*c67;
-        const stewart_real c86 = REAL(2)*h_z;
-        const stewart_real c87 = W_z*c86;
-        const stewart_real c88 = c87*k1;
-        const stewart_real c89 = c15*c88*inv_k3;
-        const stewart_real c90 = axial*c72;
-        const stewart_real c92 = REAL(2)*c14;
-        const stewart_real c93 = J_yz*c75;
-        const stewart_real c94 = J_yz*c76;
-        const stewart_real c95 = h_y*k1;
-        const stewart_real c96 = c95*inv_k3;
-        const stewart_real c97 = inv_k3*inv_k3*inv_k3;
-        const stewart_real c98 = REAL(2)*J_xx;
-        const stewart_real c99 = c97*c98;
-        const stewart_real c100 = W_z*k1;
-        const stewart_real c101 = c100*theta_dot;
-        const stewart_real c102 = c101*c99;
-        const stewart_real c103 = c31*c72;
-        const stewart_real tau_S_leg_12 = C_p*W_z + J_xz*c73*c92 + W_z*c32 + axial*c36 + axial*c80 + c102*c14
-            + c13*c94 + c15*c25*c70 + c16*c37 + c18*c42 + c25*c34 + c28*inv_L + c3*c94 + c30 + c32*c90 + c39*c40
-            + c41 + c43*c44 + c45*c47 + REAL(3)*c48*c50 + c52 + c53 + c57*c66 + c67*c78 + c69*c85 + c71*c82
-            + c74*c76 + c81*c85 + c83*c84 - J_xz*c103*c54 - axial*c15*c31*c96 - axial*c30 - axial*c53 - axial*c89
-            - c102*c54 - c13*c93 - c16*c63 - c18*c58 - REAL(6)*c23*c73 - c26*own_z - REAL(2)*c3*c84 - c3*c93
-            - c33*c60*inv_k3 - c36 - REAL(2)*c38 - c40*c64 - c41*c71 - c43*c56 - c52*c71 - c55*h_y - c56*net_z
-            - c66*own_y - c67*c69 - c67*c81 - c74*c75 - c78*c85 - c80 - c82 - c89;
-        const stewart_real c104 = c25*own_y;
-        const stewart_real c105 = c27*fall_T_z;
-        const stewart_real c106 = c79*theta_dot;
-        const stewart_real c107 = J_yy*c35;
-        const stewart_real c108 = J_yz*c67;
-        const stewart_real c109 = c3*h_z;
-        const stewart_real c110 = c23*c83;
-        const stewart_real c111 = g_k*k3;
-        const stewart_real c112 = c111*c29;
-        const stewart_real c113 = gamma_n*k1;
-        const stewart_real c114 = c113*c29;
-        const stewart_real c115 = gamma_n*w_z;
-        const stewart_real c116 = c115*k3;
-        const stewart_real c117 = W_z*c31;
-        const stewart_real c118 = axial*c18;
-        const stewart_real c119 = c18*c22*own_z;
-        const stewart_real c120 = c117*c51;
-        const stewart_real c121 = axial*c13;
-        const stewart_real c122 = g_k*w_z;
-        const stewart_real c123 = c122*k1;
-        const stewart_real c124 = J_xz*c13;
-        const stewart_real c125 = c25*theta_dot;
-        const stewart_real c126 = axial*c125;
-        const stewart_real c127 = REAL(4)*c73;
-        const stewart_real c128 = REAL(2)*c124;
-        const stewart_real c129 = axial*own_z;
-        const stewart_real c130 = REAL(2)*J_yz;
-        const stewart_real c131 = W_z*theta_dot;
-        const stewart_real c132 = REAL(2)*W_z;
-        const stewart_real c133 = c132*c96;
-        const stewart_real c134 = c103*c51;
-        const stewart_real c135 = c121*c71;
-        const stewart_real c136 = c124*c71;
-        const stewart_real c137 = J_yy + c78;
-        const stewart_real c138 = c13*c137;
-        const stewart_real tau_S_leg_13 = axial*c119 + axial*c134 + c101*c130*c56 + c104*inv_L + c105*inv_L
-            + c106 + c107 + c108 + c109*inv_L + c110*c71 + c112 + c114 + c116*c14 + c117*c118 + c120 + REAL(2)*c121*c23
-            + c123*c54 + c124*c92 + c127*c18 + c133*c15 + c136*c54 + c138*c75 + c37*c86 + c54*net_y + c64*w_y_omega
-            + c66*own_z - C_p*theta_dot - axial*c106 - axial*c107 - axial*c108 - axial*c112 - axial*c114 - axial*c120
-            - c103*c118 - c104*c33 - c110 - c116*c54 - c119 - c123*c14 - c126*c15 - c128*c54 - c129*c66 - c13*c137*c76
-            - c130*c131*c75 - c134 - c135*c23 - c136*c14 - c21 - c39*w_y_omega - c55*h_z - c63*c86;
-        const stewart_real c140 = C_s*inv_L;
-        const stewart_real c141 = c140*w_y_omega;
-        const stewart_real c142 = C_us*inv_L;
-        const stewart_real c143 = c142*theta_dot;
-        const stewart_real c144 = REAL(2)*J_yy;
-        const stewart_real c145 = inv_L*own_y;
-        const stewart_real c146 = J_yz*inv_L;
-        const stewart_real c147 = c146*own_z;
-        const stewart_real c148 = L_ddot*c23;
-        const stewart_real c149 = axial*c104;
-        const stewart_real c150 = axial*c143;
-        const stewart_real c151 = J_yy*inv_L;
-        const stewart_real c152 = c151*c57;
-        const stewart_real c153 = axial*c147;
-        const stewart_real c154 = axial*c148;
-        const stewart_real c155 = c122*inv_L;
-        const stewart_real c156 = c96*own_z;
-        const stewart_real c157 = inv_L*theta_dot;
-        const stewart_real c158 = W_z*c157;
-        const stewart_real c159 = REAL(6)*J_xy;
-        const stewart_real c160 = c16*theta_dot;
-        const stewart_real c161 = inv_L*k3;
-        const stewart_real c162 = c161*w_x;
-        const stewart_real c163 = inv_L*k1;
-        const stewart_real c164 = c163*w_x;
-        const stewart_real c165 = c33*w_x;
-        const stewart_real c166 = c111*c165;
-        const stewart_real c167 = c13*c86;
-        const stewart_real c168 = REAL(2)*J_xy;
-        const stewart_real c169 = c157*c168;
-        const stewart_real c170 = c50*own_z;
-        const stewart_real c171 = c126*c2;
-        const stewart_real c172 = c22*c34;
-        const stewart_real c173 = c144*c15;
-        const stewart_real c174 = c130*c15;
-        const stewart_real c175 = W_z*c174;
-        const stewart_real c176 = c135*h_z;
-        const stewart_real c177 = c157*c72;
-        const stewart_real c178 = axial*c160;
-        const stewart_real c179 = c146*c46;
-        const stewart_real c180 = c179*theta_dot;
-        const stewart_real c181 = c180*inv_k3;
-        const stewart_real c182 = J_xz*inv_L;
-        const stewart_real c183 = c71*c83;
-        const stewart_real c184 = W_z*c168;
-        const stewart_real c185 = c15*c184;
-        const stewart_real c186 = c13*c49*k1;
-        const stewart_real tau_S_leg_21 = J_xy*c172 + c113*c165 + c116*c33 + c128*c33 + REAL(6)*c131*c146*c22
-            + c138*c22*c33 + c141 + c149 + c150 + c152 + c153 + c154 + c155*k1 + c156 + c159*c177 + c166 + c169*c70
-            + c171 + c173*theta_dot + c175 + c176 + c178*c72 + c182*c183 + c185*c22 + c186*(REAL(3)*J_zz - REAL(3)*J_xx
-            - REAL(3)*J_yy) + c20*h_y + c83*h_z - axial*c11 - axial*c141 - axial*c156 - axial*c167 - c104 - c105
-            - c109 - c115*c161 - c123*c33 - REAL(6)*c124*inv_L - c127*h_y - c133*c2 - c136*c33 - REAL(2)*c143
-            - c144*c145 - REAL(2)*c147 - c148 - c158*c159 - c160*c70 - c162*g_k - c164*gamma_n - c167*c71 - c168*c170
-            - c169*c90 - c181*c70;
-        const stewart_real c187 = h_y*own_y;
-        const stewart_real c188 = REAL(2)*c187;
-        const stewart_real c189 = axial*c187;
-        const stewart_real c190 = c145*c168;
-        const stewart_real c191 = REAL(2)*own_z;
-        const stewart_real c192 = W_z*c125;
-        const stewart_real c193 = axial*c59;
-        const stewart_real c194 = J_xy*own_y;
-        const stewart_real c195 = c194*c33;
-        const stewart_real c196 = J_xz*c191;
-        const stewart_real c197 = c196*c33;
-        const stewart_real c198 = c2*c87;
-        const stewart_real c199 = c33*c74;
-        const stewart_real c200 = c142*inv_k3;
-        const stewart_real c201 = c28*k1;
-        const stewart_real c202 = J_yz*c37;
-        const stewart_real c203 = c13*c146;
-        const stewart_real c204 = L_ddot*c18;
-        const stewart_real c205 = axial*c198;
-        const stewart_real c206 = c178*c2;
-        const stewart_real c207 = c20*h_z;
-        const stewart_real c208 = c129*c25;
-        const stewart_real c209 = c15*c168;
-        const stewart_real c210 = c209*theta_dot;
-        const stewart_real c211 = J_xz*c15;
-        const stewart_real c212 = c19*c211;
-        const stewart_real c213 = c71*own_z;
-        const stewart_real c214 = REAL(2)*c182;
-        const stewart_real c215 = c121*c146;
-        const stewart_real c216 = c146*c42;
-        const stewart_real c217 = c13*c95;
-        const stewart_real c218 = REAL(2)*c217;
-        const stewart_real c219 = c140*w_k_omega;
-        const stewart_real c220 = c71*k1;
-        const stewart_real c221 = axial*c217;
-        const stewart_real c222 = c3*c95;
-        const stewart_real c223 = axial*c222;
-        const stewart_real c224 = c43*inv_L;
-        const stewart_real c225 = c157*c19;
-        const stewart_real c226 = J_xz*c225;
-        const stewart_real c227 = c204*k1;
-        const stewart_real c228 = axial*c227;
-        const stewart_real c229 = c165*gamma_y;
-        const stewart_real c230 = c130*c63;
-        const stewart_real c231 = c146*c3;
-        const stewart_real c232 = c142*c97;
-        const stewart_real c233 = c158*c98*inv_k3*inv_k3*inv_k3*inv_k3;
-        const stewart_real c234 = J_xx*c97;
-        const stewart_real c235 = L_ddot*c65;
-        const stewart_real c236 = REAL(2)*J_xz;
-        const stewart_real c237 = c213*c33;
-        const stewart_real c238 = c97*k1;
-        const stewart_real c239 = c33*net_z;
-        const stewart_real c240 = c70*k1;
-        const stewart_real c241 = c34*k1;
-        const stewart_real c242 = c2*c25;
-        const stewart_real c243 = c83*c97;
-        const stewart_real c244 = REAL(2)*c97;
-        const stewart_real c245 = axial*c219;
-        const stewart_real c246 = c177*c98;
-        const stewart_real c247 = c13*c33;
-        const stewart_real c248 = J_xy*c247;
-        const stewart_real c249 = J_xy*c3;
-        const stewart_real c250 = c249*c33;
-        const stewart_real c251 = c174*theta_dot;
-        const stewart_real c252 = c71*c87;
-        const stewart_real c253 = axial*c2;
-        const stewart_real c254 = c88*theta_dot;
-        const stewart_real c255 = axial*c97;
-        const stewart_real c256 = axial*c224;
-        const stewart_real c257 = -REAL(2)*J_zz;
-        const stewart_real c258 = c257 + c98;
-        const stewart_real c259 = J_xy*c163;
-        const stewart_real c260 = c259*c3;
-        const stewart_real c261 = c248*k1;
-        const stewart_real c262 = c144 + c258;
-        const stewart_real c263 = W_z*c15;
-        const stewart_real tau_S_leg_22 = W_z*c157*c258 + axial*c246 + c100*c200 + c135*c146 + c137*c170 + c146*c58
-            + c168*c186 + c168*c22*c63 + c177*(-REAL(4)*J_xx - c144 - c257) + c182*c191 + c188*c71 + c189 + c190
-            + c193 + c195*c71 + c198 + c199*c71 + c201*inv_k3 + REAL(2)*c203 + c204*c46*inv_k3 + c205 + c206
-            + c207*c22 + c208*c22 + c210*c71 + REAL(2)*c211*c72 + c216*c71 + c219*c220 + c22*c242*c70 + c22*c251
-            + c220*c224 + c221*inv_k3 + c223*inv_k3 + c226*c238 + c230 + c231*c71 + c232*c240 + c233 + c234*c241
-            + c236*c237 + c243*c95 + c244*c260 + c254*c255 + c261*c97 + c59*c71 - axial*c233 - c100*c232 - c140*inv_k3*w_n_omega
-            - c146*c183 - c158*c255*c68 - c160*c253*c71 - c163*c234*own_z - c172*c78 - c179*c45 - c188 - c189*c71
-            - c190*c71 - c192 - c193*c71 - c195 - c197 - c199 - c202 - c207*c238 - c210 - c212 - c213*c214 - c215
-            - c216 - c218*inv_k3 - c22*c226 - c22*c229 - c22*c248 - c22*c250 - c22*c262*c263 - c220*c239 - c220*c245
-            - c220*c256 - c221*c97 - c222*c244 - c228*inv_k3 - c235*inv_k3 - c243*c259 - c252*c253 - c48 - c61*c92*c96
-            - c71*c74*inv_L;
-        const stewart_real c264 = c13*c151;
-        const stewart_real c265 = c14*c61;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c14 + REAL(2)*J_xy*L_dot*W_z*c14 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
-            + J_xy*c71*inv_L*own_z + J_yy*L_ddot*c14 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c71*h_y*inv_L + REAL(4)*W_z*c97*h_y*k1*theta_dot + c13*c137*c71*inv_L + REAL(2)*c13*c97*h_z*k1
-            + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - J_xy*c225*c238 - c103*c146 - c115*c163 - c117*c96 - c12
-            - c128*c163*c97 - c13*c25 - c144*c63 - c155*k3 - c164*g_k - c17*c2 - c175*c22 - c209*c72 - c213*h_y
-            - c25*c265 - c264 - net_x;
-        const stewart_real c266 = c95*own_y;
-        const stewart_real c267 = c25*k3;
-        const stewart_real c268 = c267*own_z;
-        const stewart_real c269 = c204*k3;
-        const stewart_real c270 = REAL(2)*own_y;
-        const stewart_real c271 = J_xz*c163;
-        const stewart_real c272 = c146*k3;
-        const stewart_real c273 = J_xx*inv_k3;
-        const stewart_real c274 = c16*inv_k3;
-        const stewart_real c275 = h_y*k3;
-        const stewart_real c276 = c13*c275;
-        const stewart_real c277 = c275*c3;
-        const stewart_real c278 = REAL(6)*c158;
-        const stewart_real c279 = c2*c31;
-        const stewart_real c280 = c279*c95;
-        const stewart_real c281 = c87*inv_k3;
-        const stewart_real c282 = axial*theta_dot;
-        const stewart_real c283 = J_xy*c83;
-        const stewart_real c284 = c146*k1;
-        const stewart_real c285 = J_xy*inv_k3;
-        const stewart_real c286 = c157*inv_k3;
-        const stewart_real c287 = J_xz*c132;
-        const stewart_real c288 = W_z*c267;
-        const stewart_real c289 = c98*inv_k3;
-        const stewart_real c290 = c33*k3;
-        const stewart_real c291 = c174*k3;
-        const stewart_real c292 = J_xx*k1;
-        const stewart_real c293 = c161*own_z;
-        const stewart_real c294 = axial*k1;
-        const stewart_real c296 = -c258*k3;
-        const stewart_real tau_S_leg_31 = J_xz*c278*inv_k3 + axial*c268 + axial*c276 + axial*c277 + c13*c274
-            + REAL(3)*c161*c249 + c161*c283 + c162*gamma_y + REAL(6)*c177*c292 + c195*k1 + c197*k1 + c199*k1
-            + c200*c70 + c210*k1 + c212*k1 + c215*k1 + c216*k1 + c219 + c224 + c247*c285 + c253*c288 + c258*c293
-            + c263*c289 + c263*c296 + c266 + c269 + c272*c57 + c273*c34 + c28*k3 + c280 + c281*c282 + c291*theta_dot
-            + c60 - axial*c266 - axial*c269 - axial*c280 - axial*c286*c287 - c121*h_y*inv_k3 - c132*c200 - c163*c74
-            - c193*k1 - c207*inv_k3 - c229*k3 - REAL(3)*c231*k1 - c239 - c245 - c246*c294 - c248*k3 - c249*c290
-            - c253*c88 - c256 - c259*c270 - c268 - c270*c272 - REAL(4)*c271*own_z - c276 - c277 - c283*c49 - c284*c83
-            - c34*c78*k3 - c49*c98*own_z;
-        const stewart_real c297 = gamma_n*w_x;
-        const stewart_real c298 = c86*k1;
-        const stewart_real c299 = c109*c46;
-        const stewart_real c300 = J_xx*c49;
-        const stewart_real c301 = c86*theta_dot;
-        const stewart_real c302 = c169*k1;
-        const stewart_real c303 = REAL(4)*k1;
-        const stewart_real tau_S_leg_32 = C_s*axial*inv_L*k1*w_y_omega + C_us*inv_L*k1*theta_dot + REAL(2)*J_xx*L_dot*c14*c71*k1*theta_dot
-            + REAL(2)*J_xx*c3*c97*inv_L + REAL(2)*J_xx*c61*c62*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c14*k3 + REAL(2)*J_xy*W_z*axial*c71*inv_L*k1*theta_dot
-            + J_xy*axial*inv_L*k3*own_z + REAL(2)*J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c14*inv_k3*theta_dot
-            + J_xz*axial*c13*c71*inv_L*k1 + REAL(2)*J_xz*c3*c71*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c61*c62*k1
-            + REAL(2)*J_xz*inv_L*k3*own_y + REAL(2)*J_yz*W_z*axial*inv_L*inv_k3*theta_dot + REAL(2)*J_yz*inv_L*k1*own_z
-            + L_ddot*c14*c78*k3 + REAL(3)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*axial*h_y*k1*theta_dot + REAL(4)*W_z*c71*h_y*k1*theta_dot
-            + axial*c13*c137*inv_L*k3 + REAL(2)*axial*c13*h_z*k1 + axial*c7*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u
-            + axial*g_k*inv_L*w_z + axial*h_y*inv_k3*own_z + axial*inv_L*k1*net_y + REAL(3)*c13*c71*h_z*k1 + c13*inv_L*inv_k3*(J_yy
-            + c98 - J_zz) + c137*inv_L*k1*own_y + REAL(2)*c14*c61*h_x*k3 + REAL(2)*c3*h_x*k3 + c7*g_k*inv_L*w_z
-            + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_n*inv_L*k1*k3*w_z + gamma_y*inv_L*inv_k3*w_y
-            + h_y*k3*own_z + REAL(2)*h_z*inv_k3*own_y + k3*net_x - C_us*c15*inv_k3 - J_xy*c177*c303 - J_xz*c270*c49
-            - L_ddot*c267*inv_L - axial*c103*c95 - axial*c117*c272 - axial*c13*c137*inv_L*inv_k3 - axial*c275*own_z
-            - c113*c290*w_z - c117*c146*inv_k3 - c117*c95 - REAL(2)*c12*k3 - c122*c33*c7 - c124*c33*c46 - c13*c298
-            - c13*c99*inv_L - c141*k1 - c143*c71*k1 - c149*k1 - c150*k1 - c152*k1 - c153*k1 - c154*k1 - c155
-            - c163*c81*own_y - c166*k1 - c168*c293 - c171*k1 - c175*k1 - c176*k1 - c183*c271 - c185*inv_k3 - c2*c301*k3
-            - c258*c61*c62*k3 - c264*k3 - c265*c298 - c273*c37 - c274*own_z - c285*c34 - c297*c33 - c297*c7*inv_L
-            - c299*c71 - c299 - c3*c300 - c3*c78*inv_L*k3 - c302*c70 - c37*c68 - fall_T_x*k3*m_u;
-        const stewart_real c304 = c275*own_y;
-        const stewart_real c305 = c275*c279;
-        const stewart_real c306 = c13*c259;
-        const stewart_real c307 = axial*c158;
-        const stewart_real c308 = c142*c72;
-        const stewart_real c309 = c163*c98;
-        const stewart_real tau_S_leg_33 = axial*c177*c68 + c121*c272 + c127*h_z*k1 + c158*c296 + c189*inv_k3
-            + c192*k3 + c193*inv_k3 + c194*c49 + c195*k3 + c196*c49 + c197*k3 + c199*k3 + c202*k3 + c203*inv_k3
-            + c206*inv_k3 + c213*c309 + c217 + c22*c239 + c22*c245 + c22*c256 + c221*c71 + c222 + c226*k1 + c228
-            + c229*k1 + c231*inv_k3 + c235 + c241*c78 + c250*k1 + c251*k1 + c253*c281 + c260 + c261 + c272*c3
-            + c272*c42 + c273*c278 + c304 + c305 + REAL(2)*c306*c71 + c307*c99 + c308*c46 + c49*c74 - REAL(4)*J_xz*c177*k1
-            - axial*c304 - axial*c305 - c13*c272 - c132*c211*inv_k3 - c15*c168*k3*theta_dot - c15*c72*c98*k1
-            - c160*c2*inv_k3 - c168*c63*k1 - c187*inv_k3 - c193*k3 - c195*inv_k3 - c197*inv_k3 - c199*inv_k3
-            - c201 - c205*k3 - c208*k1 - c215*inv_k3 - c216*inv_k3 - c218*c71 - c219*c22 - c22*c224 - c220*c248
-            - c221 - c223 - c227 - c230*k3 - c234*c278 - c237*c292 - c240*c242 - c252*c282*k1 - c254 - c284*c57
-            - c289*c307 - c294*c308 - c306 - c59*inv_k3;
+        const stewart_real c13 = h_z*own_y;
+        const stewart_real c14 = W_z*W_z;
+        const stewart_real c15 = inv_L*inv_L;
+        const stewart_real c16 = L_dot*c15;
+        const stewart_real c17 = REAL(2)*h_y;
+        const stewart_real c18 = W_z*c17;
+        const stewart_real c19 = h_y*inv_L;
+        const stewart_real c20 = W_z*inv_k3;
+        const stewart_real c21 = c20*k1;
+        const stewart_real c22 = REAL(4)*c21;
+        const stewart_real c23 = c22*theta_dot;
+        const stewart_real c24 = c14*h_z;
+        const stewart_real c25 = c24*inv_L;
+        const stewart_real c26 = inv_k3*k1;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c15*h_z*theta_dot + REAL(2)*c14*h_x*inv_L + REAL(2)*c3*h_x*inv_L
+            + h_y*inv_L*own_z - c13*inv_L - c16*c18 - c19*c23 - REAL(4)*c25*c26;
+        const stewart_real c27 = REAL(2)*h_x;
+        const stewart_real c28 = c27*inv_L;
+        const stewart_real c29 = c28*own_z;
+        const stewart_real c30 = axial*m_u;
+        const stewart_real c31 = c30*fall_T_y;
+        const stewart_real c32 = L_ddot*c15;
+        const stewart_real c33 = c15*w_x;
+        const stewart_real c34 = c33*gamma_y;
+        const stewart_real c35 = c19*c3;
+        const stewart_real c36 = h_z*inv_L;
+        const stewart_real c37 = REAL(2)*theta_dot;
+        const stewart_real c38 = c36*c37;
+        const stewart_real c39 = h_y*own_y;
+        const stewart_real c40 = inv_L*k1;
+        const stewart_real c41 = c40*inv_k3;
+        const stewart_real c42 = h_z*own_z;
+        const stewart_real c43 = J_zz*own_z;
+        const stewart_real c44 = c15*c43;
+        const stewart_real c45 = c14*c19;
+        const stewart_real c46 = L_dot*L_dot;
+        const stewart_real c47 = inv_L*inv_L*inv_L;
+        const stewart_real c48 = c46*c47;
+        const stewart_real c49 = axial*c16;
+        const stewart_real c50 = inv_k3*inv_k3;
+        const stewart_real c51 = REAL(4)*W_z;
+        const stewart_real c52 = REAL(2)*c50;
+        const stewart_real c53 = REAL(4)*c16;
+        const stewart_real c54 = h_y*k1;
+        const stewart_real c55 = c54*inv_k3;
+        const stewart_real c56 = c16*c37;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c27*c49 + W_z*c38 + axial*c29 + axial*c44 + c31*inv_L
+            + c32*h_y + c34 + c35 + c39*c41 + c41*c42 + c45*c52 - axial*c34 - c17*c48 - c21*c53*h_z - c29 - c35*c52
+            - c36*c50*c51*theta_dot - c44 - c45 - c55*c56;
+        const stewart_real c57 = c27*own_y;
+        const stewart_real c58 = c57*inv_L;
+        const stewart_real c59 = c30*fall_T_z;
+        const stewart_real c60 = J_yy*c15*own_y;
+        const stewart_real c61 = L_ddot*h_z;
+        const stewart_real c62 = c3*h_z;
+        const stewart_real c63 = W_z*c37;
+        const stewart_real c64 = c19*c63;
+        const stewart_real c65 = c33*g_k*k3;
+        const stewart_real c66 = gamma_n*k1;
+        const stewart_real c67 = c33*c66;
+        const stewart_real c68 = REAL(2)*h_z;
+        const stewart_real c69 = c27*theta_dot;
+        const stewart_real c70 = REAL(2)*W_z;
+        const stewart_real c71 = c55*c70;
+        const stewart_real c73 = J_yy - J_zz;
+        const stewart_real c74 = c14*inv_k3;
+        const stewart_real c75 = c74*k1;
+        const stewart_real c76 = c15*c75;
+        const stewart_real tau_S_leg_13 = c15*c61 + c16*c71 + c25*c52 + c50*c64 + c58 + c59*inv_L + c60 + c62*inv_L
+            + c65 + c67 + c73*c76 - C_p*theta_dot - axial*c58 - axial*c60 - axial*c65 - axial*c67 - axial*c73*c76
+            - c25 - c48*c68 - c49*c69 - c64;
+        const stewart_real c78 = C_us*inv_L;
+        const stewart_real c79 = c78*theta_dot;
+        const stewart_real c80 = REAL(2)*J_yy;
+        const stewart_real c81 = inv_L*own_y;
+        const stewart_real c82 = J_yz*inv_L;
+        const stewart_real c83 = c17*theta_dot;
+        const stewart_real c84 = W_z*c83;
+        const stewart_real c85 = axial*c57;
+        const stewart_real c86 = J_yy*inv_L;
+        const stewart_real c87 = axial*c86;
+        const stewart_real c88 = inv_L*theta_dot;
+        const stewart_real c89 = J_xy*c88;
+        const stewart_real c90 = c51*c89;
+        const stewart_real c91 = inv_L*k3;
+        const stewart_real c92 = c91*w_x;
+        const stewart_real c93 = c92*g_k;
+        const stewart_real c94 = inv_L*w_x;
+        const stewart_real c95 = c66*c94;
+        const stewart_real c96 = J_xz*c14;
+        const stewart_real c97 = REAL(4)*inv_L;
+        const stewart_real c98 = J_xy*inv_L;
+        const stewart_real c99 = c98*k1;
+        const stewart_real c100 = c99*inv_k3;
+        const stewart_real c101 = axial*c2;
+        const stewart_real c102 = c16*c80;
+        const stewart_real c103 = REAL(2)*J_yz;
+        const stewart_real c104 = c103*c16;
+        const stewart_real c105 = c50*c84;
+        const stewart_real c106 = c24*c50;
+        const stewart_real c107 = REAL(2)*c96;
+        const stewart_real c108 = c50*inv_L;
+        const stewart_real c109 = REAL(2)*k1;
+        const stewart_real c110 = J_xy*c16;
+        const stewart_real c111 = c109*c110;
+        const stewart_real c112 = c40*c74;
+        const stewart_real c113 = REAL(2)*J_xx;
+        const stewart_real tau_S_leg_21 = W_z*c104 + axial*c112*c73 + axial*c93 + axial*c95 + c101*c69 + c102*theta_dot
+            + c107*c108 + c111*c20 + c112*(REAL(3)*J_zz - REAL(3)*J_yy - c113) + c23*c82 + c24 + c50*c90 + c84
+            + c85 + c87*own_y - c100*own_z - c105 - c106 - c2*c71 - c57 - c59 - c62 - c79 - c80*c81 - c82*own_z
+            - c90 - c93 - c95 - c96*c97;
+        const stewart_real c114 = c98*own_y;
+        const stewart_real c115 = W_z*c69;
+        const stewart_real c116 = gamma_y*inv_L*w_z;
+        const stewart_real c117 = c14*c82;
+        const stewart_real c118 = C_s*inv_L;
+        const stewart_real c119 = W_z*c78*inv_k3;
+        const stewart_real c120 = c31*k1;
+        const stewart_real c121 = J_yz*c32;
+        const stewart_real c122 = c3*c82;
+        const stewart_real c123 = k1*own_y;
+        const stewart_real c124 = c123*c82;
+        const stewart_real c125 = inv_k3*own_z;
+        const stewart_real c126 = axial*k1;
+        const stewart_real c127 = c126*c27;
+        const stewart_real c128 = axial*c43;
+        const stewart_real c129 = c110*c37;
+        const stewart_real c130 = J_xz*W_z;
+        const stewart_real c131 = c130*c53;
+        const stewart_real c132 = J_xz*k1;
+        const stewart_real c133 = c126*c94;
+        const stewart_real c134 = J_xy*k1;
+        const stewart_real c135 = c134*c32;
+        const stewart_real c136 = W_z*c68;
+        const stewart_real c137 = c136*c50;
+        const stewart_real c138 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c139 = c136*k1;
+        const stewart_real c140 = c139*theta_dot;
+        const stewart_real c141 = c2*c27;
+        const stewart_real c142 = c126*c141;
+        const stewart_real c143 = REAL(2)*c54;
+        const stewart_real c144 = c138*c14;
+        const stewart_real c145 = c138*c3;
+        const stewart_real c146 = c40*own_z;
+        const stewart_real c147 = c130*c88;
+        const stewart_real c148 = J_yz*k1;
+        const stewart_real c149 = -REAL(2)*J_zz;
+        const stewart_real c150 = c113 + c149;
+        const stewart_real c151 = J_xy*c109*c48;
+        const stewart_real c152 = REAL(2)*c99;
+        const stewart_real c153 = J_xz*c70;
+        const stewart_real c154 = c15*c46;
+        const stewart_real c155 = c150 + c80;
+        const stewart_real c157 = W_z*c50;
+        const stewart_real tau_S_leg_22 = L_ddot*c19*c26 + W_z*c150*c88 + c103*c48 + c109*c138*c147 + c114 + c117
+            + c119*k1 + c120*inv_k3 + c122*c52 + c125*c127 + c128*c41 + c129*c50 + c142*c20 + c143*c144 + c145*c152
+            + c146*c73*inv_k3 + c148*c56*inv_k3 + c151*inv_k3 + c153*c16*c50 + c2*c51*h_z + c2*c83 + c23*h_z
+            + c3*c55 + c39*c50 + c42 + c74*c99 - c100*c3 - c114*c50 - c115 - c116 - c117*c52 - c118*inv_k3*w_n_omega
+            - c121 - c122 - c124*inv_k3 - c129 - c131 - REAL(4)*c132*c20*c88 - c133*gamma_y*inv_k3 - c135*inv_k3
+            - c137*c2 - c138*c140 - c143*c145 - c144*c152 - REAL(2)*c154*c55 - c155*c157*c88 - c155*c16*c21
+            - c2*c50*c83 - c39 - c54*c74;
+        const stewart_real c158 = g_k*k1;
+        const stewart_real c159 = gamma_n*w_z;
+        const stewart_real c160 = h_y*own_z;
+        const stewart_real c161 = c51*c88;
+        const stewart_real c162 = c138*c161;
+        const stewart_real c163 = c16*c20;
+        const stewart_real c164 = c107*c40;
+        const stewart_real c165 = J_xx + c73;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c15 + REAL(2)*J_xy*L_dot*W_z*c15 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
+            + J_xy*c50*inv_L*own_z + J_yy*L_ddot*c15 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c50*h_y*inv_L + REAL(4)*W_z*c138*h_y*k1*theta_dot + REAL(2)*c138*c14*h_z*k1
+            + c14*c165*c50*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c110*c50*c70 - c13 - c134*c162 - c138*c164
+            - c14*c27 - c14*c86 - REAL(2)*c148*c163 - c154*c27 - c158*c94 - c159*c40 - c160*c50 - c18*c2 - c48*c80
+            - c50*c63*c82 - c55*c63 - c91*g_k*w_z;
+        const stewart_real c166 = c27*k3;
+        const stewart_real c167 = c166*own_z;
+        const stewart_real c168 = c92*gamma_y;
+        const stewart_real c169 = c74*h_y;
+        const stewart_real c170 = J_xx*inv_k3;
+        const stewart_real c171 = c170*inv_L;
+        const stewart_real c172 = REAL(2)*J_xz;
+        const stewart_real c173 = c82*k3;
+        const stewart_real c174 = c136*inv_k3;
+        const stewart_real c175 = J_xz*c20;
+        const stewart_real c176 = REAL(4)*c88;
+        const stewart_real c177 = REAL(2)*k3;
+        const stewart_real c178 = c177*c98;
+        const stewart_real c179 = W_z*c166;
+        const stewart_real c180 = c91*own_z;
+        const stewart_real c181 = J_yz*k3;
+        const stewart_real c182 = c50*k1;
+        const stewart_real c184 = -W_z*c150*k3;
+        const stewart_real tau_S_leg_31 = J_xx*c161*c182 + axial*c167 + c101*c179 + c111*theta_dot + c113*c163
+            + c128*c91 + c131*k1 + c14*c178 + c16*c184 + c168 + c169 + c175*c176 + c178*c3 + c180*(J_xx + c149)
+            + c181*c56 + c31*k3 - axial*c168 - c109*c117 - c109*c122 - c114*k1 - c119 - c139*c2 - c146*c172
+            - c167 - c171*own_z - c173*own_y - c174*theta_dot - REAL(2)*c74*c98;
+        const stewart_real c185 = k3*own_z;
+        const stewart_real c186 = c94*gamma_n;
+        const stewart_real c187 = c172*inv_k3;
+        const stewart_real c188 = c109*c62;
+        const stewart_real c189 = c109*c89;
+        const stewart_real c190 = c68*theta_dot;
+        const stewart_real c191 = c2*k3;
+        const stewart_real c192 = c113*inv_L;
+        const stewart_real c193 = c68*k1;
+        const stewart_real c194 = J_xx - J_zz;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c15*c50*k1*theta_dot + REAL(2)*J_xx*c138*c3*inv_L
+            + REAL(2)*J_xx*c46*c47*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c15*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c15*inv_k3*theta_dot
+            + REAL(2)*J_xz*c3*c50*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c46*c47*k1 + REAL(2)*J_xz*inv_L*k3*own_y
+            + J_yz*inv_L*k1*own_z + L_ddot*c15*c194*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c50*h_y*k1*theta_dot
+            + axial*c14*c73*inv_L*k3 + axial*c8*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c14*c165*inv_L*inv_k3
+            + REAL(2)*c14*c50*h_z*k1 + c14*inv_L*k3*(J_xx - J_yy) + REAL(2)*c15*c46*h_x*k3 + c165*inv_L*k1*own_y
+            + REAL(2)*c3*h_x*k3 + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
+            + REAL(2)*h_z*inv_k3*own_y - C_us*c16*inv_k3 - J_xx*c108*c123 - J_xz*c109*c32 - L_ddot*c166*inv_L
+            - W_z*c189 - axial*c14*c73*inv_L*inv_k3 - axial*c158*c92 - axial*c186 - REAL(2)*c110*c20 - c123*c87
+            - c126*c2*c69 - REAL(2)*c13*k3 - c144*c192 - c148*c16*c70 - c150*c46*c47*k3 - c154*c193 - c157*c189
+            - c160*inv_k3 - c164*c50 - c164 - c170*c32 - c171*c3 - c173*c63 - c182*c79 - c185*c98 - c186*c8
+            - c187*c81 - c188*c50 - c188 - c190*c191 - c194*c3*inv_L*k3 - c85*k1 - fall_T_x*k3*m_u;
+        const stewart_real c196 = J_xx*c146;
+        const stewart_real c197 = c157*k1;
+        const stewart_real c198 = J_xy*k3;
+        const stewart_real c199 = c172*c20;
+        const stewart_real c200 = REAL(2)*c181;
+        const stewart_real c201 = c14*c50;
+        const stewart_real c202 = c113*c197;
+        const stewart_real tau_S_leg_33 = c114*k3 + c115*k3 + c116*k3 + c121*k3 + c122*c177 + c130*c176*k1 + c133*gamma_y
+            + c135 + c137*k1*theta_dot + c148*c56 + c152*c3 + c161*c170 + c172*c180 + c174*c2 + c184*c88 + c196*c50
+            + c196 + c197*c78 + c201*c99 - J_xx*c162 - W_z*c142 - c109*c147*c50 - c120 - c124 - c127*own_z - c128*c40
+            - c136*c191 - c140 - c151 - c16*c199 - c16*c202 - c177*c42 - c198*c56 - c200*c48 - c201*c54;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -5789,22 +5646,26 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c132*c18 - c32;
-        const stewart_real c310 = c47*inv_k3;
-        const stewart_real tau_S_dot_leg_12 = c15*c16 + c19*c24 + c310*theta_dot - W_z*c26;
-        const stewart_real tau_S_dot_leg_13 = c15*c86 + c157*c25 - W_z*c310;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c125 - c132*c146 - c144*c157 - c184*c50;
+        const stewart_real tau_S_dot_leg_11 = C_p + c19*c70 - c38;
+        const stewart_real c203 = c109*c19;
+        const stewart_real tau_S_dot_leg_12 = c16*c17 + c203*inv_k3*theta_dot + c22*c36 - W_z*c28;
+        const stewart_real tau_S_dot_leg_13 = c16*c68 + c27*c88 - c20*c203;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c152*c20 - c69 - c70*c82 - c80*c88;
+        const stewart_real c204 = c109*c82;
+        const stewart_real c205 = c204*theta_dot;
         const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
-            + W_z*c262*inv_L*inv_k3*k1 + REAL(2)*W_z*c71*h_z + REAL(2)*c71*h_y*theta_dot - c160 - c169*c71 - c174
-            - c181 - c209*c22 - c214*c72 - c87;
-        const stewart_real tau_S_dot_leg_23 = W_z*c179*inv_k3 + c168*c72*inv_L + c17 + c173 + c242 - c142 - c17*c71
-            - c184*inv_L - c301;
-        const stewart_real tau_S_dot_leg_31 = W_z*c258*inv_L*k3 + REAL(2)*W_z*h_z*k1 - W_z*c49*c98 - c19*c271
-            - c272*c31 - c288 - c302;
+            + W_z*c155*inv_L*inv_k3*k1 + REAL(2)*W_z*c50*h_z + REAL(2)*c50*h_y*theta_dot - c104 - c108*c153
+            - c111*inv_k3 - c136 - c205*inv_k3 - REAL(2)*c50*c89 - c83;
+        const stewart_real c206 = c70*c98;
+        const stewart_real tau_S_dot_leg_23 = c102 + c141 + c18 + c20*c204 + c206*c50 - c18*c50 - c190 - c206
+            - c78;
+        const stewart_real tau_S_dot_leg_31 = W_z*c150*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c130*c97*k1 - c173*c37
+            - c179 - c189 - c192*c20;
         const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
-            + L_dot*c14*c258*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - c15*c289 - c157*c220*c98
-            - c161*c184 - c17*inv_k3 - c2*c267 - c211*c303 - c236*c286;
-        const stewart_real tau_S_dot_leg_33 = c169*k3 + c209*k1 + c287*c49 + c291 + c309*c72 - c180 - c281;
+            + L_dot*c15*c150*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c178 - c113*c16*inv_k3
+            - c113*c182*c88 - c132*c53 - c166*c2 - c18*inv_k3 - c187*c88;
+        const stewart_real tau_S_dot_leg_33 = c111 + c113*c157*c40 + c16*c200 + REAL(2)*c198*c88 + c199*inv_L
+            - c174 - c205;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
         const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
@@ -5815,14 +5676,15 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x;
         const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
-        const stewart_real tau_S_ddot_leg_12 = -c18;
-        const stewart_real tau_S_ddot_leg_13 = -c23;
-        const stewart_real tau_S_ddot_leg_22 = J_xy*c50 + c146 - c96;
-        const stewart_real c311 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c151 - c25 - c311;
-        const stewart_real tau_S_ddot_leg_31 = -c275;
-        const stewart_real tau_S_ddot_leg_32 = c267 + REAL(2)*c271 + c300 + c311*k3 - c161*c78 - c298;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c259 - c272;
+        const stewart_real tau_S_ddot_leg_12 = -c19;
+        const stewart_real tau_S_ddot_leg_13 = -c36;
+        const stewart_real tau_S_ddot_leg_22 = c100 + c82 - c55;
+        const stewart_real c207 = L*m_u;
+        const stewart_real tau_S_ddot_leg_23 = -c207 - c27 - c86;
+        const stewart_real c208 = h_y*k3;
+        const stewart_real tau_S_ddot_leg_31 = -c208;
+        const stewart_real tau_S_ddot_leg_32 = c166 + c171 + c172*c40 + c207*k3 - c193 - c194*c91;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c173 - c99;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
         const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
@@ -5833,24 +5695,57 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x;
         const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y;
         const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z;
+        const stewart_real c209 = REAL(1) - axial;
+        const stewart_real c210 = L*k1;
+        const stewart_real c211 = axial*net_z + c209*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c14*inv_k3
+            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c14*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
+            + L*c14*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c185 - L*c109*c42 - L*c169
+            - L_ddot*c208 - L_dot*c139 - L_dot*c37*c54 - c14*c198 - c175*c37 - c198*c3 - c202*theta_dot - c210*c39
+            - gamma_n*w_y);
+        const stewart_real c212 = c211*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c212*k3;
+        const stewart_real c213 = J_xy*c63;
+        const stewart_real c214 = axial*net_y + c209*(C_us*theta_dot + J_xx*c75 + J_yz*own_z + L*c105 + L*c106
+            + c107 + c125*c134 + c159*k3 + c213 + c61 - C_s*w_y_omega - REAL(2)*L*c24 - L*c55*own_z - L*c84
+            - c148*c20*c37 - c158*w_z - c213*c50 - c50*c96);
+        const stewart_real c215 = c15*c214;
+        const stewart_real bent_leg_13 = c215;
+        const stewart_real bent_leg_21 = -L*c215;
+        const stewart_real bent_leg_22 = -c210*c212;
+        const stewart_real bent_leg_23 = -L*inv_L*net_x;
+        const stewart_real c216 = c211*c4*c91;
+        const stewart_real bent_leg_31 = -c216;
+        const stewart_real c217 = inv_rho*k3;
+        const stewart_real bent_leg_32 = L*k3*(c214*c40*inv_rho + c217*net_x);
+        const stewart_real bent_leg_33 = c216*kappa;
+        /* generalised forces by the tip's place, as the rows turn */
+        const stewart_real tau_place_xx = bent_leg_12*y_x + bent_leg_13*z_x + tau_S_xx;
+        const stewart_real tau_place_xy = bent_leg_12*y_y + bent_leg_13*z_y + tau_S_xy;
+        const stewart_real tau_place_xz = bent_leg_12*y_z + bent_leg_13*z_z + tau_S_xz;
+        const stewart_real tau_place_yx = bent_leg_21*s_x + bent_leg_22*y_x + bent_leg_23*z_x + tau_S_yx;
+        const stewart_real tau_place_yy = bent_leg_21*s_y + bent_leg_22*y_y + bent_leg_23*z_y + tau_S_yy;
+        const stewart_real tau_place_yz = bent_leg_21*s_z + bent_leg_22*y_z + bent_leg_23*z_z + tau_S_yz;
+        const stewart_real tau_place_zx = bent_leg_31*s_x + bent_leg_32*y_x + bent_leg_33*z_x + tau_S_zx;
+        const stewart_real tau_place_zy = bent_leg_31*s_y + bent_leg_32*y_y + bent_leg_33*z_y + tau_S_zy;
+        const stewart_real tau_place_zz = bent_leg_31*s_z + bent_leg_32*y_z + bent_leg_33*z_z + tau_S_zz;
         const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz + omega_z*tau_S_dot_xy
-            + tau_S_xx - omega_y*tau_S_dot_xz;
+            + tau_place_xx - omega_y*tau_S_dot_xz;
         const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz + omega_x*tau_S_dot_xz
-            + tau_S_xy - omega_z*tau_S_dot_xx;
+            + tau_place_xy - omega_z*tau_S_dot_xx;
         const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz + omega_y*tau_S_dot_xx
-            + tau_S_xz - omega_x*tau_S_dot_xy;
+            + tau_place_xz - omega_x*tau_S_dot_xy;
         const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz + omega_z*tau_S_dot_yy
-            + tau_S_yx - omega_y*tau_S_dot_yz;
+            + tau_place_yx - omega_y*tau_S_dot_yz;
         const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz + omega_x*tau_S_dot_yz
-            + tau_S_yy - omega_z*tau_S_dot_yx;
+            + tau_place_yy - omega_z*tau_S_dot_yx;
         const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz + omega_y*tau_S_dot_yx
-            + tau_S_yz - omega_x*tau_S_dot_yy;
+            + tau_place_yz - omega_x*tau_S_dot_yy;
         const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz + omega_z*tau_S_dot_zy
-            + tau_S_zx - omega_y*tau_S_dot_zz;
+            + tau_place_zx - omega_y*tau_S_dot_zz;
         const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz + omega_x*tau_S_dot_zz
-            + tau_S_zy - omega_z*tau_S_dot_zx;
+            + tau_place_zy - omega_z*tau_S_dot_zx;
         const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz + omega_y*tau_S_dot_zx
-            + tau_S_zz - omega_x*tau_S_dot_zy;
+            + tau_place_zz - omega_x*tau_S_dot_zy;
         const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
         const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
         const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
@@ -5860,25 +5755,25 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real G_dot_21 = -c157;
-        const stewart_real G_dot_22 = c163*phi_dot;
-        const stewart_real G_dot_23 = c15;
-        const stewart_real c312 = inv_rho*phi_dot;
-        const stewart_real G_dot_31 = -c312*k3;
-        const stewart_real c313 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c2*inv_rho - c313*kappa;
-        const stewart_real G_dot_33 = c312*k1;
-        const stewart_real c314 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c314;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c313*k3);
-        const stewart_real f_S_leg_13 = G_dot_33*c314;
+        const stewart_real G_dot_21 = -c88;
+        const stewart_real c218 = k1*phi_dot;
+        const stewart_real G_dot_22 = c218*inv_L;
+        const stewart_real G_dot_23 = c16;
+        const stewart_real G_dot_31 = -c217*phi_dot;
+        const stewart_real c219 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c219*kappa;
+        const stewart_real G_dot_33 = c218*inv_rho;
+        const stewart_real c220 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c220;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c217*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c220;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c315 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c315;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c313*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c315;
+        const stewart_real c221 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c221;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c219*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c221;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -5898,9 +5793,9 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c314*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c140;
-        const stewart_real f_S_dot_leg_32 = c315*inv_rho;
+        const stewart_real f_S_dot_leg_12 = c220*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c118;
+        const stewart_real f_S_dot_leg_32 = C_s*c217;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -5917,18 +5812,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c316 = R_tip_y*q_y;
-        const stewart_real c317 = R_tip_z*q_z;
-        const stewart_real c318 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c319 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c320 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c321 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c322 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c323 = R_tip_x*q_x;
-        const stewart_real c324 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c325 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c326 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c327 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c222 = R_tip_y*q_y;
+        const stewart_real c223 = R_tip_z*q_z;
+        const stewart_real c224 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c225 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c226 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c227 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c228 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c229 = R_tip_x*q_x;
+        const stewart_real c230 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c231 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c232 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c233 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5977,15 +5872,15 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[45][l] = -f_S_zx;
         out->sum[46][l] = -f_S_zy;
         out->sum[47][l] = -f_S_zz;
-        out->sum[48][l] = c319*q_z - c316 - c317 - c318*q_y;
-        out->sum[49][l] = R_tip_y*q_x + c318*q_x - c320*q_z;
-        out->sum[50][l] = R_tip_z*q_x + c320*q_y - c319*q_x;
-        out->sum[51][l] = R_tip_x*q_y + c321*q_z - c322*q_y;
-        out->sum[52][l] = c322*q_x - c317 - c323 - c324*q_z;
-        out->sum[53][l] = R_tip_z*q_y + c324*q_y - c321*q_x;
-        out->sum[54][l] = R_tip_x*q_z + c325*q_z - c326*q_y;
-        out->sum[55][l] = R_tip_y*q_z + c326*q_x - c327*q_z;
-        out->sum[56][l] = c327*q_y - c316 - c323 - c325*q_x;
+        out->sum[48][l] = c225*q_z - c222 - c223 - c224*q_y;
+        out->sum[49][l] = R_tip_y*q_x + c224*q_x - c226*q_z;
+        out->sum[50][l] = R_tip_z*q_x + c226*q_y - c225*q_x;
+        out->sum[51][l] = R_tip_x*q_y + c227*q_z - c228*q_y;
+        out->sum[52][l] = c228*q_x - c223 - c229 - c230*q_z;
+        out->sum[53][l] = R_tip_z*q_y + c230*q_y - c227*q_x;
+        out->sum[54][l] = R_tip_x*q_z + c231*q_z - c232*q_y;
+        out->sum[55][l] = R_tip_y*q_z + c232*q_x - c233*q_z;
+        out->sum[56][l] = c233*q_y - c222 - c229 - c231*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -6022,15 +5917,15 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[90][l] = f_S_dot_zy*q_z - f_S_dot_zz*q_y;
         out->sum[91][l] = f_S_dot_zz*q_x - f_S_dot_zx*q_z;
         out->sum[92][l] = f_S_dot_zx*q_y - f_S_dot_zy*q_x;
-        out->tau_t[0][l] = tau_S_xx;
-        out->tau_t[1][l] = tau_S_xy;
-        out->tau_t[2][l] = tau_S_xz;
-        out->tau_t[3][l] = tau_S_yx;
-        out->tau_t[4][l] = tau_S_yy;
-        out->tau_t[5][l] = tau_S_yz;
-        out->tau_t[6][l] = tau_S_zx;
-        out->tau_t[7][l] = tau_S_zy;
-        out->tau_t[8][l] = tau_S_zz;
+        out->tau_t[0][l] = tau_place_xx;
+        out->tau_t[1][l] = tau_place_xy;
+        out->tau_t[2][l] = tau_place_xz;
+        out->tau_t[3][l] = tau_place_yx;
+        out->tau_t[4][l] = tau_place_yy;
+        out->tau_t[5][l] = tau_place_yz;
+        out->tau_t[6][l] = tau_place_zx;
+        out->tau_t[7][l] = tau_place_zy;
+        out->tau_t[8][l] = tau_place_zz;
         out->tau_r[0][l] = X_xz*q_y - X_xy*q_z;
         out->tau_r[1][l] = X_xx*q_z - X_xz*q_x;
         out->tau_r[2][l] = X_xy*q_x - X_xx*q_y;
@@ -6121,7 +6016,7 @@ static slopes_found slopes_apart(
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    STEWART_ALIGNED stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -6134,7 +6029,7 @@ static slopes_found slopes_apart(
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real held[6];
     stewart_real rest[24];
@@ -6202,15 +6097,16 @@ static slopes_found slopes_apart(
 }
 
 /* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
-static linearisation_found find_linearisation(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_linearisation(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    linearisation_found *out)
 {
     int i, j;
-    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    forward_dynamics_found moved = find_forward_dynamics(model, motion, F);
+    STEWART_ALIGNED stewart_real A[144];
+    forward_dynamics_found moved;
+    find_forward_dynamics(model, motion, F, &moved);
     const int status = moved.status;
     const stewart_motion moving = with_acceleration(motion, &moved.acceleration[0], &moved.acceleration[3]);
     for (i = 0; i < 6; ++i) {
@@ -6242,29 +6138,28 @@ static linearisation_found find_linearisation(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.of.acceleration[i] = moved.acceleration[i];
-        out.of.acceleration[3 + i] = moved.acceleration[3 + i];
+        out->of.acceleration[i] = moved.acceleration[i];
+        out->of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 12; ++j) {
-            out.of.A[12*i + j] = REAL(0);
-            out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
+            out->of.A[12*i + j] = REAL(0);
+            out->of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
-            out.of.B[6*i + j] = REAL(0);
-            out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
+            out->of.B[6*i + j] = REAL(0);
+            out->of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
-        out.of.A[12*i + (i + 6)] = REAL(1);
+        out->of.A[12*i + (i + 6)] = REAL(1);
     }
-    out.of.A[40] = -motion->omega[2];
-    out.of.A[41] = motion->omega[1];
-    out.of.A[51] = motion->omega[2];
-    out.of.A[53] = -motion->omega[0];
-    out.of.A[63] = -motion->omega[1];
-    out.of.A[64] = motion->omega[0];
-    out.status = status == STEWART_OK ? fault : status;
-    check_linearisation(&out);
-    return out;
+    out->of.A[40] = -motion->omega[2];
+    out->of.A[41] = motion->omega[1];
+    out->of.A[51] = motion->omega[2];
+    out->of.A[53] = -motion->omega[0];
+    out->of.A[63] = -motion->omega[1];
+    out->of.A[64] = motion->omega[0];
+    out->status = status == STEWART_OK ? fault : status;
+    check_linearisation(out);
 }
 
 int stewart_exact_linearisation(
@@ -6275,7 +6170,7 @@ int stewart_exact_linearisation(
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_linearisation(model, motion, F);
+    find_linearisation(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }

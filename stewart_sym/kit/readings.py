@@ -20,7 +20,7 @@ from ..derive.generate import output_program, reduced, reduced_kinematics, reduc
 from ..derive.kernel.constants import constants
 from ..derive.kernel.interpret import Arithmetic, Interpreter
 from ..derive.kernel.inverse_dynamics import REACTIONS, TERMS, terms_program
-from ..derive.kernel.kinematics import rotation_program, search_program
+from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import FORCES, program
 from ..kernel import kernel_name
@@ -208,7 +208,7 @@ def _terms(name: str) -> Interpreter:
 
 @cache
 def _search_program() -> Program:
-    return search_program(reduced_kinematics(), public=True)
+    return search_program(reduced_kinematics(), PUBLIC)
 
 
 @cache
