@@ -10,13 +10,14 @@ def main() -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from .cli import main as run
+
+        return run()
     except KeyboardInterrupt:
         return 130
     except (ImportError, MemoryError) as error:
         reason = " ".join(f"{type(error).__name__}: {error}".split())
         print(f"stewart-sym: error: cannot start: {reason}", file=sys.stderr)
         return 2
-    return run()
 
 
 if __name__ == "__main__":

@@ -453,7 +453,8 @@ def _chart(arguments: argparse.Namespace) -> int:
 
     if arguments.pictures:
         _plots()
-    robot, motions, read = paper_machine(), papers_motions(), ()
+    robot, motions = paper_machine(), papers_motions()
+    read: tuple[Path, ...] = ()
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
         robot, motions, read = scene.robot, dict(scene.motions), scene.files
