@@ -53,6 +53,7 @@ from ..kernel.nodes import (
     Structure,
     Variable,
 )
+from ..kernel.settle import settled
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
@@ -152,7 +153,8 @@ def source(
     name = model.formulation.kernel_name
     top = filled("top.c", file=f"stewart_{name}_motion", version=version)
     macros = "".join(filled(each) for each in ("arithmetic.c", "lanes.c", "suspect.c", "motion.c"))
-    parts = _Source(kernels, model, _asked(functions)).parts()
+    made = _Source(kernels, model, _asked(functions)).parts()
+    parts = (settled(each) if isinstance(each, Function) else each for each in made)
     return C(sizes={LANES: "LANES"}).source(f"{top}{macros}", *parts)
 
 
