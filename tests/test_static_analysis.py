@@ -19,7 +19,6 @@ SUPPRESSED = {
         "variableScope": "declarations stand at the head of a function, as in all of the emitted C",
         "missingIncludeSystem": "system headers are not analysed",
         "redundantAssignment": "the search of a pivot is unrolled: the next column's begins by an assignment",
-        "knownConditionTrueFalse": "one text serves one pose and many: it repeats a branch in a selection",
         "unusedStructMember": "C has no structure without members",
     },
     "clang-tidy": {

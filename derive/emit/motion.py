@@ -58,6 +58,7 @@ from ..kernel.nodes import (
     Structure,
     Variable,
 )
+from ..kernel.settle import settled
 from ..kernel.shared import SINGULAR_STATUS
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
@@ -158,7 +159,8 @@ def source(
     """
     name = model.formulation.kernel_name
     before = "\n".join([top(f"stewart_{name}_motion", version, SOLVE), filled("motion.c")])
-    parts = _Source(kernels, model, _asked(functions)).parts()
+    made = _Source(kernels, model, _asked(functions)).parts()
+    parts = (settled(each) if isinstance(each, Function) else each for each in made)
     return C(sizes=SIZES).source(before, *parts)
 
 

@@ -2508,7 +2508,7 @@ static void balance_rows(
             balanced[3*b + k] = own;
             if (own > REAL(0)) {
                 for (i = k + 1; i < 3; ++i) {
-                    const stewart_real factor = own > REAL(0) ? W[i][k]/W[k][k] : REAL(0);
+                    const stewart_real factor = W[i][k]/W[k][k];
                     moved[3*b + i] = moved[3*b + i] - factor*moved[3*b + k];
                     for (j = k + 1; j < 3; ++j) {
                         W[i][j] = W[i][j] - factor*W[k][j];
@@ -2716,9 +2716,9 @@ static void find_forward_dynamics(
         rows by;
         const apart_found apart = forward_apart(model, motion, F, &by);
         for (i = 0; i < 6; ++i) {
-            A[8*i + 6] = fault == STEWART_INDEFINITE ? apart.x[i] : A[8*i + 6];
+            A[8*i + 6] = apart.x[i];
         }
-        fault = fault == STEWART_INDEFINITE ? apart.status : fault;
+        fault = apart.status;
     }
     for (i = 0; i < 3; ++i) {
         out->acceleration[i] = A[8*i + 6];
@@ -2915,7 +2915,7 @@ static void find_joint_inertia(
     }
     if (status == STEWART_OK && close == 1) {
         const int found = columns_status(model, motion, &legs);
-        status = (status == STEWART_OK && close == 1) ? found : status;
+        status = found;
     }
     for (i = 0; i < 3; ++i) {
         for (j = 0; j < 6; ++j) {
@@ -5969,15 +5969,14 @@ static void find_linearisation(
         const slopes_found apart = slopes_apart(model, motion, &moving, F);
         for (i = 0; i < 6; ++i) {
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = fault == STEWART_INDEFINITE ? apart.A[24*i + j] : A[24*i + j];
+                A[24*i + j] = apart.A[24*i + j];
             }
         }
         for (i = 0; i < 3; ++i) {
-            moved.acceleration[i] = fault == STEWART_INDEFINITE ? apart.x[i] : moved.acceleration[i];
-            moved.acceleration[3 + i] = fault == STEWART_INDEFINITE ? apart.x[i + 3] : moved.acceleration[3
-                + i];
+            moved.acceleration[i] = apart.x[i];
+            moved.acceleration[3 + i] = apart.x[i + 3];
         }
-        fault = fault == STEWART_INDEFINITE ? apart.status : fault;
+        fault = apart.status;
     }
     for (i = 0; i < 3; ++i) {
         out->of.acceleration[i] = moved.acceleration[i];
