@@ -134,6 +134,8 @@ class SumKernel:
 
 NAMES = ("equations", "bias", "forward_dynamics", "derivatives", "joint_rows", "joint_slopes")
 """Of the kernels, in the order of the emitted file."""
+OF_TWO_FORMS = ("equations", "derivatives")
+"""Of those whose legs have a second block."""
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
@@ -142,8 +144,11 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
 
 
 @cache
-def kernel(name: str, friction: bool) -> SumKernel:
-    """One of ``NAMES``, derived once."""
+def kernel(name: str, friction: bool, near: bool = True) -> SumKernel:
+    """One of ``NAMES``, derived once; near: with the leg's second block where there is one."""
+    if near and name in OF_TWO_FORMS:
+        leg = {"equations": _equations_of_leg, "derivatives": _derivatives_of_leg}[name]
+        return replace(kernel(name, friction, False), near=from_difference(leg(friction, near=True)))
     derive = {
         "equations": equations_kernel,
         "bias": bias_kernel,
@@ -413,8 +418,9 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
 def equations_kernel(friction: bool) -> SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*INERTIA, *CORIOLIS, *GRAVITY, *FRICTION)
-    legs = (_equations_of_leg(friction, near) for near in (False, True))
-    return SumKernel("equations", summed, _equations_of_platform(friction), *legs)
+    return SumKernel(
+        "equations", summed, _equations_of_platform(friction), _equations_of_leg(friction, near=False)
+    )
 
 
 def _equations_of_platform(friction: bool) -> Block:
@@ -523,8 +529,9 @@ def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
 def derivatives_kernel(friction: bool) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
-    legs = (_derivatives_of_leg(friction, near) for near in (False, True))
-    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), *legs)
+    return SumKernel(
+        "derivatives", summed, _derivatives_of_platform(friction), _derivatives_of_leg(friction, near=False)
+    )
 
 
 def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from .emit import lanes
+from .emit.shared import shared_headers
 from .formulation import EXACT
 from .generate import generator_version, prepared_model, shared_blocks
 from .operations import force_operations
@@ -75,6 +76,7 @@ def _after(name: str, meaning: str, derive: Callable[[bool], ForceKernel]) -> Pa
         operations=(force_operations(smooth).total.total, force_operations(rough).total.total),
         sources={
             "stewart.h": common_header(version),
+            **shared_headers(version, rough.about_tip),
             "stewart_exact_forces.h": lanes.header(rough, smooth, version),
             "stewart_exact_forces.c": lanes.source(rough, version),
         },

@@ -66,6 +66,57 @@ class Arithmetic:
             setattr(made, name, self.arrays(each))
         return made
 
+    def checked(self, made: Any, name: str, value: Any) -> Any:
+        """``value`` with the members and components of ``made``, real numbers in the type of real numbers.
+
+        Raises ValueError with ``name``, or that of a member, for another structure or shape. What has a status,
+        and so was made by a function, has its members.
+        """
+        if isinstance(made, int | float):
+            return value if isinstance(made, int) else self.number(value)
+        if isinstance(made, list) and not hasattr(made[0], "__dict__"):
+            return self.components(name, value, len(made))
+        if isinstance(made, list):
+            if len(value) != len(made):
+                raise ValueError(f"{name}: expected {len(made)}, got {len(value)}")
+            return [self.checked(one, name, each) for one, each in zip(made, value, strict=True)]
+        if type(value) is not type(made):
+            raise ValueError(f"{name}: expected {type(made).__name__}, got {type(value).__name__}")
+        if hasattr(made, "status"):
+            return value
+        for member, each in vars(made).items():
+            setattr(made, member, self.checked(each, member, getattr(value, member)))
+        return made
+
+    def number(self, value: Any) -> Any:
+        """A number in the type of real numbers."""
+        known = hasattr(value, "dtype") and value.dtype == self.type
+        return value if known else self.xp.asarray(value, dtype=self.type)
+
+    def components(self, name: str, value: Any, count: int) -> Any:
+        """A list of numbers or arrays, one for each component; of an array they are along its last axis."""
+        if isinstance(value, list | tuple):
+            if len(value) != count or any(isinstance(each, list | tuple) for each in value):
+                got = "nested lists" if len(value) == count else f"{len(value)}"
+                raise ValueError(f"{name}: expected {count} numbers or arrays, got {got}")
+            return [self.number(each) for each in value]
+        array = self.number(value)
+        if array.ndim == 0 or array.shape[-1] != count:
+            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
+        return [array[..., i] for i in range(count)]
+
+    def fill(self, made: Any, fields: Any) -> None:
+        """Members of a structure from arrays, whose components are along the last axis; R may be (..., 3, 3)."""
+        if "R" not in fields:
+            raise ValueError("R: expected shape (..., 3, 3) or (..., 9), got none")
+        for name, value in fields.items():
+            if name not in vars(made):
+                raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
+            array = self.xp.asarray(value, dtype=self.type)
+            if name == "R" and tuple(array.shape[-2:]) == (3, 3):
+                array = self.xp.reshape(array, (*array.shape[:-2], 9))
+            setattr(made, name, self.components(name, array, len(getattr(made, name))))
+
     def sqrt(self, value: Any) -> Any:
         """The square root."""
         return self.xp.sqrt(self.real(value))

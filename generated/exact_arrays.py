@@ -3,8 +3,9 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
-square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -817,7 +818,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.arrays(robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -1210,14 +1211,13 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
         for i in range(k + 1, 6):
             larger_below = on.size(A[i][k]) > on.size(A[k][k])
             for j in range(k, 7):
-                upper = A[k][j]
+                above = A[k][j]
                 A[k][j] = on.where(larger_below, A[i][j], A[k][j])
-                A[i][j] = on.where(larger_below, upper, A[i][j])
+                A[i][j] = on.where(larger_below, above, A[i][j])
         suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
-        inverse = 1.0 / A[k][k]
-        x[k] = inverse
+        x[k] = 1.0 / A[k][k]
         for i in range(k + 1, 6):
-            factor = A[i][k] * inverse
+            factor = A[i][k] * x[k]
             for j in range(k + 1, 7):
                 A[i][j] = A[i][j] - factor * A[k][j]
     for i in range(5, -1, -1):
@@ -1363,8 +1363,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2129,8 +2129,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
     loads.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2406,8 +2406,8 @@ def check_bias(on: Arithmetic, out: Any) -> None:
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -2740,21 +2740,29 @@ def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
     for k in range(5, -1, -1):
         for j in range(6, 8):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(8):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
@@ -3388,9 +3396,9 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
     read.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3451,21 +3459,29 @@ def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 12
     for k in range(5, -1, -1):
         for j in range(6, 12):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 12):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 12
+    for j in range(12):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(12):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
@@ -3522,8 +3538,8 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -4988,21 +5004,29 @@ def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 24
     for k in range(5, -1, -1):
         for j in range(6, 24):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 24):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 24
+    for j in range(24):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(24):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
@@ -5060,8 +5084,8 @@ def check_derivatives(on: Arithmetic, out: Any) -> None:
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6021,9 +6045,9 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
 
 def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6077,17 +6101,9 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
     """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
+    names and shapes.
     """
     made = Motion()
-    for name, value in fields.items():
-        if name not in vars(made):
-            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
-        array = on.xp.asarray(value, dtype=on.type)
-        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
-            array = on.xp.reshape(array, (*array.shape[:-2], 9))
-        count = len(getattr(made, name))
-        if array.ndim == 0 or array.shape[-1] != count:
-            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
-        setattr(made, name, [array[..., i] for i in range(count)])
+    on.fill(made, fields)
     return made

@@ -200,3 +200,11 @@ MODELS: dict[str, int] = {
     "exact_slender_static": 66,
     "exact_massless_static": 58,
 }
+
+# Headers that the sources share: to compile one takes these, and its own.
+HEADERS = (
+    "stewart.h",
+    "stewart_arithmetic.h",
+    "stewart_solve.h",
+    "stewart_lanes.h",
+)

@@ -9,13 +9,12 @@ import ctypes
 import functools
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from importlib.resources import files
 from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import native
+from . import kernel, native
 from .forces import ForceKernel, prepare
 from .generated.interface import OUTPUTS as _OUTPUTS
 from .generated.interface import STRUCTS
@@ -40,10 +39,7 @@ class ClosedForm(Protocol):
 
 def c_sources() -> dict[str, str]:
     """File name -> text of the generated C of the closed form and of the force kernel it stands on."""
-    folder = files("stewart_sym.generated") / "c"
-    parts = [f"stewart_{NAME}_{part}" for part in ("forces", "motion")]
-    names = ["stewart.h", *(f"{part}.{kind}" for part in parts for kind in "hc")]
-    return {name: (folder / name).read_text(encoding="utf-8") for name in names}
+    return kernel.c_sources(f"{NAME}_forces") | kernel.c_sources(f"{NAME}_motion")
 
 
 @functools.cache

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from . import native
 from .checks import option
 from .frozen import Frozen, read_only
-from .generated.interface import OUTPUTS, STRUCTS
+from .generated.interface import HEADERS, OUTPUTS, STRUCTS
 from .motion import Motion
 from .results import Forces, Reactions
 from .robot import Robot
@@ -44,7 +44,7 @@ def c_sources(name: str) -> dict[str, str]:
     folder = files("stewart_sym.generated") / "c"
     return {
         file: (folder / file).read_text(encoding="utf-8")
-        for file in ("stewart.h", f"stewart_{name}.h", f"stewart_{name}.c")
+        for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")
     }
 
 

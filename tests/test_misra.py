@@ -17,6 +17,7 @@ from sweeps import FULL
 import stewart_sym as ss
 from stewart_sym.derive.generate import motion_files
 from stewart_sym.derive.package.deviations import DEVIATIONS, KINDS, deviations
+from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice, kit
 
 MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia")
@@ -31,7 +32,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:.*physically impossible")
 
 
 def committed(stem: str) -> dict[str, str]:
-    names = ("stewart.h", f"{stem}.h", f"{stem}.c")
+    names = (*HEADERS, f"{stem}.h", f"{stem}.c")
     return {name: (attack_build.GENERATED / name).read_text() for name in names}
 
 

@@ -4,6 +4,7 @@ from ..kernel.bounds import BoundedForces
 from ..print.c import C
 from ..print.template import filled
 from ..regroup import ForceKernel
+from .shared import LANES, SIZES
 
 
 def header(kernel: ForceKernel, version: str) -> str:
@@ -22,11 +23,10 @@ def header(kernel: ForceKernel, version: str) -> str:
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_bounds.c``: preparation, blocks with their errors, the solution and its bound."""
     name = kernel.formulation.kernel_name
-    macros = ("arithmetic.c", "lanes.c", "suspect.c", "bounds_macros.c")
-    top = filled("bounds_top.c", name=name, version=version) + "".join(map(filled, macros))
+    top = filled("bounds_top.c", name=name, version=version, header=LANES) + filled("bounds_macros.c")
     made = BoundedForces(kernel)
-    parts = [top, *made.parts(filled("singular_status.c")), filled("bounds.c", name=name)]
-    return C(made.texts.functions.values(), {8: "LANES"}).source(*parts)
+    parts = [top, *made.parts(), filled("bounds.c", name=name)]
+    return C(made.texts.functions.values(), SIZES).source(*parts)
 
 
 def model_numbers(kernel: ForceKernel) -> int:

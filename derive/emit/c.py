@@ -9,6 +9,7 @@ from .. import notation as n
 from ..block import Block, Quantity
 from ..formulation import UNIVERSAL
 from ..kernel import prepare as p
+from ..kernel.elimination import ONCE
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.lower import steps_of
@@ -35,11 +36,13 @@ from ..kernel.nodes import (
     of,
 )
 from ..kernel.read import Given
+from ..kernel.shared import shared
 from ..kernel.written import every_output as written
 from ..kernels import Kernel
 from ..operations import KernelOperations
 from ..print.c import C
 from ..print.template import filled
+from .shared import SOLVE, top
 
 _NUMBERS = Pointer(Real())
 
@@ -109,9 +112,8 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
 
 def source(kernel: Kernel, version: str) -> str:
     """``stewart_<kernel>.c``: the blocks and the code that runs them."""
-    top = filled("top.c", file=f"stewart_{kernel.formulation.kernel_name}", version=version)
-    macros = "".join(filled(each) for each in ("arithmetic.c", "apart.c", "suspect.c"))
-    return C().source(top + macros, *_Source(kernel).parts)
+    made = _Source(kernel)
+    return C(made.texts.functions.values()).source(top(made.name, version, SOLVE), *made.parts)
 
 
 def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
@@ -128,7 +130,6 @@ _FIXED = (
     _signature("motion_as_arrays", _MOTIONS, motion=Record("stewart_motion")),
     _signature("motions_given", Integer(), motions=_MOTIONS),
     _signature("copy", None, to=_NUMBERS, pose=Count(), source=_NUMBERS, count=Count()),
-    p.SINGULAR_STATUS,
 )
 
 
@@ -160,8 +161,9 @@ class _Source:
         flags: dict[str, Given] = {
             "HAS_SINE": int(any(out.quantity == n.k3 for out in kernel.leg.outputs)),
             "COUNT": sum(each.count for each in STRUCTS["reactions"]),
+            "SMALLEST": Number(p.ABOUT_REFERENCE[0]),
         }
-        self.texts = Written(structures, flags, {each.name: each for each in _FIXED})
+        self.texts = Written(structures, flags, shared().by_name | {each.name: each for each in _FIXED})
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, Function)]
 
@@ -174,9 +176,7 @@ class _Source:
             yield function
         yield filled("every_output.c")
         yield read(written.leg_status)
-        yield p.per_length_of(self.texts, *p.ABOUT_REFERENCE)
-        yield read(written.solve)
-        yield filled("singular_status.c")
+        yield read(written.solve, given=ONCE)
         yield read(written.pose_forces)
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)

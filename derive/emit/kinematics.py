@@ -8,11 +8,13 @@ from collections.abc import Iterable
 
 from ..block import Block
 from ..kernel.constants import SEARCH
-from ..kernel.kinematics import legs_program, rotation_program, search_program
+from ..kernel.kinematics import legs_program, rotation_program, search_operations, search_program
 from ..kernel.nodes import Program
-from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
+from ..kernel.settle import of_one_pose
+from ..kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
+from .shared import ARITHMETIC, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
@@ -24,20 +26,12 @@ _OF_POSES = _OF_STEWART_H | {"Pose": "stewart_pose"}
 
 def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
-    one_leg = blocks.vectors.operations()
-    costs = {
-        "lengths": 6 * one_leg,
-        "lengths, rates": 6 * (one_leg + blocks.rate.operations()),
-        "search": search_operations(blocks),
-        "step": step_operations(blocks),
-        "velocity": velocity_operations(blocks),
-    }
     return _files(
         "kinematics",
-        search_program(blocks),
+        of_one_pose(search_program(blocks)),
         _OF_POSES,
         version,
-        operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
+        operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),
         max_steps=SEARCH["MAX_STEPS"][0],
         steps=_listed(STEPS["double"]),
         float_steps=_listed(STEPS["float"]),
@@ -69,6 +63,6 @@ def _files(
     }
     printer = C(program.functions, None, True, snake | records, program.structures)
     own = (each for each in program.structures if each.name not in records)
-    top = filled("top.c", file=file, version=version) + filled("arithmetic.c")
-    source = printer.source(top, *own, *program.functions, filled(f"{name}.c"))
+    before = top(file, version, ARITHMETIC)
+    source = printer.source(before, *own, *program.functions, filled(f"{name}.c"))
     return {f"{file}.h": filled(f"{name}.h", version=version, **said), f"{file}.c": source}

@@ -13,6 +13,7 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Quantity
 from ..kernel import prepare as p
+from ..kernel.constants import SMALLEST
 from ..kernel.layouts import (
     LANE,
     Layout,
@@ -34,7 +35,6 @@ from ..kernel.layouts import (
 )
 from ..kernel.lower import expression, steps_of
 from ..kernel.nodes import (
-    Argument,
     Array,
     As,
     Assign,
@@ -58,11 +58,11 @@ from ..kernel.nodes import (
     Statement,
     Structure,
     Table,
-    Type,
     at,
     of,
 )
 from ..kernel.read import LANES, Given
+from ..kernel.shared import shared
 from ..kernel.written import lanes as written
 from ..operations import force_operations
 from ..prepared import ADDED, arm_c, q_1
@@ -70,30 +70,15 @@ from ..print.c import C
 from ..print.template import filled
 from ..regroup import ForceKernel
 from .c import operations_table
+from .shared import LANES as HEADER
+from .shared import SIZES, top
 
 RIGHT_SIDE = (n.c_force, n.c_moment)
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
 LOADS = (n.F_ext, n.M_ext)
-SIZES = {LANES: "LANES"}
 _NUMBERS = Pointer(Real())
-_VECTORS = Array(Real(), (3, LANES))
-
-
-def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
-    """A function of the template ``blocks.c``; ``to`` and ``padded`` are changed."""
-    given = (Argument(each, kind, each in ("to", "padded")) for each, kind in arguments.items())
-    return Function(name, "", tuple(given), result, ())
-
-
-_BLOCKS = (
-    _signature(
-        "whole", _NUMBERS, source=_NUMBERS, width=Count(), first=Count(), count=Count(), padded=_NUMBERS
-    ),
-    _signature("spread_vector", None, source=_NUMBERS, to=_VECTORS),
-    _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
-    _signature("clear", None, to=_VECTORS),
-)
+_WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
 def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) -> str:
@@ -136,21 +121,16 @@ def _header(kernel: ForceKernel, title: str, says: str, operations: str, version
 
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
-    top = filled("top.c", file=f"stewart_{kernel.name}_forces", version=version)
-    macros = "".join(filled(each) for each in ("arithmetic.c", "lanes.c", "suspect.c"))
-    return C(sizes=SIZES).source(top + macros, *_Source(kernel).parts)
+    made = _Source(kernel)
+    defined = "" if n.D in made.given else _WITHOUT_D
+    before = top(f"stewart_{kernel.name}_forces", version, HEADER, defined)
+    return C(made.texts.functions.values(), SIZES).source(before, *made.parts)
 
 
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
     return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 1
-
-
-def _solve_pose(texts: Written) -> list[Function]:
-    return [
-        texts.function(each) for each in (written.exchange_rows, written.subtract_row, written.solve_pose)
-    ]
 
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
@@ -180,10 +160,10 @@ class _Source:
             "HAS_SINE": int(n.k3 in self.given),
             "HAS_NEAR": int(kernel.leg_near_pole is not None),
             "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
+            "SMALLEST": Number(SMALLEST),
             "PER_LENGTH": Number(p.per_length(kernel.size)),
         }
-        known = {each.name: each for each in (p.SINGULAR_STATUS, *_BLOCKS)}
-        self.texts = Written(self.structures, self.flags, known)
+        self.texts = Written(self.structures, self.flags, shared(kernel.about_tip).by_name)
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, Function)]
 
@@ -266,7 +246,6 @@ class _Source:
             yield self._table()
         else:
             yield from p.preparation(self.texts, kernel)
-            yield p.per_length_of(self.texts)
             yield p.size_of(self.texts, by_legs=False)
             yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
         shared = (*_lines(kernel.shared, self._place("at")), *stores(kernel.shared.outputs, _out()))
@@ -274,10 +253,6 @@ class _Source:
         yield from self._legs_of_pose()
         if kernel.about_tip:
             yield from self._moments_of_pose()
-        if p.is_scaled(kernel):
-            yield read(written.scale_pose)
-        yield from _solve_pose(self.texts)
-        yield filled("singular_status.c")
         yield read(written.pose_status, apart=True)
         yield read(written.forces, f"{name}_forces", public=True, given=self._public("motion", "F"))
         yield made["Block"]
@@ -469,15 +444,8 @@ class _Source:
             "OWN": Select(first, Name("first"), Name("other")) if about_tip else False,
             "C": False if about_tip else at(of("out", "column"), 6),
             "KNOWN": at(of("out", "D"), "i") if has_d else False,
-            "D": of("out", "D") if has_d else False,
+            "D": of("out", "D") if has_d else Constant("NULL"),
         }
-        yield read(
-            written.solve_block,
-            apart=True,
-            given={} if has_d else {"D": False},
-            force="D - x" if has_d else "-x",
-        )
-        yield filled("blocks.c")
         yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
         yield read(written.forces_of_block, given=of_block)
         yield read(written.forces_of, given=self._without() | {"ONE": tuple(map(_copied, given[1:]))})

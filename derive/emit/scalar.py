@@ -11,6 +11,8 @@ import sympy as sp
 from .. import notation as n
 from ..block import Block, Quantity, Step, rebuilt
 from ..kernel import prepare as p
+from ..kernel.constants import SMALLEST
+from ..kernel.elimination import BY_POINTERS
 from ..kernel.layouts import (
     Place,
     Written,
@@ -49,6 +51,7 @@ from ..kernel.nodes import (
     Table,
 )
 from ..kernel.read import Given
+from ..kernel.shared import shared
 from ..kernel.written import scalar as written
 from ..operations import force_operations
 from ..prepared import ADDED, arm_c, q_1
@@ -56,6 +59,7 @@ from ..print.c import C
 from ..print.template import filled
 from ..regroup import ForceKernel, joined
 from .c import operations_table
+from .shared import SOLVE, top
 
 A = Name("A")
 RIGHT_SIDE = (n.c_force, n.c_moment)
@@ -89,10 +93,9 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
 
 def source(kernel: ForceKernel, version: str) -> str:
     """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
-    top = filled("top.c", file=f"stewart_{kernel.name}_pose", version=version)
-    macros = ("arithmetic.c", "seldom.c", "suspect.c", "least_product.c")
     made = _Source(kernel)
-    return C().source(top + "".join(filled(each) for each in macros), *made.parts)
+    before = top(f"stewart_{kernel.name}_pose", version, SOLVE) + filled("least_product.c")
+    return C(made.texts.functions.values()).source(before, *made.parts)
 
 
 class _Source:
@@ -110,13 +113,14 @@ class _Source:
             "HAS_SINE": int(n.k3 in given),
             "HAS_NEAR": int(kernel.leg_near_pole is not None),
             "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
+            "SMALLEST": Number(SMALLEST),
             "SIZE": Number(kernel.extent) if self.baked else Member(model, "size"),
             "PER_LENGTH": Number(p.per_length(kernel.size)),
             "LEAST": Call(_LEAST_PIVOTS.name, (Number(size),)) if self.baked else Member(model, "least"),
         }
         self.flags |= {"model": False} if self.baked else {}
         self.flags |= {} if n.D in given else {"known": False}
-        known = {each.name: each for each in (_LEAST_PIVOTS, p.SINGULAR_STATUS)}
+        known = shared().by_name | {_LEAST_PIVOTS.name: _LEAST_PIVOTS}
         self.texts = Written(self.structures, self.flags, known)
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, Function)]
@@ -169,7 +173,6 @@ class _Source:
             yield self._table()
         else:
             yield from p.preparation(self.texts, kernel)
-            yield p.per_length_of(self.texts)
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.extent)
@@ -186,8 +189,7 @@ class _Source:
         yield self._leg(kernel.leg, near=False)
         if p.is_scaled(kernel):
             yield read(written.scale_moments)
-        yield read(written.solve)
-        yield filled("singular_status.c")
+        yield read(written.solve, given=BY_POINTERS)
         yield read(written.pose_status, apart=True)
         yield read(written.pose_forces, f"{name}_forces", public=True)
 

@@ -19,6 +19,7 @@ from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
 from . import prepare as p
+from .constants import SMALLEST
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
 from .lower import expression, steps_of
 from .nodes import (
@@ -45,8 +46,9 @@ from .nodes import (
     Type,
 )
 from .read import Given
+from .shared import shared
 from .written import bounds as written
-from .written import lanes, legs, scale
+from .written import legs
 
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
@@ -90,8 +92,8 @@ class BoundedForces:
             "Motion": replace(p.MOTION, name="stewart_motions"),
         } | self._structures()
         named = self.structures | {each.name: each for each in self.structures.values()}
-        flags = _FLAGS | {"COUNT": self.model_numbers()}
-        self.texts = Written(named, flags, {p.SINGULAR_STATUS.name: p.SINGULAR_STATUS})
+        flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": Number(SMALLEST)}
+        self.texts = Written(named, flags, shared().by_name)
 
     def _structures(self) -> dict[str, Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
@@ -163,18 +165,16 @@ class BoundedForces:
 
         return of(Record(self.structures["Model"].name))
 
-    def parts(self, singular: str) -> Iterable[str | Structure | Function]:
-        """Structures and functions in their order; singular: text of ``singular_status``, which they call."""
+    def parts(self) -> Iterable[Structure | Function]:
+        """Structures and functions in their order."""
         read = self.texts.function
         private = list(self.structures).index("Added")
         yield from list(self.structures.values())[private:]
         for text in (written.least, written.root_error, written.reciprocal_error, written.add):
             yield read(text)
         yield read(written.rotation_error)
-        yield read(scale.scaled_axis)
         yield read(written.prepare_leg, given={"BODY": self._prepared(self.prepare_leg)})
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
-        yield p.per_length_of(self.texts)
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
         yield read(written.prepare, public, public=True, given=_sums())
@@ -182,9 +182,6 @@ class BoundedForces:
         yield read(legs.fault_of)
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
-        for row in (lanes.exchange_rows, lanes.subtract_row, lanes.solve_pose):
-            yield read(row, given={"ABOUT_TIP": 1})
-        yield singular
         yield read(written.stretch_error)
         yield read(written.solution_error)
         yield read(written.norm)

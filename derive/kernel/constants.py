@@ -53,5 +53,14 @@ def constants(precision: str) -> dict[str, float]:
     }
 
 
+def unchecked(epsilon: float) -> dict[str, float]:
+    """The same for an arithmetic of many digits in which every pose is regular to kernels.
+
+    epsilon: by how much searches may miss.
+    """
+    known = {"EPSILON": epsilon, "ROUNDING": 16 * epsilon, "MAX": float("inf"), "NAN": float("nan")}
+    return dict.fromkeys(constants("double"), 0.0) | {"SMALLEST": SMALLEST, "LARGEST": LARGEST} | known
+
+
 NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))
 """Names of the constants that written functions may use."""

@@ -27,7 +27,6 @@ from .nodes import (
     Expression,
     Field,
     Function,
-    Integer,
     Member,
     Name,
     Number,
@@ -55,18 +54,6 @@ ROBOT = Structure(
 )
 LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
 MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
-SINGULAR_STATUS = Function(
-    "singular_status",
-    "",
-    (
-        Argument("H", Array(Real(), (6, 6)), changed=True),
-        Argument("arm", Array(Real(), (6, 3))),
-        Argument("L", Array(Real(), (6,))),
-        Argument("reach", Array(Real(), (6,))),
-    ),
-    Integer(),
-    (),
-)
 
 
 def per_length(size: float) -> float:
@@ -82,12 +69,6 @@ def is_scaled(kernel: ForceKernel) -> bool:
     return kernel.constants is None or per_length(kernel.size) != 1.0
 
 
-def per_length_of(texts: Written, smallest: float = SMALLEST, largest: float = LARGEST) -> Function:
-    """The function that a preparation calls, with the sizes between which it returns 1."""
-    limits: dict[str, Given] = {"SMALLEST": Number(smallest), "LARGEST": Number(largest)}
-    return texts.function(scale.per_length_of, given=limits)
-
-
 def size_of(texts: Written, by_legs: bool) -> Function:
     """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
     return texts.function(scale.size_of, given={"BY_LEGS": int(by_legs)})
@@ -101,8 +82,6 @@ def prepared_structure(name: str, block: Block) -> Structure:
 def preparation(texts: Written, kernel: ForceKernel) -> list[Structure | Function]:
     """The two blocks of preparation, and what they read and make."""
     parts: list[Structure | Function] = []
-    if n.k in kernel.prepare_leg.inputs:
-        parts.append(texts.function(scale.scaled_axis))
     second = (Argument("leg", Record("stewart_leg")), Argument("sum", Record("prepared_leg")))
     names = ("prepared_leg", "prepared_platform")
     for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):

@@ -1,10 +1,10 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``else``, ``break``,
-``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
-selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
-the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
-``"Real"``.
+Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the columns
+of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``, comparisons,
+``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects, ``anywhere(test)`` says
+whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name of a structure make
+zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
 
 For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
 ``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
@@ -14,6 +14,10 @@ What is known when a text is read is settled there: an ``if`` or ``a if b else c
 ``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
 name that stands alone in a line stands for statements that are given, a string for a comment. An argument
 that is given as ``False`` is left out, in calls as well.
+
+One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
+the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
+``ROLLED`` is given, ``for i in each(6)`` is a loop.
 """
 
 import ast
@@ -77,8 +81,9 @@ _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: 
 _COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
 
 LANES = 8
-Given = int | Expression | tuple[Statement, ...]
-"""A constant, or an expression or statements that are read where their name stands."""
+Given = int | Expression | tuple[Statement, ...] | Callable[..., Any]
+"""A constant; an expression or statements that are read where their name stands; a text that is read where it
+is called; or what makes an expression of indices."""
 
 
 def function(
@@ -222,7 +227,9 @@ class _Reader:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
             case ast.For(target=ast.Name(id=index)) if _called(node.iter) == "each":
-                return self.repeated(node, index)
+                return [self.loop(node, index)] if self.given.get("ROLLED") else self.repeated(node, index)
+            case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(_called(call))):
+                return self.inlined(text, call)
             case ast.Expr(value=ast.Name(id=name)) if isinstance(self.given.get(name), tuple):
                 return cast("tuple[Statement, ...]", self.given[name])
             case ast.Expr(value=ast.Constant(value=str(text))):
@@ -237,17 +244,33 @@ class _Reader:
             found += self.body(node.body)
         return found
 
+    def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[Statement, ...]:
+        """The lines of another text, its arguments indices that are settled or have the names of its own."""
+        tree = _parsed(text, {})
+        found = {
+            each.arg: i
+            for each, arg in zip(tree.args.args, call.args, strict=True)
+            if (i := self.settled(arg)) is not None
+        }
+        outside, self.given = self.given, {**self.given, **found}
+        read = self.body(tree.body[ast.get_docstring(tree) is not None :])
+        self.given = outside
+        return read
+
     def settled(self, node: ast.expr) -> int | None:
         """A value that is known now, None where it is not."""
         names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
         kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
         parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
-        known = {name for name in names if isinstance(self.given.get(name), int)}
-        if known != names or any(self.given[name] is False for name in names):
+        known = {name: self.given[name] for name in names if isinstance(self.given.get(name), int)}
+        if any(value is False for value in known.values()):
             return None
         if not all(isinstance(each, kinds) for each in parts):
             return None
-        value = eval(ast.unparse(node), {"__builtins__": {}}, dict(self.given))
+        try:
+            value = eval(ast.unparse(node), {"__builtins__": {}}, known)
+        except NameError:
+            return None
         return value if isinstance(value, int) else None
 
     def statement(self, node: ast.stmt) -> Statement:
@@ -300,11 +323,13 @@ class _Reader:
     def loop(self, node: ast.For, index: str) -> For:
         call = node.iter
         down = _called(call) == "reversed"
-        if down:
+        if _called(call) == "each":
+            call, down = _rolled(call)
+        elif down:
             assert isinstance(call, ast.Call)
             call = call.args[0]
-        if not isinstance(call, ast.Call) or _called(call) != "range":
-            raise self.error(node.iter, "range(...) or reversed(range(...))")
+        if not isinstance(call, ast.Call) or _called(call) not in ("range", "columns"):
+            raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
         ends = [self.expression(arg) for arg in call.args[:2]]
         first, last = (Number(0), *ends)[-2:]
         kind = Count() if self.type(last) == Count() else Integer()
@@ -313,7 +338,8 @@ class _Reader:
             first, last = _less_one(last), _less_one(first)
         step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
         step = As(Count(), step) if kind == Count() and step != Number(1) else step
-        return For(index, first, last, self.inner(node.body), down, kind, step)
+        kept = _called(call) == "columns"
+        return For(index, first, last, self.inner(node.body), down, kind, step, kept)
 
     # ------------------------------------------------------------ expressions
 
@@ -333,6 +359,10 @@ class _Reader:
                 return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
             case ast.Attribute():
                 return Member(self.expression(node.value), node.attr)
+            case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)) if callable(
+                place := self.given.get(name)
+            ):
+                return cast("Expression", place(*map(self.expression, index)))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
                 return Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
             case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
@@ -353,6 +383,8 @@ class _Reader:
                 return Compare(operator, *self.alike(node.left, node.comparators[0]))
             case ast.IfExp() if (holds := self.settled(node.test)) is not None:
                 return self.expression(node.body if holds else node.orelse)
+            case ast.IfExp():
+                return Select(*map(self.expression, (node.test, node.body, node.orelse)))
             case ast.Call():
                 return self.call(node)
         raise self.error(node, "an expression that every language has")
@@ -501,6 +533,15 @@ def _base(node: ast.expr) -> str:
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
+
+
+def _rolled(node: ast.expr) -> tuple[ast.expr, bool]:
+    """``range`` of what ``each`` goes through, and whether it goes downward."""
+    assert isinstance(node, ast.Call)
+    if len(node.args) < 3:
+        return ast.Call(ast.Name("range"), node.args, []), False
+    first, after, _ = (ast.literal_eval(each) for each in node.args)
+    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
 
 
 def _called(node: ast.expr) -> str:

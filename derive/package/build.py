@@ -24,15 +24,17 @@ class Package:
     """What is built: the library ``lib<symbol>.a`` and two programs that link it.
 
     symbol: C identifier, name of library, package and CMake target. version: of the generator.
-    sources: ``.c`` files of the library; headers: all that it needs or that callers include. has_cpp: whether
-    ``stewart.hpp`` is among the kit's files. precision: "double" or "float", told in the files alone, as
-    stewart.h of a float kit asks for float by itself. example, selftest: files with a main of their own.
+    sources: ``.c`` files of the library; headers: those that callers include; shared: others, that sources
+    include. has_cpp: whether ``stewart.hpp`` is among the kit's files. precision: "double" or "float", told
+    in the files alone, as stewart.h of a float kit asks for float by itself. example, selftest: files with a
+    main of their own.
     """
 
     symbol: str
     version: str
     sources: tuple[str, ...]
     headers: tuple[str, ...]
+    shared: tuple[str, ...] = ()
     precision: str = "double"
     has_cpp: bool = False
     example: str = EXAMPLE
@@ -64,6 +66,7 @@ def cmake_lists(package: Package) -> str:
         number=_number(package.version),
         sources=_listed(package.sources),
         headers=_listed(package.installed),
+        shared="".join(f"  {file}\n" for file in package.shared),
         config=CONFIG_IN,
     )
 
@@ -81,7 +84,7 @@ def makefile(package: Package) -> str:
         warnings=_WARNINGS,
         sources=" ".join(package.sources),
         objects=" ".join(source.removesuffix(".c") + ".o" for source in package.sources),
-        headers=" ".join(package.headers),
+        headers=" ".join((*package.headers, *package.shared)),
         installed=" ".join(package.installed),
         example_object=package.example.removesuffix(".c") + ".o",
         selftest_object=package.selftest.removesuffix(".c") + ".o",

@@ -53,7 +53,8 @@ class Part:
     """One header and source of a kit.
 
     name: of both, without the ending. files: file name -> text. kinds: what it is for the list of deviations,
-    out of ``deviations.KINDS``. says: a line for the README.
+    out of ``deviations.KINDS``. says: a line for the README. shared: headers that its source shares with
+    others.
     """
 
     name: str
@@ -61,6 +62,7 @@ class Part:
     functions: tuple[Function, ...]
     kinds: tuple[str, ...]
     says: str
+    shared: tuple[str, ...]
 
     @property
     def header(self) -> str:

@@ -6,8 +6,9 @@ from ..kernel.interface import CALLS, STATUS, STRUCTS, Member
 from .words import template
 
 
-def layout(models: Mapping[str, int], version: str) -> str:
-    """The module's text; models: how many numbers each kernel's prepared model holds."""
+def layout(models: Mapping[str, int], headers: Iterable[str], version: str) -> str:
+    """The module's text; models: how many numbers each kernel's prepared model holds. headers: those that
+    sources share."""
     return template(
         "interface.py",
         {
@@ -15,6 +16,7 @@ def layout(models: Mapping[str, int], version: str) -> str:
             "status": "\n".join(f'    "{name}": ({code}, "{text}"),' for name, code, text in STATUS),
             "structs": _shapes(STRUCTS),
             "outputs": _shapes({stem: call.outputs for stem, call in CALLS.items()}),
+            "headers": "\n".join(f'    "{name}",' for name in headers),
             "models": "\n".join(f'    "{name}": {count},' for name, count in models.items()),
         },
     )

@@ -1,7 +1,7 @@
 """C99: structures by pointer, arrays with their dimensions, names with the prefix ``STEWART_``."""
 
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
 from ..kernel.nodes import (
@@ -46,6 +46,7 @@ from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH,
 _BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
 _NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t", Truth: "int"}
+_ALIGNED = {False: "", True: "STEWART_ALIGNED "}
 _LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 
 
@@ -54,7 +55,8 @@ class C(Printer):
 
     functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
     ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
-    records: names of structures in C, where those are others. structures: those that variables have.
+    records: names of structures in C, where those are others. structures: those that variables have. static:
+    before functions that are not of the interface. unread: arguments that macros may leave unread.
     """
 
     def __init__(
@@ -64,9 +66,12 @@ class C(Printer):
         brackets: bool = False,
         records: Mapping[str, str] | None = None,
         structures: Iterable[Structure] = (),
+        static: str = "static ",
+        unread: Collection[str] = (),
     ) -> None:
         self.functions_by_name = {each.name: each for each in functions}
         self.sizes, self.brackets = dict(sizes or {}), brackets
+        self.static, self.unread = static, unread
         self.records = dict(records or {})
         self.structures = {each.name: each for each in structures}
         self.empty: set[str] = set()
@@ -122,7 +127,7 @@ class C(Printer):
         """A structure as a type."""
         members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
-        name = self.records.get(structure.name, structure.name)
+        name = _ALIGNED[structure.aligned] + self.records.get(structure.name, structure.name)
         return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {name};"]
 
     def _member(self, field: Field) -> list[str]:
@@ -269,7 +274,7 @@ class C(Printer):
         return f"const {self.declared(node.type, node.name)} = {self.text(node.value)};"
 
     def variable(self, node: Variable) -> str:
-        declared = self.declared(node.type, node.name)
+        declared = _ALIGNED[node.aligned] + self.declared(node.type, node.name)
         if node.value is not None:
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
@@ -309,7 +314,8 @@ class C(Printer):
             end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
             return f"for ({index} = {first}; {index} {end}; --{index})"
         step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
-        return f"for ({index} = {first}; {index} < {last}; {step})"
+        kept = "STEWART_LOOP " if node.kept else ""
+        return f"{kept}for ({index} = {first}; {index} < {last}; {step})"
 
     def condition(self, test: str) -> str:
         return f"if ({test})"
@@ -325,8 +331,8 @@ class C(Printer):
         """A definition; those of the interface have their comments where they are declared."""
         self._enter(function)
         apart = "STEWART_APART " if function.apart else ""
-        static = "" if function.public else f"{apart}static "
-        used = {each.name for each in names_in(function.body)}
+        static = "" if function.public else f"{apart}{self.static}"
+        used = {each.name for each in names_in(function.body)}.difference(self.unread)
         return [
             *([] if function.public else self.remark(function.meaning)),
             *self.head(static, function, ""),

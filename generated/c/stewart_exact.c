@@ -5,69 +5,7 @@
  */
 #include "stewart_exact.h"
 
-#if !defined(STEWART_REAL)
-#include <float.h>
-#include <math.h>
-#if defined(STEWART_FLOAT)
-#define STEWART_SQRT(value) sqrtf(value)
-#define STEWART_FABS(value) fabsf(value)
-#define STEWART_EPSILON FLT_EPSILON
-#define STEWART_MAX FLT_MAX
-#else
-#define STEWART_SQRT(value) sqrt(value)
-#define STEWART_FABS(value) fabs(value)
-#define STEWART_EPSILON DBL_EPSILON
-#define STEWART_MAX DBL_MAX
-#endif
-#endif
-
-/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
-
-/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost five bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.03125)
-
-/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
-#if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
-#endif
-
-#define REAL(value) ((stewart_real)(value))
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
-
-/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
- * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
-
-#if defined(__GNUC__)
-#define STEWART_APART __attribute__((noinline))
-#else
-#define STEWART_APART
-#endif
-
-/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
- * may be singular to rounding with others while the pivots are large. */
-#if !defined(STEWART_SHORT_SHARE)
-#if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE REAL(0.0625)
-#else
-#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-#endif
-
-/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
- * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
- * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
- * 2.5e-3. */
-#if !defined(STEWART_SUSPECT)
-#if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT REAL(0.0078125)
-#else
-#define STEWART_SUSPECT REAL(0.0001220703125)
-#endif
-#endif
+#include "stewart_solve.h"
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -648,31 +586,6 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
     return STEWART_OK;
 }
 
-/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
- * for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
- * large. */
-static stewart_real per_length_of(stewart_real size)
-{
-    int i;
-    stewart_real unit = REAL(1);
-    if (size >= REAL(0.0625) && size <= REAL(16)) {
-        return unit;
-    }
-    for (i = 0; i < 100; ++i) {
-        if (!(unit < size)) {
-            break;
-        }
-        unit = REAL(2)*unit;
-    }
-    for (i = 0; i < 100; ++i) {
-        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
-            break;
-        }
-        unit = STEWART_HALF*unit;
-    }
-    return REAL(1)/unit;
-}
-
 /* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
  * a pivot is small, else 0. */
 static int solve(stewart_real A[6][7], stewart_real x[6])
@@ -702,101 +615,14 @@ static int solve(stewart_real A[6][7], stewart_real x[6])
         }
     }
     for (i = 5; i >= 0; --i) {
-        stewart_real sum = A[i][6];
+        stewart_real total = A[i][6];
         for (j = i + 1; j < 6; ++j) {
-            sum = sum - A[i][j]*x[j];
+            total = total - A[i][j]*x[j];
         }
-        x[i] = sum*inverse[i];
+        x[i] = total*inverse[i];
     }
     return suspect;
 }
-
-#if !defined(STEWART_SINGULAR_STATUS)
-#define STEWART_SINGULAR_STATUS
-/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
- * sum of.
- *
- * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
- * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
- * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
- * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
- * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
-STEWART_APART static int singular_status(
-    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
-{
-    stewart_real Y[6][6], G[6][6], v[6], grown[6];
-    stewart_real size = REAL(0), worst = REAL(1);
-    int i, j, k, turn;
-    for (i = 0; i < 6; ++i) {
-        v[i] = REAL(1);
-        for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
-            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
-            Y[i][j] = i == j ? REAL(1) : REAL(0);
-        }
-    }
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
-        }
-        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
-            return STEWART_SINGULAR;
-        }
-        for (j = 0; j < 6; ++j) {
-            const stewart_real h = H[k][j], y = Y[k][j];
-            H[k][j] = H[pivot][j];
-            H[pivot][j] = h;
-            Y[k][j] = Y[pivot][j];
-            Y[pivot][j] = y;
-        }
-        for (i = 0; i < 6; ++i) {
-            const stewart_real factor = H[i][k] / H[k][k];
-            for (j = 0; i != k && j < 6; ++j) {
-                H[i][j] = H[i][j] - factor * H[k][j];
-                Y[i][j] = Y[i][j] - factor * Y[k][j];
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
-        for (k = 0; k < 6; ++k) {
-            stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                const int next = (j + 1) % 3, last = (j + 2) % 3;
-                turned = turned + STEWART_FABS(Y[i][j]
-                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
-            }
-            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
-                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
-        }
-    }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real greatest = REAL(0);
-        worst = REAL(0);
-        for (i = 0; i < 6; ++i) {
-            grown[i] = REAL(0);
-            for (k = 0; k < 6; ++k) {
-                grown[i] = grown[i] + G[i][k] * v[k];
-            }
-            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
-            greatest = STEWART_LARGER(grown[i], greatest);
-        }
-        for (i = 0; i < 6; ++i) {
-            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
-        }
-    }
-    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
-}
-#endif
 
 /* Inverse dynamics of one pose, (1)-(37). */
 static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
@@ -842,7 +668,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         }
         A[i][6] = out->c[i];
     }
-    const stewart_real per_length = per_length_of(extent);
+    const stewart_real per_length = per_length_of(extent, REAL(0.0625));
     if (per_length != REAL(1)) {
         for (i = 0; i < 7; ++i) {
             A[3][i] = A[3][i]*per_length;

@@ -5,85 +5,28 @@
  */
 #include "stewart_exact_motion.h"
 
-#if !defined(STEWART_REAL)
-#include <float.h>
-#include <math.h>
-#if defined(STEWART_FLOAT)
-#define STEWART_SQRT(value) sqrtf(value)
-#define STEWART_FABS(value) fabsf(value)
-#define STEWART_EPSILON FLT_EPSILON
-#define STEWART_MAX FLT_MAX
-#else
-#define STEWART_SQRT(value) sqrt(value)
-#define STEWART_FABS(value) fabs(value)
-#define STEWART_EPSILON DBL_EPSILON
-#define STEWART_MAX DBL_MAX
-#endif
-#endif
+#include "stewart_solve.h"
 
-/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
-
-/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost five bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.03125)
-
-/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
-#if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
-#endif
-
-#define REAL(value) ((stewart_real)(value))
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
-
-/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
- * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
-
-#if defined(__cplusplus)
-#define STEWART_RESTRICT __restrict
-#else
-#define STEWART_RESTRICT restrict
-#endif
-
-
-/* Compilers make vector instructions of a long loop more readily when it stands in a function of its own. */
-#if defined(__GNUC__)
-#define STEWART_APART __attribute__((noinline))
-#else
-#define STEWART_APART
-#endif
-
-#define LANES 8
-
-/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
- * may be singular to rounding with others while the pivots are large. */
-#if !defined(STEWART_SHORT_SHARE)
-#if defined(STEWART_FLOAT)
-#define STEWART_SHORT_SHARE REAL(0.0625)
-#else
-#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
-#endif
-#endif
-
-/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
- * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
- * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
- * 2.5e-3. */
-#if !defined(STEWART_SUSPECT)
-#if defined(STEWART_FLOAT)
-#define STEWART_SUSPECT REAL(0.0078125)
-#else
-#define STEWART_SUSPECT REAL(0.0001220703125)
-#endif
-#endif
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
 #define STEWART_KEPT ((stewart_real)0.03125)
 
 /* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
+
+/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
+#if defined(__GNUC__) && defined(__AVX__)
+#define STEWART_ALIGNED __attribute__((aligned(64)))
+#else
+#define STEWART_ALIGNED
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
+#endif
 
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
@@ -226,7 +169,7 @@ typedef struct {
     stewart_real H_dot_moment[3][LANES];
     leg_checks checked;
     int status;
-} equations_legs;
+} STEWART_ALIGNED equations_legs;
 
 /* The platform's part. */
 static void equations_of_pose(
@@ -1100,91 +1043,75 @@ static void place_blocks_6(
 /* Says where a number of a result is not finite. */
 static void check_equations(equations_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.M[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.C[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.M[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H_dot[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.C[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H_dot[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
-static equations_found find_equations(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_equations(
+    const stewart_exact_model *model, const stewart_motion *motion, equations_found *out)
 {
     int i, j;
-    equations_found out;
     equations_legs legs;
     stewart_real summed[69];
     equations_sums(model, motion, &legs, summed);
-    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out.of.M);
-    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out.of.C);
+    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out->of.M);
+    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out->of.C);
     for (i = 0; i < 3; ++i) {
-        out.of.g[i] = summed[57 + i];
-        out.of.g[i + 3] = summed[60 + i];
-        out.of.friction[i] = summed[63 + i];
-        out.of.friction[i + 3] = summed[66 + i];
+        out->of.g[i] = summed[57 + i];
+        out->of.g[i + 3] = summed[60 + i];
+        out->of.friction[i] = summed[63 + i];
+        out->of.friction[i + 3] = summed[66 + i];
         for (j = 0; j < 6; ++j) {
-            out.of.H[6*i + j] = legs.H_force[i][j];
-            out.of.H[6*(i + 3) + j] = legs.H_moment[i][j];
-            out.of.H_dot[6*i + j] = legs.H_dot_force[i][j];
-            out.of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
+            out->of.H[6*i + j] = legs.H_force[i][j];
+            out->of.H[6*(i + 3) + j] = legs.H_moment[i][j];
+            out->of.H_dot[6*i + j] = legs.H_dot_force[i][j];
+            out->of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
         }
     }
     for (i = 0; i < 6; ++i) {
-        stewart_real total_bias = out.of.g[i] + out.of.friction[i];
+        stewart_real total_bias = out->of.g[i] + out->of.friction[i];
         for (j = 0; j < 3; ++j) {
-            total_bias = total_bias + out.of.C[6*i + j]*motion->v[j] + out.of.C[6*i + (j + 3)]*motion->omega[j];
+            total_bias = total_bias + out->of.C[6*i + j]*motion->v[j] + out->of.C[6*i + (j + 3)]*motion->omega[j];
         }
-        out.of.bias[i] = total_bias;
+        out->of.bias[i] = total_bias;
     }
-    out.status = legs.status;
-    check_equations(&out);
-    return out;
+    out->status = legs.status;
+    check_equations(out);
 }
 
 int stewart_exact_equations(
@@ -1194,7 +1121,7 @@ int stewart_exact_equations(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_equations(model, motion);
+    find_equations(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -1209,7 +1136,7 @@ typedef struct {
     stewart_real sum[6][LANES];
     leg_checks checked;
     int status;
-} bias_legs;
+} STEWART_ALIGNED bias_legs;
 
 /* The platform's part. */
 static void bias_of_pose(
@@ -1474,29 +1401,30 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
 }
 
 /* C [v; omega] + g + friction without C. */
-static bias_found find_bias(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_bias(const stewart_exact_model *model, const stewart_motion *motion, bias_found *out)
 {
     int i;
-    bias_found out;
     bias_legs legs;
     stewart_real summed[6];
     bias_sums(model, motion, &legs, summed);
     for (i = 0; i < 3; ++i) {
-        out.bias[i] = summed[i];
-        out.bias[i + 3] = summed[3 + i];
+        out->bias[i] = summed[i];
+        out->bias[i + 3] = summed[3 + i];
     }
-    out.status = legs.status;
-    check_bias(&out);
-    return out;
+    out->status = legs.status;
+    check_bias(out);
 }
 
 int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
@@ -1505,7 +1433,7 @@ int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *m
     if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_bias(model, motion);
+    find_bias(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.bias, 6, bias);
     }
@@ -1521,7 +1449,7 @@ typedef struct {
     stewart_real F[LANES];
     leg_checks checked;
     int status;
-} forward_legs;
+} STEWART_ALIGNED forward_legs;
 
 /* The platform's part. */
 static void forward_of_pose(
@@ -1905,27 +1833,35 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[LANES];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 8; ++j) {
-            A[8*k + j] = A[8*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 8; ++j) {
+            row[j] = A[8*k + j]*inverse[k];
+            A[8*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[8*i + k];
-            for (j = 6; j < 8; ++j) {
-                A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+            STEWART_LOOP for (j = 6; j < 8; ++j) {
+                A[8*i + j] = A[8*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[LANES];
+    STEWART_LOOP for (j = 0; j < 8; ++j) {
+        row[j] = A[8*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[8*i + k]*inverse;
-        for (j = 0; j < 8; ++j) {
-            A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+        STEWART_LOOP for (j = 0; j < 8; ++j) {
+            A[8*i + j] = A[8*i + j] - factor*row[j];
         }
     }
 }
@@ -1957,15 +1893,12 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    if (out->status != STEWART_OK) {
+        return;
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+    for (i = 0; i < 6; ++i) {
+        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1984,7 +1917,7 @@ typedef struct {
     stewart_real tau[3][LANES];
     leg_checks checked;
     int status;
-} joint_rows_legs;
+} STEWART_ALIGNED joint_rows_legs;
 
 /* The platform's part. */
 static void joint_rows_of_pose(
@@ -2719,8 +2652,8 @@ static apart_found forward_apart(
     stewart_real rest[24];
     stewart_real held[6];
     stewart_real right[6];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2759,15 +2692,15 @@ static apart_found forward_apart(
 }
 
 /* Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read. */
-static forward_dynamics_found find_forward_dynamics(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    forward_dynamics_found *out)
 {
     int i;
-    forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2788,12 +2721,11 @@ static forward_dynamics_found find_forward_dynamics(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.acceleration[i] = A[8*i + 6];
-        out.acceleration[3 + i] = A[8*(i + 3) + 6];
+        out->acceleration[i] = A[8*i + 6];
+        out->acceleration[3 + i] = A[8*(i + 3) + 6];
     }
-    out.status = status == STEWART_OK ? fault : status;
-    check_forward_dynamics(&out);
-    return out;
+    out->status = status == STEWART_OK ? fault : status;
+    check_forward_dynamics(out);
 }
 
 int stewart_exact_forward_dynamics(
@@ -2804,7 +2736,7 @@ int stewart_exact_forward_dynamics(
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_forward_dynamics(model, motion, F);
+    find_forward_dynamics(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         copy(found.acceleration, 6, acceleration);
     }
@@ -2858,27 +2790,35 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[12];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 12; ++j) {
-            A[12*k + j] = A[12*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 12; ++j) {
+            row[j] = A[12*k + j]*inverse[k];
+            A[12*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[12*i + k];
-            for (j = 6; j < 12; ++j) {
-                A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+            STEWART_LOOP for (j = 6; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[12];
+    STEWART_LOOP for (j = 0; j < 12; ++j) {
+        row[j] = A[12*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[12*i + k]*inverse;
-        for (j = 0; j < 12; ++j) {
-            A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+        STEWART_LOOP for (j = 0; j < 12; ++j) {
+            A[12*i + j] = A[12*i + j] - factor*row[j];
         }
     }
 }
@@ -2899,7 +2839,7 @@ static int solve_pivoted_12(stewart_real A[72])
             most = entry > most ? entry : most;
         }
         if (pivot != k) {
-            for (j = 0; j < 12; ++j) {
+            STEWART_LOOP for (j = 0; j < 12; ++j) {
                 const stewart_real upper = A[12*k + j];
                 A[12*k + j] = A[12*pivot + j];
                 A[12*pivot + j] = upper;
@@ -2916,103 +2856,16 @@ static int solve_pivoted_12(stewart_real A[72])
 /* Says where a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->inertia[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->inertia[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
-
-#if !defined(STEWART_SINGULAR_STATUS)
-#define STEWART_SINGULAR_STATUS
-/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
- * sum of.
- *
- * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
- * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
- * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
- * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
- * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
-STEWART_APART static int singular_status(
-    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
-{
-    stewart_real Y[6][6], G[6][6], v[6], grown[6];
-    stewart_real size = REAL(0), worst = REAL(1);
-    int i, j, k, turn;
-    for (i = 0; i < 6; ++i) {
-        v[i] = REAL(1);
-        for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
-            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
-            Y[i][j] = i == j ? REAL(1) : REAL(0);
-        }
-    }
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
-        }
-        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
-            return STEWART_SINGULAR;
-        }
-        for (j = 0; j < 6; ++j) {
-            const stewart_real h = H[k][j], y = Y[k][j];
-            H[k][j] = H[pivot][j];
-            H[pivot][j] = h;
-            Y[k][j] = Y[pivot][j];
-            Y[pivot][j] = y;
-        }
-        for (i = 0; i < 6; ++i) {
-            const stewart_real factor = H[i][k] / H[k][k];
-            for (j = 0; i != k && j < 6; ++j) {
-                H[i][j] = H[i][j] - factor * H[k][j];
-                Y[i][j] = Y[i][j] - factor * Y[k][j];
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
-        for (k = 0; k < 6; ++k) {
-            stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                const int next = (j + 1) % 3, last = (j + 2) % 3;
-                turned = turned + STEWART_FABS(Y[i][j]
-                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
-            }
-            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
-                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
-        }
-    }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real greatest = REAL(0);
-        worst = REAL(0);
-        for (i = 0; i < 6; ++i) {
-            grown[i] = REAL(0);
-            for (k = 0; k < 6; ++k) {
-                grown[i] = grown[i] + G[i][k] * v[k];
-            }
-            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
-            greatest = STEWART_LARGER(grown[i], greatest);
-        }
-        for (i = 0; i < 6; ++i) {
-            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
-        }
-    }
-    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
-}
-#endif
 
 /* Whether H is singular to rounding. */
 static int columns_status(
@@ -3035,14 +2888,13 @@ static int columns_status(
 }
 
 /* Inertia that the actuators feel, H^-1 M H^-T. */
-static joint_inertia_found find_joint_inertia(
-    const stewart_exact_model *model, const stewart_motion *motion)
+static void find_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
     int i, j;
-    joint_inertia_found out;
     equations_legs legs;
     stewart_real summed[69];
-    stewart_real A[72];
+    STEWART_ALIGNED stewart_real A[72];
     stewart_real half[6][6];
     equations_sums(model, motion, &legs, summed);
     int status = legs.status;
@@ -3077,12 +2929,11 @@ static joint_inertia_found find_joint_inertia(
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
+            out->inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
         }
     }
-    out.status = status;
-    check_joint_inertia(&out);
-    return out;
+    out->status = status;
+    check_joint_inertia(out);
 }
 
 int stewart_exact_joint_inertia(
@@ -3092,7 +2943,7 @@ int stewart_exact_joint_inertia(
     if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_joint_inertia(model, motion);
+    find_joint_inertia(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.inertia, 36, inertia);
     }
@@ -3100,15 +2951,13 @@ int stewart_exact_joint_inertia(
 }
 
 /* Actuator forces. */
-static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_forces(const stewart_exact_model *model, const stewart_motion *motion, forces_found *out)
 {
     int i;
-    forces_found out;
     for (i = 0; i < 6; ++i) {
-        out.F[i] = REAL(0);
+        out->F[i] = REAL(0);
     }
-    out.status = stewart_exact_forces(model, motion, out.F);
-    return out;
+    out->status = stewart_exact_forces(model, motion, out->F);
 }
 
 typedef struct {
@@ -3122,7 +2971,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} derivatives_legs;
+} STEWART_ALIGNED derivatives_legs;
 
 /* The platform's part. */
 static void derivatives_of_pose(
@@ -4796,27 +4645,35 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[24];
     for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[24*k + j] = A[24*k + j]*inverse[k];
+            row[j] = A[24*k + j]*inverse[k];
+            A[24*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[24*i + k];
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+                A[24*i + j] = A[24*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[24];
+    for (j = 0; j < 24; ++j) {
+        row[j] = A[24*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[24*i + k]*inverse;
         for (j = 0; j < 24; ++j) {
-            A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+            A[24*i + j] = A[24*i + j] - factor*row[j];
         }
     }
 }
@@ -4854,48 +4711,39 @@ static int solve_pivoted_24(stewart_real A[144])
 /* Says where a number of a result is not finite. */
 static void check_derivatives(derivatives_found *out)
 {
-    int i, j;
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_pose[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_pose[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_twist[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_twist[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_acceleration[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_acceleration[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
-static derivatives_found find_derivatives(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_derivatives(
+    const stewart_exact_model *model, const stewart_motion *motion, derivatives_found *out)
 {
     int i, j;
-    derivatives_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    const forces_found acting = find_forces(model, motion);
+    STEWART_ALIGNED stewart_real A[144];
+    forces_found acting;
+    find_forces(model, motion, &acting);
     for (i = 0; i < 6; ++i) {
         legs.F[i] = acting.F[i];
     }
@@ -4912,16 +4760,15 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     scale_moments_24(model->per_length, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
-        out.of.F[i] = acting.F[i];
+        out->of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
-            out.of.by_pose[6*i + j] = A[24*i + (j + 6)];
-            out.of.by_twist[6*i + j] = A[24*i + (j + 12)];
-            out.of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
+            out->of.by_pose[6*i + j] = A[24*i + (j + 6)];
+            out->of.by_twist[6*i + j] = A[24*i + (j + 12)];
+            out->of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
         }
     }
-    out.status = acting.status == STEWART_OK ? legs.status : acting.status;
-    check_derivatives(&out);
-    return out;
+    out->status = acting.status == STEWART_OK ? legs.status : acting.status;
+    check_derivatives(out);
 }
 
 int stewart_exact_derivatives(
@@ -4931,7 +4778,7 @@ int stewart_exact_derivatives(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_derivatives(model, motion);
+    find_derivatives(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -4985,35 +4832,24 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 /* Says where a number of a result is not finite. */
 static void check_linearisation(linearisation_found *out)
 {
-    int i, j;
-    for (i = 0; i < 3; ++i) {
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
+    for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->of.acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 144; ++i) {
+        lost = lost + (STEWART_FABS(out->of.A[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 12; ++j) {
-            if (!(STEWART_FABS(out->of.A[12*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 72; ++i) {
+        lost = lost + (STEWART_FABS(out->of.B[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.B[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 typedef struct {
@@ -5033,7 +4869,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} joint_slopes_legs;
+} STEWART_ALIGNED joint_slopes_legs;
 
 /* The platform's part. */
 static void joint_slopes_of_pose(
@@ -6022,7 +5858,7 @@ static slopes_found slopes_apart(
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    STEWART_ALIGNED stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -6035,7 +5871,7 @@ static slopes_found slopes_apart(
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
     stewart_real held[6];
     stewart_real rest[24];
@@ -6103,15 +5939,16 @@ static slopes_found slopes_apart(
 }
 
 /* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
-static linearisation_found find_linearisation(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_linearisation(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    linearisation_found *out)
 {
     int i, j;
-    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    forward_dynamics_found moved = find_forward_dynamics(model, motion, F);
+    STEWART_ALIGNED stewart_real A[144];
+    forward_dynamics_found moved;
+    find_forward_dynamics(model, motion, F, &moved);
     const int status = moved.status;
     const stewart_motion moving = with_acceleration(motion, &moved.acceleration[0], &moved.acceleration[3]);
     for (i = 0; i < 6; ++i) {
@@ -6143,29 +5980,28 @@ static linearisation_found find_linearisation(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.of.acceleration[i] = moved.acceleration[i];
-        out.of.acceleration[3 + i] = moved.acceleration[3 + i];
+        out->of.acceleration[i] = moved.acceleration[i];
+        out->of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 12; ++j) {
-            out.of.A[12*i + j] = REAL(0);
-            out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
+            out->of.A[12*i + j] = REAL(0);
+            out->of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
-            out.of.B[6*i + j] = REAL(0);
-            out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
+            out->of.B[6*i + j] = REAL(0);
+            out->of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
-        out.of.A[12*i + (i + 6)] = REAL(1);
+        out->of.A[12*i + (i + 6)] = REAL(1);
     }
-    out.of.A[40] = -motion->omega[2];
-    out.of.A[41] = motion->omega[1];
-    out.of.A[51] = motion->omega[2];
-    out.of.A[53] = -motion->omega[0];
-    out.of.A[63] = -motion->omega[1];
-    out.of.A[64] = motion->omega[0];
-    out.status = status == STEWART_OK ? fault : status;
-    check_linearisation(&out);
-    return out;
+    out->of.A[40] = -motion->omega[2];
+    out->of.A[41] = motion->omega[1];
+    out->of.A[51] = motion->omega[2];
+    out->of.A[53] = -motion->omega[0];
+    out->of.A[63] = -motion->omega[1];
+    out->of.A[64] = motion->omega[0];
+    out->status = status == STEWART_OK ? fault : status;
+    check_linearisation(out);
 }
 
 int stewart_exact_linearisation(
@@ -6176,7 +6012,7 @@ int stewart_exact_linearisation(
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_linearisation(model, motion, F);
+    find_linearisation(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }

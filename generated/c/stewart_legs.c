@@ -5,41 +5,7 @@
  */
 #include "stewart_legs.h"
 
-#if !defined(STEWART_REAL)
-#include <float.h>
-#include <math.h>
-#if defined(STEWART_FLOAT)
-#define STEWART_SQRT(value) sqrtf(value)
-#define STEWART_FABS(value) fabsf(value)
-#define STEWART_EPSILON FLT_EPSILON
-#define STEWART_MAX FLT_MAX
-#else
-#define STEWART_SQRT(value) sqrt(value)
-#define STEWART_FABS(value) fabs(value)
-#define STEWART_EPSILON DBL_EPSILON
-#define STEWART_MAX DBL_MAX
-#endif
-#endif
-
-/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
-#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
-
-/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost five bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.03125)
-
-/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
-#if !defined(STEWART_SHORTEST)
-#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
-#endif
-
-#define REAL(value) ((stewart_real)(value))
-#define STEWART_HALF ((stewart_real)0.5)
-#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
-
-/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
- * points: the pole of the universal joint. */
-#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
+#include "stewart_arithmetic.h"
 
 /* A leg. */
 typedef struct {

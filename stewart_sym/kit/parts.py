@@ -15,14 +15,16 @@ from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
+from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, SOLVE, shared_headers
 from ..derive.formulation import EXACT
-from ..derive.generate import generator_version, motion_files, reduced_rotation, shared_blocks
-from ..derive.kinematics import (
-    kinematics,
-    search_operations,
-    step_operations,
-    velocity_operations,
+from ..derive.generate import (
+    generator_version,
+    motion_files,
+    reduced_kinematics,
+    reduced_rotation,
+    shared_blocks,
 )
+from ..derive.kernel.kinematics import search_operations
 from ..derive.operations import force_operations
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.header import common_header
@@ -48,11 +50,18 @@ class Parts:
 
     @property
     def files(self) -> dict[str, str]:
-        """Headers and sources of all parts and ``stewart.h``: file name -> text."""
+        """Headers and sources of all parts and what they share: file name -> text."""
         found = {"stewart.h": common_header(generator_version(), self.precision)}
+        texts = shared_headers(generator_version())
+        found |= {name: texts[name] for name in self.shared}
         for part in self.parts:
             found |= part.files
         return found
+
+    @property
+    def shared(self) -> tuple[str, ...]:
+        """Headers that the sources of parts share."""
+        return tuple(dict.fromkeys(name for part in self.parts for name in part.shared))
 
     @property
     def functions(self) -> tuple[Function, ...]:
@@ -108,7 +117,7 @@ def _force_part(
     )
     files = _committed(file) if sources is None else sources
     kind = f"forces{' scalar' if one_pose else ''}{' baked' if plain else ''}"
-    return Part(file, files, (function,), (kind,), says)
+    return Part(file, files, (function,), (kind,), says, INCLUDED[SOLVE if one_pose else LANES])
 
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
@@ -165,12 +174,13 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
         for stem in STEMS["reactions"]
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
-    return Part(f"stewart_{name}", _committed(f"stewart_{name}"), tuple(functions), ("reactions",), says)
+    file = f"stewart_{name}"
+    return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[SOLVE])
 
 
 def _model(file: str) -> Part:
     says = "The prepared constants that the equations of motion read; the forces come with them."
-    return Part(file, _committed(file), (), ("forces",), says)
+    return Part(file, _committed(file), (), ("forces",), says, INCLUDED[LANES])
 
 
 def _motion(choice: Choice) -> Part:
@@ -183,7 +193,7 @@ def _motion(choice: Choice) -> Part:
         for stem in stems
     ]
     files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
-    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems))
+    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems), INCLUDED[SOLVE])
 
 
 _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
@@ -201,20 +211,19 @@ def _motion_says(stems: Iterable[str]) -> str:
 
 
 def _kinematics() -> Part:
-    file, blocks = "stewart_kinematics", kinematics()
-    rates = 6 * (blocks.vectors.operations() + blocks.rate.operations())
-    search, step = search_operations(blocks).total, step_operations(blocks).total
+    file = "stewart_kinematics"
+    counts = {name: f"{each.total:,}" for name, each in search_operations(reduced_kinematics()).items()}
     costs = {
-        "inverse_kinematics": f"{rates.total:,}",
-        "forward_kinematics": f"{search:,} and {step:,} a step",
-        "forward_velocity": f"{velocity_operations(blocks).total:,}",
+        "inverse_kinematics": counts["lengths, rates"],
+        "forward_kinematics": f"{counts['search']} and {counts['step']} a step",
+        "forward_velocity": counts["velocity"],
     }
     functions = [
         Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT, operations=costs[stem])
         for stem in STEMS[_KINEMATICS]
     ]
     says = "Inverse and forward kinematics: leg lengths and rates, the pose from them."
-    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says)
+    return Part(file, _committed(file), tuple(functions), (_KINEMATICS,), says, INCLUDED[ARITHMETIC])
 
 
 def _rotation() -> Part:
@@ -225,13 +234,20 @@ def _rotation() -> Part:
         )
         for stem, block in reduced_rotation().items()
     )
-    return Part("stewart_rotation", _committed("stewart_rotation"), functions, ("rotation",), says)
+    return Part(
+        "stewart_rotation",
+        _committed("stewart_rotation"),
+        functions,
+        ("rotation",),
+        says,
+        INCLUDED[ARITHMETIC],
+    )
 
 
 def _committed(file: str) -> dict[str, str]:
     """Header and source from ``generated/c``."""
     sources = c_sources(file.removeprefix("stewart_"))
-    return {name: text for name, text in sources.items() if name != "stewart.h"}
+    return {name: sources[name] for name in (f"{file}.h", f"{file}.c")}
 
 
 def generator() -> str:

@@ -91,7 +91,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
             squares = squares + robot.leg[i].p[j] * robot.leg[i].p[j]
     prepare_platform(robot, sum, made.platform)
     made.length = sqrt(squares / 6.0)
-    made.per_length = per_length_of(size_of(made))
+    made.per_length = per_length_of(size_of(made), SMALLEST)
     numbers = numbers_of(made)
     for i in range(COUNT):
         if not size(numbers[i]) <= MAX:

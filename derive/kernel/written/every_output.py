@@ -18,26 +18,7 @@ def solve(A: "array(6, 7)", x: "array(6)") -> "Integer":
     pivot is small, else 0."""
     inverse = blank(array(6))
     suspect = 0
-    for k in range(6):
-        pivot = k
-        for i in range(k + 1, 6):
-            if size(A[i][k]) > size(A[pivot][k]):
-                pivot = i
-        for j in range(k, 7):
-            moved = A[k][j]
-            A[k][j] = A[pivot][j]
-            A[pivot][j] = moved
-        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
-        inverse[k] = 1.0 / A[k][k]
-        for i in range(k + 1, 6):
-            factor = A[i][k] * inverse[k]
-            for j in range(k + 1, 7):
-                A[i][j] = A[i][j] - factor * A[k][j]
-    for i in reversed(range(6)):
-        sum = A[i][6]
-        for j in range(i + 1, 6):
-            sum = sum - A[i][j] * x[j]
-        x[i] = sum * inverse[i]
+    elimination()
     return suspect
 
 
@@ -77,7 +58,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         for j in range(6):
             A[i][j] = out.H[i][j]
         A[i][6] = out.c[i]
-    per_length = per_length_of(extent)
+    per_length = per_length_of(extent, SMALLEST)
     if per_length != 1.0:
         for i in range(7):
             A[3][i] = A[3][i] * per_length

@@ -23,7 +23,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
             SUMMED
     prepare_platform(robot, sum, platform)
     COPIED_PLATFORM
-    made.per_length = per_length_of(size_of(made))
+    made.per_length = per_length_of(size_of(made), SMALLEST)
     numbers = numbers_of(made)
     for i in range(COUNT):
         if not size(numbers[i]) <= MAX:
@@ -93,32 +93,9 @@ def solve_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
     updated, so that a row is one vector, and the next column is known before the rows that hold it are
     stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
     no moment rows."""
-    for i in each(3 if ABOUT_TIP else 6):
+    for i in each(FIRST):
         a[i,] = A[i][0]
-    for k in each(6):
-        "Rows of equal entries are exchanged in the order of a block's lanes, and round alike."
-        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
-            if size(a[i,]) > size(a[k,]):
-                moved = a[k,]
-                exchange_rows(A[k], A[i])
-                a[k,] = a[i,]
-                a[i,] = moved
-        if k < 5:
-            inverse[k,] = 1.0 / a[k,]
-        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
-            factor[k, i] = a[i,] * inverse[k,]
-        for i in each(k + 1, 6):
-            a[i,] = (
-                A[i][k + 1] if i > 2 and k == 0 and ABOUT_TIP else A[i][k + 1] - factor[k, i] * A[k][k + 1]
-            )
-        for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
-            subtract_row(A[i], factor[k, i], A[k])
-    x[5] = A[5][6] / a[5,]
-    for i in each(4, -1, -1):
-        total[i,] = A[i][6]
-        for j in each(i + 1, 6):
-            total[i,] = total[i,] - A[i][j] * x[j]
-        x[i] = total[i,] * inverse[i,]
+    elimination()
     return where(
         size(a[0,]) > SUSPECT
         and size(a[1,]) > SUSPECT
@@ -271,33 +248,16 @@ def solve_block(
     bad: "alone(array(LANES))",
 ) -> None:
     """Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
-    F = $force, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place
+    F = D - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place
     by exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite."""
     for l in range(LANES):
         for i in each(6):
-            for j in each(1 if i > 2 and ABOUT_TIP else 0, 7):
+            for j in each(1 if i >= FIRST else 0, 7):
                 a[i, j] = column[j][i][l]
         fault = bad[l]
-        for k in each(6):
-            for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
-                below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
-                for j in each(k, 7):
-                    upper[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
-                    a[i, j] = where(below[i, k] > 0.0, a[k, j], a[i, j])
-                    a[k, j] = upper[k, j, i]
-            fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
-            if k < 5:
-                inverse[k,] = 1.0 / a[k, k]
-            for i in each(k + 1, 3 if k == 0 and ABOUT_TIP else 6):
-                factor[i, k] = a[i, k] * inverse[k,]
-                for j in each(k + 1, 7):
-                    a[i, j] = a[i, j] - factor[i, k] * a[k, j]
-        for i in each(5, -1, -1):
-            for j in each(i + 1, 6):
-                a[i, 6] = a[i, 6] - a[i, j] * a[j, 6]
-            a[i, 6] = a[i, 6] * inverse[i,] if i < 5 else a[i, 6] / a[i, i]
+        elimination()
         for i in each(6):
-            force[i,] = D[i][l] - a[i, 6] if HAS_D else -a[i, 6]
+            force[i,] = STEWART_FORCE(D[i][l], x[i,])
             fault = where(size(force[i,]) <= MAX, fault, 1.0)
             F[i][l] = force[i,]
         bad[l] = fault

@@ -44,7 +44,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
         COPIED
     COPIED_PLATFORM
     model.size = largest
-    model.per_length = per_length_of(size_of(model))
+    model.per_length = per_length_of(size_of(model), SMALLEST)
     model.least = least_pivots(size_of(model) * model.per_length)
     return OK
 
@@ -200,30 +200,5 @@ def solve(A: "array(6, 7)", x: "array(6)") -> "Real":
     row = blank(pointers(6))
     for i in each(6):
         row[i] = A[i]
-    for k in each(6):
-        if k < 5:
-            largest[k,] = size(row[k][k])
-        for i in each(k + 1, 3 if k == 0 else 6):
-            other[k, i] = size(row[i][k])
-            if other[k, i] > largest[k,]:
-                if i < (2 if k == 0 else 5):
-                    largest[k,] = other[k, i]
-                moved[k, i] = row[i]
-                row[i] = row[k]
-                row[k] = moved[k, i]
-        pivots = row[k][k] if k == 0 else pivots * row[k][k]
-        inverse[k,] = 1.0 / row[k][k]
-        row[k][k] = inverse[k,]
-        for j in each(k + 1, 7 if k < 5 else 0):
-            upper[k, j] = row[k][j]
-        for i in each(k + 1, 3 if k == 0 else 6):
-            lower[k, i] = row[i]
-            factor[k, i] = lower[k, i][k] * inverse[k,]
-            for j in each(k + 1, 7):
-                lower[k, i][j] = lower[k, i][j] - factor[k, i] * upper[k, j]
-    for k in each(5, -1, -1):
-        total[k,] = row[k][6]
-        for j in each(k + 1, 6):
-            total[k,] = total[k,] - row[k][j] * x[j]
-        x[k] = total[k,] * row[k][k]
+    elimination()
     return pivots

@@ -1,12 +1,12 @@
 """By what moments are multiplied in a solve, in the part of Python that ``read`` reads."""
 
 
-def per_length_of(size: "Real") -> "Real":
+def per_length_of(size: "Real", smallest: "Real") -> "Real":
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
-    for sizes of about a metre, else one over the least power of two, from 2^-100 to 2^100, that is as
+    from `smallest` to $largest m, else one over the least power of two, from 2^-100 to 2^100, that is as
     large."""
     unit = 1.0
-    if size >= SMALLEST and size <= LARGEST:
+    if size >= smallest and size <= LARGEST:
         return unit
     for i in range(100):
         if not unit < size:

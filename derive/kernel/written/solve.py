@@ -4,25 +4,7 @@
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
     """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
     suspect = 0
-    for k in range(6):
-        for i in range(k + 1, 6):
-            larger_below = size(A[i][k]) > size(A[k][k])
-            for j in range(k, 7):
-                upper = A[k][j]
-                A[k][j] = where(larger_below, A[i][j], A[k][j])
-                A[i][j] = where(larger_below, upper, A[i][j])
-        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
-        inverse = 1.0 / A[k][k]
-        x[k] = inverse
-        for i in range(k + 1, 6):
-            factor = A[i][k] * inverse
-            for j in range(k + 1, 7):
-                A[i][j] = A[i][j] - factor * A[k][j]
-    for i in reversed(range(6)):
-        total = A[i][6]
-        for j in range(i + 1, 6):
-            total = total - A[i][j] * x[j]
-        x[i] = where(i == 5, total / A[i][i], total * x[i])
+    elimination()
     return suspect
 
 
@@ -124,7 +106,7 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
             pivot = where(entry > most, i, pivot)
             most = where(entry > most, entry, most)
         if anywhere(pivot != k):
-            for j in range(WIDTH):
+            for j in columns(WIDTH):
                 upper = A[k][j]
                 A[k][j] = A[pivot][j]
                 A[pivot][j] = upper
@@ -136,19 +118,27 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
 
 
 def clear_below(A: "array(6, WIDTH)", k: "Integer", inverse: "Real") -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = blank(array(WIDTH))
+    for j in columns(WIDTH):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
-        for j in range(WIDTH):
-            A[i][j] = A[i][j] - factor * A[k][j]
+        for j in columns(WIDTH):
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
     """Back substitution; inverse: of the pivots."""
+    row = blank(array(WIDTH))
     for k in reversed(range(6)):
-        for j in range(6, WIDTH):
-            A[k][j] = A[k][j] * inverse[k]
+        for j in columns(6, WIDTH):
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
-            for j in range(6, WIDTH):
-                A[i][j] = A[i][j] - factor * A[k][j]
+            for j in columns(6, WIDTH):
+                A[i][j] = A[i][j] - factor * row[j]

@@ -1,0 +1,102 @@
+"""Shapes of the elimination: where its entries are and how rows change places.
+
+``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls it.
+"""
+
+from collections.abc import Callable, Mapping
+
+from .nodes import Element, Expression, Name, Number
+from .read import Given
+from .written import elimination as text
+
+
+def _entries(name: str) -> Callable[..., Expression]:
+    """Elements of an array."""
+    return lambda *index: Element(Name(name), index)
+
+
+def _one(name: str) -> Callable[..., Expression]:
+    """A variable that serves all indices of a loop."""
+    return lambda *_: Name(name)
+
+
+def _whole(row: Expression, column: Expression | None = None) -> Expression:
+    """Of whole rows: the current column is in variables."""
+    assert isinstance(row, Number)
+    return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
+
+
+_COMMON: Mapping[str, Given] = {
+    "elimination": text.elimination,
+    "begin": text.nothing,
+    "weigh": text.nothing,
+    "update": text.by_entries,
+    "ROLLED": 0,
+    "IN_ROWS": 0,
+    "DIVIDES": 1,
+}
+_LOOPS: Mapping[str, Given] = {
+    **_COMMON,
+    "ROLLED": 1,
+    "FIRST": 6,
+    "a": _entries("A"),
+    "upper": _entries("A"),
+    "x": _entries("x"),
+    "factor": _one("factor"),
+    "total": _one("total"),
+}
+
+IN_ARRAYS: Mapping[str, Given] = {
+    **_LOOPS,
+    "inverse": _entries("x"),
+    "exchange": text.exchange_selected,
+    "weigh": text.suspicion,
+}
+"""Loops over rows and columns, for poses side by side in arrays."""
+
+ONCE: Mapping[str, Given] = {
+    **_LOOPS,
+    "DIVIDES": 0,
+    "inverse": _entries("inverse"),
+    "begin": text.first_pivot,
+    "exchange": text.look_below,
+    "weigh": text.exchange_once,
+}
+"""Loops for one pose, small in code."""
+
+
+def in_lanes(about_tip: bool) -> dict[str, Given]:
+    """Every entry a variable, and a loop over lanes around it that never branches."""
+    return {
+        **_COMMON,
+        "FIRST": 3 if about_tip else 6,
+        "upper": lambda i, j: Name(f"a_{i.value}_{j.value}"),
+        "exchange": text.exchange_in_lanes,
+        "weigh": text.fault_in_lanes,
+    }
+
+
+def by_rows(about_tip: bool) -> dict[str, Given]:
+    """One pose with vector registers: a row of eight is one vector."""
+    return {
+        **_COMMON,
+        "FIRST": 3 if about_tip else 6,
+        "a": _whole,
+        "x": _entries("x"),
+        "exchange": text.exchange_whole,
+        "update": text.by_rows,
+    }
+
+
+BY_POINTERS: Mapping[str, Given] = {
+    **_COMMON,
+    "IN_ROWS": 1,
+    "DIVIDES": 0,
+    "FIRST": 3,
+    "a": _entries("row"),
+    "x": _entries("x"),
+    "begin": text.largest_of_column,
+    "exchange": text.exchange_pointers,
+    "weigh": text.product,
+}
+"""One pose without vector registers: rows change places by their addresses, an upper one is read once."""

@@ -1,0 +1,72 @@
+"""Functions that the sources of kernels share: each stands once, in a header that they include."""
+
+from dataclasses import dataclass
+from functools import cache
+
+from .constants import LARGEST
+from .elimination import by_rows, in_lanes
+from .layouts import Written
+from .nodes import Argument, Array, Count, Function, Integer, Number, Pointer, Real, Type
+from .read import LANES
+from .written import lanes, scale
+
+_NUMBERS = Pointer(Real())
+_VECTORS = Array(Real(), (3, LANES))
+
+
+def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
+    """A function or macro of the templates; ``to``, ``padded`` and ``H`` are changed."""
+    given = (Argument(each, kind, each in ("to", "padded", "H")) for each, kind in arguments.items())
+    return Function(name, "", tuple(given), result, ())
+
+
+SINGULAR_STATUS = _signature(
+    "singular_status",
+    Integer(),
+    H=Array(Real(), (6, 6)),
+    arm=Array(Real(), (6, 3)),
+    L=Array(Real(), (6,)),
+    reach=Array(Real(), (6,)),
+)
+_BLOCKS = (
+    _signature(
+        "whole", _NUMBERS, source=_NUMBERS, width=Count(), first=Count(), count=Count(), padded=_NUMBERS
+    ),
+    _signature("spread_vector", None, source=_NUMBERS, to=_VECTORS),
+    _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
+    _signature("clear", None, to=_VECTORS),
+)
+FORCE = _signature("STEWART_FORCE", Real(), D=Real(), x=Real())
+
+
+@dataclass(frozen=True)
+class Shared:
+    """Functions around the solve, those with legs or poses in lanes, and what stands in templates."""
+
+    solve: tuple[Function, ...]
+    lanes: tuple[Function, ...]
+
+    @property
+    def by_name(self) -> dict[str, Function]:
+        """All that a source may call."""
+        return {each.name: each for each in (*self.solve, *self.lanes, SINGULAR_STATUS, *_BLOCKS)}
+
+
+@cache
+def shared(about_tip: bool = True) -> Shared:
+    """The functions; about_tip: of kernels whose moments are about platform point 1."""
+    texts = Written({}, {}, {FORCE.name: FORCE})
+    read = texts.function
+    rows = (lanes.exchange_rows, lanes.subtract_row)
+    return Shared(
+        (
+            read(scale.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
+            read(scale.scaled_axis),
+        ),
+        (
+            *(read(each) for each in rows),
+            read(lanes.solve_pose, given=by_rows(about_tip)),
+            read(lanes.scale_pose),
+            read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
+        ),
+    )

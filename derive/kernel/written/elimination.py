@@ -1,0 +1,139 @@
+"""The elimination with partial pivoting of H x = c, (36), in the part of Python that ``read`` reads.
+
+One text for all kernels. ``a[i, j]`` is an entry of [H | c], ``upper[k, j]`` one of the row of a pivot; where
+they are, and what the calls that stand alone in a line do, is in ``kernel.elimination``. In column 0 the rows
+from ``FIRST`` on are zero where moments are about platform point 1.
+"""
+
+
+def elimination() -> None:
+    """The row with the largest entry of each column comes to its place, then those below lose the column."""
+    for k in each(6):
+        begin(k)
+        for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
+            exchange(k, i)
+        weigh(k)
+        if ROLLED or IN_ROWS or k < 5:
+            inverse[k,] = 1.0 / a[k, k]
+        if IN_ROWS:
+            a[k, k] = inverse[k,]
+        update(k)
+    for i in each(5, -1, -1):
+        total[i,] = a[i, 6]
+        for j in each(i + 1, 6):
+            total[i,] = total[i,] - a[i, j] * x[j,]
+        if DIVIDES:
+            x[i,] = total[i,] / a[i, i] if i == 5 else total[i,] * inverse[i,]
+        else:
+            x[i,] = total[i,] * (a[i, i] if IN_ROWS else inverse[i,])
+
+
+def nothing(k) -> None:
+    """Where a step has nothing to do."""
+
+
+# ---------------------------------------------------------------- rows that lose a column
+
+
+def by_entries(k) -> None:
+    """Entry after entry."""
+    if IN_ROWS:
+        for j in each(k + 1, 7 if k < 5 else 0):
+            upper[k, j] = a[k, j]
+    for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
+        factor[i, k] = a[i, k] * inverse[k,]
+        for j in each(k + 1, 7):
+            a[i, j] = a[i, j] - factor[i, k] * upper[k, j]
+
+
+def by_rows(k) -> None:
+    """Row after row, each one vector; the next column is known before the rows that hold it are stored."""
+    for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
+        factor[i, k] = a[i,] * inverse[k,]
+    for i in each(k + 1, 6):
+        a[i,] = A[i][k + 1] if k == 0 and i >= FIRST else A[i][k + 1] - factor[i, k] * A[k][k + 1]
+    for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
+        subtract_row(A[i], factor[i, k], A[k])
+
+
+# ---------------------------------------------------------------- pivots
+
+
+def exchange_selected(k, i) -> None:
+    """Poses side by side in arrays: each makes or leaves the exchange."""
+    larger_below = size(a[i, k]) > size(a[k, k])
+    for j in each(k, 7):
+        above = a[k, j]
+        a[k, j] = where(larger_below, a[i, j], a[k, j])
+        a[i, j] = where(larger_below, above, a[i, j])
+
+
+def exchange_in_lanes(k, i) -> None:
+    """The same in lanes, where a number that holds the test makes vectors of one width."""
+    below[i, k] = where(size(a[i, k]) > size(a[k, k]), 1.0, 0.0)
+    for j in each(k, 7):
+        above[k, j, i] = where(below[i, k] > 0.0, a[i, j], a[k, j])
+        a[i, j] = where(below[i, k] > 0.0, a[k, j], a[i, j])
+        a[k, j] = above[k, j, i]
+
+
+def exchange_whole(k, i) -> None:
+    """Rows of one pose; those of equal entries are exchanged in the order of a block's lanes, and round
+    alike."""
+    if size(a[i,]) > size(a[k,]):
+        moved = a[k,]
+        exchange_rows(A[k], A[i])
+        a[k,] = a[i,]
+        a[i,] = moved
+
+
+def largest_of_column(k) -> None:
+    """The largest entry so far."""
+    if k < 5:
+        largest[k,] = size(a[k, k])
+
+
+def exchange_pointers(k, i) -> None:
+    """Rows by their addresses."""
+    other[k, i] = size(a[i, k])
+    if other[k, i] > largest[k,]:
+        if i < (FIRST if FIRST < 6 and k == 0 else 6) - 1:
+            largest[k,] = other[k, i]
+        moved[k, i] = row[i]
+        row[i] = row[k]
+        row[k] = moved[k, i]
+
+
+def first_pivot(k) -> None:
+    """The pivot is looked for, and exchanged when it is found."""
+    pivot = k
+
+
+def look_below(k, i) -> None:
+    """Whether this row has a larger entry."""
+    if size(a[i, k]) > size(A[pivot][k]):
+        pivot = i
+
+
+def exchange_once(k) -> None:
+    """The row of the pivot comes to its place."""
+    for j in each(k, 7):
+        moved = a[k, j]
+        a[k, j] = A[pivot][j]
+        A[pivot][j] = moved
+    suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
+
+
+def suspicion(k) -> None:
+    """Whether a pivot is small."""
+    suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
+
+
+def fault_in_lanes(k) -> None:
+    """The same in lanes."""
+    fault = where(size(a[k, k]) > SUSPECT, fault, 1.0)
+
+
+def product(k) -> None:
+    """Of the pivots: without vector registers it takes fewer instructions than a look at each."""
+    pivots = a[k, k] if k == 0 else pivots * a[k, k]

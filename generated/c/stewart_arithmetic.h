@@ -1,0 +1,89 @@
+/* stewart_arithmetic.h: arithmetic and thresholds of the sources of kernels, which include it.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ */
+#ifndef STEWART_ARITHMETIC_H
+#define STEWART_ARITHMETIC_H
+
+#include "stewart.h"
+
+#if !defined(STEWART_REAL)
+#include <float.h>
+#include <math.h>
+#if defined(STEWART_FLOAT)
+#define STEWART_SQRT(value) sqrtf(value)
+#define STEWART_FABS(value) fabsf(value)
+#define STEWART_EPSILON FLT_EPSILON
+#define STEWART_MAX FLT_MAX
+#else
+#define STEWART_SQRT(value) sqrt(value)
+#define STEWART_FABS(value) fabs(value)
+#define STEWART_EPSILON DBL_EPSILON
+#define STEWART_MAX DBL_MAX
+#endif
+#endif
+
+/* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
+#define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
+
+/* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
+ * along that axis has lost five bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.03125)
+
+/* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
+#if !defined(STEWART_SHORTEST)
+#define STEWART_SHORTEST STEWART_SQRT(REAL(1) / STEWART_MAX / STEWART_EPSILON)
+#endif
+
+#define REAL(value) ((stewart_real)(value))
+#define STEWART_HALF ((stewart_real)0.5)
+#define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+
+/* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
+ * points: the singularity of the universal joint. */
+#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
+
+/* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
+ * may be singular to rounding with others while the pivots are large. */
+#if !defined(STEWART_SHORT_SHARE)
+#if defined(STEWART_FLOAT)
+#define STEWART_SHORT_SHARE REAL(0.0625)
+#else
+#define STEWART_SHORT_SHARE (REAL(64) * STEWART_SQRT(STEWART_EPSILON))
+#endif
+#endif
+
+/* Pivot below which H may be singular to rounding, 2^-13 or 2^-7. The product of all pivots of a singular H
+ * is a few epsilon: where n of them are small, the least is of the order of the n-th root of epsilon at most.
+ * Of singular machines that are nearly singular in other ways as well, it was seen to reach 5e-7, in float
+ * 2.5e-3. */
+#if !defined(STEWART_SUSPECT)
+#if defined(STEWART_FLOAT)
+#define STEWART_SUSPECT REAL(0.0078125)
+#else
+#define STEWART_SUSPECT REAL(0.0001220703125)
+#endif
+#endif
+
+/* Legs of a pose, or poses, side by side. */
+#define LANES 8
+
+#if defined(__cplusplus)
+#define STEWART_RESTRICT __restrict
+#else
+#define STEWART_RESTRICT restrict
+#endif
+
+/* STEWART_APART: never merged into its callers. Compilers make vector instructions of a long loop more readily
+ * when it stands in a function of its own, and what is seldom called costs its callers no registers.
+ * STEWART_SHARED: of a header, which not every source calls. */
+#if defined(__GNUC__)
+#define STEWART_APART __attribute__((noinline))
+#define STEWART_SHARED static __attribute__((unused))
+#else
+#define STEWART_APART
+#define STEWART_SHARED static
+#endif
+
+#endif

@@ -1,0 +1,608 @@
+/* stewart_lanes.h: the solve of one pose and of eight, and eight poses of a batch side by side, for the sources
+ * to include.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ */
+#ifndef STEWART_LANES_H
+#define STEWART_LANES_H
+
+#include "stewart_solve.h"
+
+/* Force of a leg, (37); sources of kernels whose legs have no D define it as -x, and gcc would then make a copy
+ * of the solve without D that keeps fewer numbers in registers. */
+#if !defined(STEWART_FORCE)
+#define STEWART_FORCE(D, x) ((D) - (x))
+#endif
+#if defined(__GNUC__) && !defined(__clang__)
+#define STEWART_NO_COPY __attribute__((noclone))
+#else
+#define STEWART_NO_COPY
+#endif
+
+/* Exchanges two rows. */
+STEWART_SHARED void exchange_rows(
+    stewart_real *STEWART_RESTRICT upper, stewart_real *STEWART_RESTRICT lower)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        const stewart_real moved = upper[j];
+        upper[j] = lower[j];
+        lower[j] = moved;
+    }
+}
+
+/* Subtracts a multiple of a row from another. */
+STEWART_SHARED void subtract_row(
+    stewart_real *STEWART_RESTRICT to, stewart_real factor, const stewart_real *STEWART_RESTRICT row)
+{
+    int j;
+    for (j = 0; j < LANES; ++j) {
+        to[j] = to[j] - factor*row[j];
+    }
+}
+
+/* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
+ * updated, so that a row is one vector, and the next column is known before the rows that hold it are
+ * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
+ * has no moment rows. */
+STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+{
+    stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
+    if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
+        exchange_rows(A[0], A[1]);
+        a_0 = a_1;
+        a_1 = moved;
+    }
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_0)) {
+        const stewart_real moved = a_0;
+        exchange_rows(A[0], A[2]);
+        a_0 = a_2;
+        a_2 = moved;
+    }
+    const stewart_real inverse_0 = REAL(1)/a_0;
+    const stewart_real factor_1_0 = a_1*inverse_0;
+    const stewart_real factor_2_0 = a_2*inverse_0;
+    a_1 = A[1][1] - factor_1_0*A[0][1];
+    a_2 = A[2][1] - factor_2_0*A[0][1];
+    stewart_real a_3 = A[3][1], a_4 = A[4][1], a_5 = A[5][1];
+    subtract_row(A[1], factor_1_0, A[0]);
+    subtract_row(A[2], factor_2_0, A[0]);
+    if (STEWART_FABS(a_2) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
+        exchange_rows(A[1], A[2]);
+        a_1 = a_2;
+        a_2 = moved;
+    }
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
+        exchange_rows(A[1], A[3]);
+        a_1 = a_3;
+        a_3 = moved;
+    }
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
+        exchange_rows(A[1], A[4]);
+        a_1 = a_4;
+        a_4 = moved;
+    }
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_1)) {
+        const stewart_real moved = a_1;
+        exchange_rows(A[1], A[5]);
+        a_1 = a_5;
+        a_5 = moved;
+    }
+    const stewart_real inverse_1 = REAL(1)/a_1;
+    const stewart_real factor_2_1 = a_2*inverse_1;
+    const stewart_real factor_3_1 = a_3*inverse_1;
+    const stewart_real factor_4_1 = a_4*inverse_1;
+    const stewart_real factor_5_1 = a_5*inverse_1;
+    a_2 = A[2][2] - factor_2_1*A[1][2];
+    a_3 = A[3][2] - factor_3_1*A[1][2];
+    a_4 = A[4][2] - factor_4_1*A[1][2];
+    a_5 = A[5][2] - factor_5_1*A[1][2];
+    subtract_row(A[2], factor_2_1, A[1]);
+    subtract_row(A[3], factor_3_1, A[1]);
+    subtract_row(A[4], factor_4_1, A[1]);
+    subtract_row(A[5], factor_5_1, A[1]);
+    if (STEWART_FABS(a_3) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
+        exchange_rows(A[2], A[3]);
+        a_2 = a_3;
+        a_3 = moved;
+    }
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
+        exchange_rows(A[2], A[4]);
+        a_2 = a_4;
+        a_4 = moved;
+    }
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_2)) {
+        const stewart_real moved = a_2;
+        exchange_rows(A[2], A[5]);
+        a_2 = a_5;
+        a_5 = moved;
+    }
+    const stewart_real inverse_2 = REAL(1)/a_2;
+    const stewart_real factor_3_2 = a_3*inverse_2;
+    const stewart_real factor_4_2 = a_4*inverse_2;
+    const stewart_real factor_5_2 = a_5*inverse_2;
+    a_3 = A[3][3] - factor_3_2*A[2][3];
+    a_4 = A[4][3] - factor_4_2*A[2][3];
+    a_5 = A[5][3] - factor_5_2*A[2][3];
+    subtract_row(A[3], factor_3_2, A[2]);
+    subtract_row(A[4], factor_4_2, A[2]);
+    subtract_row(A[5], factor_5_2, A[2]);
+    if (STEWART_FABS(a_4) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
+        exchange_rows(A[3], A[4]);
+        a_3 = a_4;
+        a_4 = moved;
+    }
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_3)) {
+        const stewart_real moved = a_3;
+        exchange_rows(A[3], A[5]);
+        a_3 = a_5;
+        a_5 = moved;
+    }
+    const stewart_real inverse_3 = REAL(1)/a_3;
+    const stewart_real factor_4_3 = a_4*inverse_3;
+    const stewart_real factor_5_3 = a_5*inverse_3;
+    a_4 = A[4][4] - factor_4_3*A[3][4];
+    a_5 = A[5][4] - factor_5_3*A[3][4];
+    subtract_row(A[4], factor_4_3, A[3]);
+    subtract_row(A[5], factor_5_3, A[3]);
+    if (STEWART_FABS(a_5) > STEWART_FABS(a_4)) {
+        const stewart_real moved = a_4;
+        exchange_rows(A[4], A[5]);
+        a_4 = a_5;
+        a_5 = moved;
+    }
+    const stewart_real inverse_4 = REAL(1)/a_4;
+    const stewart_real factor_5_4 = a_5*inverse_4;
+    a_5 = A[5][5] - factor_5_4*A[4][5];
+    subtract_row(A[5], factor_5_4, A[4]);
+    const stewart_real total_5 = A[5][6];
+    x[5] = total_5/a_5;
+    stewart_real total_4 = A[4][6];
+    total_4 = total_4 - A[4][5]*x[5];
+    x[4] = total_4*inverse_4;
+    stewart_real total_3 = A[3][6];
+    total_3 = total_3 - A[3][4]*x[4];
+    total_3 = total_3 - A[3][5]*x[5];
+    x[3] = total_3*inverse_3;
+    stewart_real total_2 = A[2][6];
+    total_2 = total_2 - A[2][3]*x[3];
+    total_2 = total_2 - A[2][4]*x[4];
+    total_2 = total_2 - A[2][5]*x[5];
+    x[2] = total_2*inverse_2;
+    stewart_real total_1 = A[1][6];
+    total_1 = total_1 - A[1][2]*x[2];
+    total_1 = total_1 - A[1][3]*x[3];
+    total_1 = total_1 - A[1][4]*x[4];
+    total_1 = total_1 - A[1][5]*x[5];
+    x[1] = total_1*inverse_1;
+    stewart_real total_0 = A[0][6];
+    total_0 = total_0 - A[0][1]*x[1];
+    total_0 = total_0 - A[0][2]*x[2];
+    total_0 = total_0 - A[0][3]*x[3];
+    total_0 = total_0 - A[0][4]*x[4];
+    total_0 = total_0 - A[0][5]*x[5];
+    x[0] = total_0*inverse_0;
+    return (STEWART_FABS(a_0) > STEWART_SUSPECT && STEWART_FABS(a_1) > STEWART_SUSPECT && STEWART_FABS(a_2) > STEWART_SUSPECT
+        && STEWART_FABS(a_3) > STEWART_SUSPECT && STEWART_FABS(a_4) > STEWART_SUSPECT && STEWART_FABS(a_5) > STEWART_SUSPECT)
+        ? 0 : 1;
+}
+
+/* Takes the moments of the rows [H | c] over a length. */
+STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+{
+    int i, j;
+    for (i = 3; i < 6; ++i) {
+        for (j = 0; j < LANES; ++j) {
+            A[i][j] = A[i][j]*per_length;
+        }
+    }
+}
+
+/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D
+ * - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place by
+ * exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite. */
+STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    (void)D;
+    for (l = 0; l < LANES; ++l) {
+        stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
+            a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
+            a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
+            a_1_5 = column[5][1][l], a_1_6 = column[6][1][l], a_2_0 = column[0][2][l], a_2_1 = column[1][2][l],
+            a_2_2 = column[2][2][l], a_2_3 = column[3][2][l], a_2_4 = column[4][2][l], a_2_5 = column[5][2][l],
+            a_2_6 = column[6][2][l], a_3_1 = column[1][3][l], a_3_2 = column[2][3][l], a_3_3 = column[3][3][l],
+            a_3_4 = column[4][3][l], a_3_5 = column[5][3][l], a_3_6 = column[6][3][l], a_4_1 = column[1][4][l],
+            a_4_2 = column[2][4][l], a_4_3 = column[3][4][l], a_4_4 = column[4][4][l], a_4_5 = column[5][4][l],
+            a_4_6 = column[6][4][l], a_5_1 = column[1][5][l], a_5_2 = column[2][5][l], a_5_3 = column[3][5][l],
+            a_5_4 = column[4][5][l], a_5_5 = column[5][5][l], a_5_6 = column[6][5][l];
+        stewart_real fault = bad[l];
+        const stewart_real below_1_0 = STEWART_FABS(a_1_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real above_0_0_1 = below_1_0 > REAL(0) ? a_1_0 : a_0_0;
+        a_1_0 = below_1_0 > REAL(0) ? a_0_0 : a_1_0;
+        a_0_0 = above_0_0_1;
+        const stewart_real above_0_1_1 = below_1_0 > REAL(0) ? a_1_1 : a_0_1;
+        a_1_1 = below_1_0 > REAL(0) ? a_0_1 : a_1_1;
+        a_0_1 = above_0_1_1;
+        const stewart_real above_0_2_1 = below_1_0 > REAL(0) ? a_1_2 : a_0_2;
+        a_1_2 = below_1_0 > REAL(0) ? a_0_2 : a_1_2;
+        a_0_2 = above_0_2_1;
+        const stewart_real above_0_3_1 = below_1_0 > REAL(0) ? a_1_3 : a_0_3;
+        a_1_3 = below_1_0 > REAL(0) ? a_0_3 : a_1_3;
+        a_0_3 = above_0_3_1;
+        const stewart_real above_0_4_1 = below_1_0 > REAL(0) ? a_1_4 : a_0_4;
+        a_1_4 = below_1_0 > REAL(0) ? a_0_4 : a_1_4;
+        a_0_4 = above_0_4_1;
+        const stewart_real above_0_5_1 = below_1_0 > REAL(0) ? a_1_5 : a_0_5;
+        a_1_5 = below_1_0 > REAL(0) ? a_0_5 : a_1_5;
+        a_0_5 = above_0_5_1;
+        const stewart_real above_0_6_1 = below_1_0 > REAL(0) ? a_1_6 : a_0_6;
+        a_1_6 = below_1_0 > REAL(0) ? a_0_6 : a_1_6;
+        a_0_6 = above_0_6_1;
+        const stewart_real below_2_0 = STEWART_FABS(a_2_0) > STEWART_FABS(a_0_0) ? REAL(1) : REAL(0);
+        const stewart_real above_0_0_2 = below_2_0 > REAL(0) ? a_2_0 : a_0_0;
+        a_2_0 = below_2_0 > REAL(0) ? a_0_0 : a_2_0;
+        a_0_0 = above_0_0_2;
+        const stewart_real above_0_1_2 = below_2_0 > REAL(0) ? a_2_1 : a_0_1;
+        a_2_1 = below_2_0 > REAL(0) ? a_0_1 : a_2_1;
+        a_0_1 = above_0_1_2;
+        const stewart_real above_0_2_2 = below_2_0 > REAL(0) ? a_2_2 : a_0_2;
+        a_2_2 = below_2_0 > REAL(0) ? a_0_2 : a_2_2;
+        a_0_2 = above_0_2_2;
+        const stewart_real above_0_3_2 = below_2_0 > REAL(0) ? a_2_3 : a_0_3;
+        a_2_3 = below_2_0 > REAL(0) ? a_0_3 : a_2_3;
+        a_0_3 = above_0_3_2;
+        const stewart_real above_0_4_2 = below_2_0 > REAL(0) ? a_2_4 : a_0_4;
+        a_2_4 = below_2_0 > REAL(0) ? a_0_4 : a_2_4;
+        a_0_4 = above_0_4_2;
+        const stewart_real above_0_5_2 = below_2_0 > REAL(0) ? a_2_5 : a_0_5;
+        a_2_5 = below_2_0 > REAL(0) ? a_0_5 : a_2_5;
+        a_0_5 = above_0_5_2;
+        const stewart_real above_0_6_2 = below_2_0 > REAL(0) ? a_2_6 : a_0_6;
+        a_2_6 = below_2_0 > REAL(0) ? a_0_6 : a_2_6;
+        a_0_6 = above_0_6_2;
+        fault = STEWART_FABS(a_0_0) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_0 = REAL(1)/a_0_0;
+        const stewart_real factor_1_0 = a_1_0*inverse_0;
+        a_1_1 = a_1_1 - factor_1_0*a_0_1;
+        a_1_2 = a_1_2 - factor_1_0*a_0_2;
+        a_1_3 = a_1_3 - factor_1_0*a_0_3;
+        a_1_4 = a_1_4 - factor_1_0*a_0_4;
+        a_1_5 = a_1_5 - factor_1_0*a_0_5;
+        a_1_6 = a_1_6 - factor_1_0*a_0_6;
+        const stewart_real factor_2_0 = a_2_0*inverse_0;
+        a_2_1 = a_2_1 - factor_2_0*a_0_1;
+        a_2_2 = a_2_2 - factor_2_0*a_0_2;
+        a_2_3 = a_2_3 - factor_2_0*a_0_3;
+        a_2_4 = a_2_4 - factor_2_0*a_0_4;
+        a_2_5 = a_2_5 - factor_2_0*a_0_5;
+        a_2_6 = a_2_6 - factor_2_0*a_0_6;
+        const stewart_real below_2_1 = STEWART_FABS(a_2_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real above_1_1_2 = below_2_1 > REAL(0) ? a_2_1 : a_1_1;
+        a_2_1 = below_2_1 > REAL(0) ? a_1_1 : a_2_1;
+        a_1_1 = above_1_1_2;
+        const stewart_real above_1_2_2 = below_2_1 > REAL(0) ? a_2_2 : a_1_2;
+        a_2_2 = below_2_1 > REAL(0) ? a_1_2 : a_2_2;
+        a_1_2 = above_1_2_2;
+        const stewart_real above_1_3_2 = below_2_1 > REAL(0) ? a_2_3 : a_1_3;
+        a_2_3 = below_2_1 > REAL(0) ? a_1_3 : a_2_3;
+        a_1_3 = above_1_3_2;
+        const stewart_real above_1_4_2 = below_2_1 > REAL(0) ? a_2_4 : a_1_4;
+        a_2_4 = below_2_1 > REAL(0) ? a_1_4 : a_2_4;
+        a_1_4 = above_1_4_2;
+        const stewart_real above_1_5_2 = below_2_1 > REAL(0) ? a_2_5 : a_1_5;
+        a_2_5 = below_2_1 > REAL(0) ? a_1_5 : a_2_5;
+        a_1_5 = above_1_5_2;
+        const stewart_real above_1_6_2 = below_2_1 > REAL(0) ? a_2_6 : a_1_6;
+        a_2_6 = below_2_1 > REAL(0) ? a_1_6 : a_2_6;
+        a_1_6 = above_1_6_2;
+        const stewart_real below_3_1 = STEWART_FABS(a_3_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real above_1_1_3 = below_3_1 > REAL(0) ? a_3_1 : a_1_1;
+        a_3_1 = below_3_1 > REAL(0) ? a_1_1 : a_3_1;
+        a_1_1 = above_1_1_3;
+        const stewart_real above_1_2_3 = below_3_1 > REAL(0) ? a_3_2 : a_1_2;
+        a_3_2 = below_3_1 > REAL(0) ? a_1_2 : a_3_2;
+        a_1_2 = above_1_2_3;
+        const stewart_real above_1_3_3 = below_3_1 > REAL(0) ? a_3_3 : a_1_3;
+        a_3_3 = below_3_1 > REAL(0) ? a_1_3 : a_3_3;
+        a_1_3 = above_1_3_3;
+        const stewart_real above_1_4_3 = below_3_1 > REAL(0) ? a_3_4 : a_1_4;
+        a_3_4 = below_3_1 > REAL(0) ? a_1_4 : a_3_4;
+        a_1_4 = above_1_4_3;
+        const stewart_real above_1_5_3 = below_3_1 > REAL(0) ? a_3_5 : a_1_5;
+        a_3_5 = below_3_1 > REAL(0) ? a_1_5 : a_3_5;
+        a_1_5 = above_1_5_3;
+        const stewart_real above_1_6_3 = below_3_1 > REAL(0) ? a_3_6 : a_1_6;
+        a_3_6 = below_3_1 > REAL(0) ? a_1_6 : a_3_6;
+        a_1_6 = above_1_6_3;
+        const stewart_real below_4_1 = STEWART_FABS(a_4_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real above_1_1_4 = below_4_1 > REAL(0) ? a_4_1 : a_1_1;
+        a_4_1 = below_4_1 > REAL(0) ? a_1_1 : a_4_1;
+        a_1_1 = above_1_1_4;
+        const stewart_real above_1_2_4 = below_4_1 > REAL(0) ? a_4_2 : a_1_2;
+        a_4_2 = below_4_1 > REAL(0) ? a_1_2 : a_4_2;
+        a_1_2 = above_1_2_4;
+        const stewart_real above_1_3_4 = below_4_1 > REAL(0) ? a_4_3 : a_1_3;
+        a_4_3 = below_4_1 > REAL(0) ? a_1_3 : a_4_3;
+        a_1_3 = above_1_3_4;
+        const stewart_real above_1_4_4 = below_4_1 > REAL(0) ? a_4_4 : a_1_4;
+        a_4_4 = below_4_1 > REAL(0) ? a_1_4 : a_4_4;
+        a_1_4 = above_1_4_4;
+        const stewart_real above_1_5_4 = below_4_1 > REAL(0) ? a_4_5 : a_1_5;
+        a_4_5 = below_4_1 > REAL(0) ? a_1_5 : a_4_5;
+        a_1_5 = above_1_5_4;
+        const stewart_real above_1_6_4 = below_4_1 > REAL(0) ? a_4_6 : a_1_6;
+        a_4_6 = below_4_1 > REAL(0) ? a_1_6 : a_4_6;
+        a_1_6 = above_1_6_4;
+        const stewart_real below_5_1 = STEWART_FABS(a_5_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
+        const stewart_real above_1_1_5 = below_5_1 > REAL(0) ? a_5_1 : a_1_1;
+        a_5_1 = below_5_1 > REAL(0) ? a_1_1 : a_5_1;
+        a_1_1 = above_1_1_5;
+        const stewart_real above_1_2_5 = below_5_1 > REAL(0) ? a_5_2 : a_1_2;
+        a_5_2 = below_5_1 > REAL(0) ? a_1_2 : a_5_2;
+        a_1_2 = above_1_2_5;
+        const stewart_real above_1_3_5 = below_5_1 > REAL(0) ? a_5_3 : a_1_3;
+        a_5_3 = below_5_1 > REAL(0) ? a_1_3 : a_5_3;
+        a_1_3 = above_1_3_5;
+        const stewart_real above_1_4_5 = below_5_1 > REAL(0) ? a_5_4 : a_1_4;
+        a_5_4 = below_5_1 > REAL(0) ? a_1_4 : a_5_4;
+        a_1_4 = above_1_4_5;
+        const stewart_real above_1_5_5 = below_5_1 > REAL(0) ? a_5_5 : a_1_5;
+        a_5_5 = below_5_1 > REAL(0) ? a_1_5 : a_5_5;
+        a_1_5 = above_1_5_5;
+        const stewart_real above_1_6_5 = below_5_1 > REAL(0) ? a_5_6 : a_1_6;
+        a_5_6 = below_5_1 > REAL(0) ? a_1_6 : a_5_6;
+        a_1_6 = above_1_6_5;
+        fault = STEWART_FABS(a_1_1) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_1 = REAL(1)/a_1_1;
+        const stewart_real factor_2_1 = a_2_1*inverse_1;
+        a_2_2 = a_2_2 - factor_2_1*a_1_2;
+        a_2_3 = a_2_3 - factor_2_1*a_1_3;
+        a_2_4 = a_2_4 - factor_2_1*a_1_4;
+        a_2_5 = a_2_5 - factor_2_1*a_1_5;
+        a_2_6 = a_2_6 - factor_2_1*a_1_6;
+        const stewart_real factor_3_1 = a_3_1*inverse_1;
+        a_3_2 = a_3_2 - factor_3_1*a_1_2;
+        a_3_3 = a_3_3 - factor_3_1*a_1_3;
+        a_3_4 = a_3_4 - factor_3_1*a_1_4;
+        a_3_5 = a_3_5 - factor_3_1*a_1_5;
+        a_3_6 = a_3_6 - factor_3_1*a_1_6;
+        const stewart_real factor_4_1 = a_4_1*inverse_1;
+        a_4_2 = a_4_2 - factor_4_1*a_1_2;
+        a_4_3 = a_4_3 - factor_4_1*a_1_3;
+        a_4_4 = a_4_4 - factor_4_1*a_1_4;
+        a_4_5 = a_4_5 - factor_4_1*a_1_5;
+        a_4_6 = a_4_6 - factor_4_1*a_1_6;
+        const stewart_real factor_5_1 = a_5_1*inverse_1;
+        a_5_2 = a_5_2 - factor_5_1*a_1_2;
+        a_5_3 = a_5_3 - factor_5_1*a_1_3;
+        a_5_4 = a_5_4 - factor_5_1*a_1_4;
+        a_5_5 = a_5_5 - factor_5_1*a_1_5;
+        a_5_6 = a_5_6 - factor_5_1*a_1_6;
+        const stewart_real below_3_2 = STEWART_FABS(a_3_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real above_2_2_3 = below_3_2 > REAL(0) ? a_3_2 : a_2_2;
+        a_3_2 = below_3_2 > REAL(0) ? a_2_2 : a_3_2;
+        a_2_2 = above_2_2_3;
+        const stewart_real above_2_3_3 = below_3_2 > REAL(0) ? a_3_3 : a_2_3;
+        a_3_3 = below_3_2 > REAL(0) ? a_2_3 : a_3_3;
+        a_2_3 = above_2_3_3;
+        const stewart_real above_2_4_3 = below_3_2 > REAL(0) ? a_3_4 : a_2_4;
+        a_3_4 = below_3_2 > REAL(0) ? a_2_4 : a_3_4;
+        a_2_4 = above_2_4_3;
+        const stewart_real above_2_5_3 = below_3_2 > REAL(0) ? a_3_5 : a_2_5;
+        a_3_5 = below_3_2 > REAL(0) ? a_2_5 : a_3_5;
+        a_2_5 = above_2_5_3;
+        const stewart_real above_2_6_3 = below_3_2 > REAL(0) ? a_3_6 : a_2_6;
+        a_3_6 = below_3_2 > REAL(0) ? a_2_6 : a_3_6;
+        a_2_6 = above_2_6_3;
+        const stewart_real below_4_2 = STEWART_FABS(a_4_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real above_2_2_4 = below_4_2 > REAL(0) ? a_4_2 : a_2_2;
+        a_4_2 = below_4_2 > REAL(0) ? a_2_2 : a_4_2;
+        a_2_2 = above_2_2_4;
+        const stewart_real above_2_3_4 = below_4_2 > REAL(0) ? a_4_3 : a_2_3;
+        a_4_3 = below_4_2 > REAL(0) ? a_2_3 : a_4_3;
+        a_2_3 = above_2_3_4;
+        const stewart_real above_2_4_4 = below_4_2 > REAL(0) ? a_4_4 : a_2_4;
+        a_4_4 = below_4_2 > REAL(0) ? a_2_4 : a_4_4;
+        a_2_4 = above_2_4_4;
+        const stewart_real above_2_5_4 = below_4_2 > REAL(0) ? a_4_5 : a_2_5;
+        a_4_5 = below_4_2 > REAL(0) ? a_2_5 : a_4_5;
+        a_2_5 = above_2_5_4;
+        const stewart_real above_2_6_4 = below_4_2 > REAL(0) ? a_4_6 : a_2_6;
+        a_4_6 = below_4_2 > REAL(0) ? a_2_6 : a_4_6;
+        a_2_6 = above_2_6_4;
+        const stewart_real below_5_2 = STEWART_FABS(a_5_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
+        const stewart_real above_2_2_5 = below_5_2 > REAL(0) ? a_5_2 : a_2_2;
+        a_5_2 = below_5_2 > REAL(0) ? a_2_2 : a_5_2;
+        a_2_2 = above_2_2_5;
+        const stewart_real above_2_3_5 = below_5_2 > REAL(0) ? a_5_3 : a_2_3;
+        a_5_3 = below_5_2 > REAL(0) ? a_2_3 : a_5_3;
+        a_2_3 = above_2_3_5;
+        const stewart_real above_2_4_5 = below_5_2 > REAL(0) ? a_5_4 : a_2_4;
+        a_5_4 = below_5_2 > REAL(0) ? a_2_4 : a_5_4;
+        a_2_4 = above_2_4_5;
+        const stewart_real above_2_5_5 = below_5_2 > REAL(0) ? a_5_5 : a_2_5;
+        a_5_5 = below_5_2 > REAL(0) ? a_2_5 : a_5_5;
+        a_2_5 = above_2_5_5;
+        const stewart_real above_2_6_5 = below_5_2 > REAL(0) ? a_5_6 : a_2_6;
+        a_5_6 = below_5_2 > REAL(0) ? a_2_6 : a_5_6;
+        a_2_6 = above_2_6_5;
+        fault = STEWART_FABS(a_2_2) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_2 = REAL(1)/a_2_2;
+        const stewart_real factor_3_2 = a_3_2*inverse_2;
+        a_3_3 = a_3_3 - factor_3_2*a_2_3;
+        a_3_4 = a_3_4 - factor_3_2*a_2_4;
+        a_3_5 = a_3_5 - factor_3_2*a_2_5;
+        a_3_6 = a_3_6 - factor_3_2*a_2_6;
+        const stewart_real factor_4_2 = a_4_2*inverse_2;
+        a_4_3 = a_4_3 - factor_4_2*a_2_3;
+        a_4_4 = a_4_4 - factor_4_2*a_2_4;
+        a_4_5 = a_4_5 - factor_4_2*a_2_5;
+        a_4_6 = a_4_6 - factor_4_2*a_2_6;
+        const stewart_real factor_5_2 = a_5_2*inverse_2;
+        a_5_3 = a_5_3 - factor_5_2*a_2_3;
+        a_5_4 = a_5_4 - factor_5_2*a_2_4;
+        a_5_5 = a_5_5 - factor_5_2*a_2_5;
+        a_5_6 = a_5_6 - factor_5_2*a_2_6;
+        const stewart_real below_4_3 = STEWART_FABS(a_4_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real above_3_3_4 = below_4_3 > REAL(0) ? a_4_3 : a_3_3;
+        a_4_3 = below_4_3 > REAL(0) ? a_3_3 : a_4_3;
+        a_3_3 = above_3_3_4;
+        const stewart_real above_3_4_4 = below_4_3 > REAL(0) ? a_4_4 : a_3_4;
+        a_4_4 = below_4_3 > REAL(0) ? a_3_4 : a_4_4;
+        a_3_4 = above_3_4_4;
+        const stewart_real above_3_5_4 = below_4_3 > REAL(0) ? a_4_5 : a_3_5;
+        a_4_5 = below_4_3 > REAL(0) ? a_3_5 : a_4_5;
+        a_3_5 = above_3_5_4;
+        const stewart_real above_3_6_4 = below_4_3 > REAL(0) ? a_4_6 : a_3_6;
+        a_4_6 = below_4_3 > REAL(0) ? a_3_6 : a_4_6;
+        a_3_6 = above_3_6_4;
+        const stewart_real below_5_3 = STEWART_FABS(a_5_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
+        const stewart_real above_3_3_5 = below_5_3 > REAL(0) ? a_5_3 : a_3_3;
+        a_5_3 = below_5_3 > REAL(0) ? a_3_3 : a_5_3;
+        a_3_3 = above_3_3_5;
+        const stewart_real above_3_4_5 = below_5_3 > REAL(0) ? a_5_4 : a_3_4;
+        a_5_4 = below_5_3 > REAL(0) ? a_3_4 : a_5_4;
+        a_3_4 = above_3_4_5;
+        const stewart_real above_3_5_5 = below_5_3 > REAL(0) ? a_5_5 : a_3_5;
+        a_5_5 = below_5_3 > REAL(0) ? a_3_5 : a_5_5;
+        a_3_5 = above_3_5_5;
+        const stewart_real above_3_6_5 = below_5_3 > REAL(0) ? a_5_6 : a_3_6;
+        a_5_6 = below_5_3 > REAL(0) ? a_3_6 : a_5_6;
+        a_3_6 = above_3_6_5;
+        fault = STEWART_FABS(a_3_3) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_3 = REAL(1)/a_3_3;
+        const stewart_real factor_4_3 = a_4_3*inverse_3;
+        a_4_4 = a_4_4 - factor_4_3*a_3_4;
+        a_4_5 = a_4_5 - factor_4_3*a_3_5;
+        a_4_6 = a_4_6 - factor_4_3*a_3_6;
+        const stewart_real factor_5_3 = a_5_3*inverse_3;
+        a_5_4 = a_5_4 - factor_5_3*a_3_4;
+        a_5_5 = a_5_5 - factor_5_3*a_3_5;
+        a_5_6 = a_5_6 - factor_5_3*a_3_6;
+        const stewart_real below_5_4 = STEWART_FABS(a_5_4) > STEWART_FABS(a_4_4) ? REAL(1) : REAL(0);
+        const stewart_real above_4_4_5 = below_5_4 > REAL(0) ? a_5_4 : a_4_4;
+        a_5_4 = below_5_4 > REAL(0) ? a_4_4 : a_5_4;
+        a_4_4 = above_4_4_5;
+        const stewart_real above_4_5_5 = below_5_4 > REAL(0) ? a_5_5 : a_4_5;
+        a_5_5 = below_5_4 > REAL(0) ? a_4_5 : a_5_5;
+        a_4_5 = above_4_5_5;
+        const stewart_real above_4_6_5 = below_5_4 > REAL(0) ? a_5_6 : a_4_6;
+        a_5_6 = below_5_4 > REAL(0) ? a_4_6 : a_5_6;
+        a_4_6 = above_4_6_5;
+        fault = STEWART_FABS(a_4_4) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real inverse_4 = REAL(1)/a_4_4;
+        const stewart_real factor_5_4 = a_5_4*inverse_4;
+        a_5_5 = a_5_5 - factor_5_4*a_4_5;
+        a_5_6 = a_5_6 - factor_5_4*a_4_6;
+        fault = STEWART_FABS(a_5_5) > STEWART_SUSPECT ? fault : REAL(1);
+        const stewart_real total_5 = a_5_6;
+        const stewart_real x_5 = total_5/a_5_5;
+        stewart_real total_4 = a_4_6;
+        total_4 = total_4 - a_4_5*x_5;
+        const stewart_real x_4 = total_4*inverse_4;
+        stewart_real total_3 = a_3_6;
+        total_3 = total_3 - a_3_4*x_4;
+        total_3 = total_3 - a_3_5*x_5;
+        const stewart_real x_3 = total_3*inverse_3;
+        stewart_real total_2 = a_2_6;
+        total_2 = total_2 - a_2_3*x_3;
+        total_2 = total_2 - a_2_4*x_4;
+        total_2 = total_2 - a_2_5*x_5;
+        const stewart_real x_2 = total_2*inverse_2;
+        stewart_real total_1 = a_1_6;
+        total_1 = total_1 - a_1_2*x_2;
+        total_1 = total_1 - a_1_3*x_3;
+        total_1 = total_1 - a_1_4*x_4;
+        total_1 = total_1 - a_1_5*x_5;
+        const stewart_real x_1 = total_1*inverse_1;
+        stewart_real total_0 = a_0_6;
+        total_0 = total_0 - a_0_1*x_1;
+        total_0 = total_0 - a_0_2*x_2;
+        total_0 = total_0 - a_0_3*x_3;
+        total_0 = total_0 - a_0_4*x_4;
+        total_0 = total_0 - a_0_5*x_5;
+        const stewart_real x_0 = total_0*inverse_0;
+        const stewart_real force_0 = STEWART_FORCE(D[0][l], x_0);
+        fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
+        F[0][l] = force_0;
+        const stewart_real force_1 = STEWART_FORCE(D[1][l], x_1);
+        fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
+        F[1][l] = force_1;
+        const stewart_real force_2 = STEWART_FORCE(D[2][l], x_2);
+        fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
+        F[2][l] = force_2;
+        const stewart_real force_3 = STEWART_FORCE(D[3][l], x_3);
+        fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
+        F[3][l] = force_3;
+        const stewart_real force_4 = STEWART_FORCE(D[4][l], x_4);
+        fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
+        F[4][l] = force_4;
+        const stewart_real force_5 = STEWART_FORCE(D[5][l], x_5);
+        fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
+        F[5][l] = force_5;
+        bad[l] = fault;
+    }
+}
+
+/* `width` numbers of each of eight poses; past the end, the last pose again. */
+STEWART_SHARED const stewart_real *whole(
+    const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
+{
+    size_t l, i;
+    if (first + (size_t)LANES <= count) {
+        return &from[first * width];
+    }
+    for (l = 0; l < (size_t)LANES; ++l) {
+        const size_t pose = first + l < count ? first + l : count - 1U;
+        for (i = 0; i < width; ++i) {
+            padded[l * width + i] = from[pose * width + i];
+        }
+    }
+    return padded;
+}
+
+/* Eight vectors, eight matrices, eight zeros: component by component. */
+STEWART_SHARED void spread_vector(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int l;
+    for (l = 0; l < LANES; ++l) {
+        to[0][l] = from[3 * l];
+        to[1][l] = from[3 * l + 1];
+        to[2][l] = from[3 * l + 2];
+    }
+}
+
+STEWART_SHARED void spread_matrix(
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 9; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = from[9 * l + i];
+        }
+    }
+}
+
+STEWART_SHARED void clear(stewart_real (*to)[LANES])
+{
+    int i, l;
+    for (i = 0; i < 3; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            to[i][l] = REAL(0);
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,141 @@
+/* stewart_solve.h: what kernels do about the platform's six equations H x = c, for the sources to include: by
+ * what moments and axes are multiplied, and whether H is singular to rounding.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ */
+#ifndef STEWART_SOLVE_H
+#define STEWART_SOLVE_H
+
+#include "stewart_arithmetic.h"
+
+/* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
+ * from `smallest` to 16 m, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+STEWART_SHARED stewart_real per_length_of(stewart_real size, stewart_real smallest)
+{
+    int i;
+    stewart_real unit = REAL(1);
+    if (size >= smallest && size <= REAL(16)) {
+        return unit;
+    }
+    for (i = 0; i < 100; ++i) {
+        if (!(unit < size)) {
+            break;
+        }
+        unit = REAL(2)*unit;
+    }
+    for (i = 0; i < 100; ++i) {
+        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
+            break;
+        }
+        unit = STEWART_HALF*unit;
+    }
+    return REAL(1)/unit;
+}
+
+/* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
+ * length. */
+STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
+{
+    int i, j;
+    for (j = 0; j < 3; ++j) {
+        out[j] = k[j];
+    }
+    for (i = 0; i < 64; ++i) {
+        stewart_real by = REAL(1);
+        stewart_real largest = STEWART_FABS(out[0]);
+        largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
+        largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
+        by = largest > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
+        by = largest < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
+        for (j = 0; j < 3; ++j) {
+            out[j] = by*out[j];
+        }
+    }
+}
+
+/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
+ * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
+ * sum of.
+ *
+ * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+ * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+ * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
+ * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
+ * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
+STEWART_APART STEWART_SHARED int singular_status(
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
+{
+    stewart_real Y[6][6], G[6][6], v[6], grown[6];
+    stewart_real size = REAL(0), worst = REAL(1);
+    int i, j, k, turn;
+    for (i = 0; i < 6; ++i) {
+        v[i] = REAL(1);
+        for (j = 0; j < 3; ++j) {
+            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 6; ++j) {
+            if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
+                return STEWART_NOT_FINITE;
+            }
+            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            Y[i][j] = i == j ? REAL(1) : REAL(0);
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        int pivot = k;
+        for (i = k + 1; i < 6; ++i) {
+            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+        }
+        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+            return STEWART_SINGULAR;
+        }
+        for (j = 0; j < 6; ++j) {
+            const stewart_real h = H[k][j], y = Y[k][j];
+            H[k][j] = H[pivot][j];
+            H[pivot][j] = h;
+            Y[k][j] = Y[pivot][j];
+            Y[pivot][j] = y;
+        }
+        for (i = 0; i < 6; ++i) {
+            const stewart_real factor = H[i][k] / H[k][k];
+            for (j = 0; i != k && j < 6; ++j) {
+                H[i][j] = H[i][j] - factor * H[k][j];
+                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            }
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
+        for (k = 0; k < 6; ++k) {
+            stewart_real turned = REAL(0);
+            for (j = 0; j < 3; ++j) {
+                const int next = (j + 1) % 3, last = (j + 2) % 3;
+                turned = turned + STEWART_FABS(Y[i][j]
+                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
+            }
+            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
+                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
+        }
+    }
+    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
+        stewart_real greatest = REAL(0);
+        worst = REAL(0);
+        for (i = 0; i < 6; ++i) {
+            grown[i] = REAL(0);
+            for (k = 0; k < 6; ++k) {
+                grown[i] = grown[i] + G[i][k] * v[k];
+            }
+            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
+            greatest = STEWART_LARGER(grown[i], greatest);
+        }
+        for (i = 0; i < 6; ++i) {
+            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
+        }
+    }
+    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+}
+
+#endif
