@@ -151,19 +151,22 @@ def _traced() -> tuple[ctypes.CDLL, list[str], list[Mutant]]:
     text, groups = marked(text)
     text = text.replace("#define STEWART_UNIT (STEWART_EPSILON *", "#define STEWART_UNIT (epsilon_here() *")
     return (
-        _compiled({**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}),
+        compiled(
+            {**sources, "stewart_exact_bounds.c": text, "traced.h": _NUMBER, "traced.cpp": _RUN}, "traced.cpp"
+        ),
         groups,
         made,
     )
 
 
-def _compiled(sources: dict[str, str]) -> ctypes.CDLL:
+def compiled(sources: dict[str, str], entry: str) -> ctypes.CDLL:
+    """The library of C++ sources, of which one file holds or includes all."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file, text in sources.items():
             (folder / file).write_text(text, encoding="utf-8")
         library = folder / "traced.so"
-        command = ["g++", "-O1", "-w", "-shared", "-fPIC", "-o", str(library), str(folder / "traced.cpp")]
+        command = ["g++", "-O1", "-w", "-shared", "-fPIC", "-o", str(library), str(folder / entry)]
         subprocess.run(command, check=True, timeout=300)
         return ctypes.CDLL(str(library))
 
